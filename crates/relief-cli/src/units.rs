@@ -33,6 +33,11 @@ pub fn length(text: &str) -> Result<f64, String> {
     }
 }
 
+/// A length, or `inf` for one that is longer than all others.
+pub fn length_or_infinity(text: &str) -> Result<f64, String> {
+    if text.trim().eq_ignore_ascii_case("inf") { Ok(f64::INFINITY) } else { length(text) }
+}
+
 /// One length for both axes, or two between a comma.
 pub fn one_or_two_lengths(text: &str) -> Result<[f64; 2], String> {
     match text.split_once(',') {

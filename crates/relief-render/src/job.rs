@@ -8,6 +8,7 @@ use relief_shaders::cpu::{
 };
 use relief_shaders::{MapSlot, Selection, SlotMaps};
 
+pub use crate::light_views::LightViews;
 use crate::mipmaps::Mipmaps;
 
 /// What both backends are given. The same job gives the same picture on either.
@@ -21,6 +22,8 @@ pub struct Job {
     pub samples: u32,
     /// What changes with the frame.
     pub frame: Frame,
+    /// What lights see, where shadows are looked up there: the frame knows these views.
+    pub light_views: LightViews,
     /// The surfaces. Of several the nearest is seen; of equally near ones the first.
     pub surfaces: Vec<JobSurface>,
 }
@@ -55,9 +58,23 @@ impl JobSurface {
         self.maps.iter().map(|(slot, map)| (*slot, &**map)).collect()
     }
 
-    /// The translated shaders over this surface in a frame.
-    pub fn program(&self, frame: Frame) -> Program<'_> {
+    /// Whether lights see the same of it as of another one.
+    pub(crate) fn looks_same_to_lights(&self, other: &Self) -> bool {
+        let same_map = |((a, of_a), (b, of_b)): (&(MapSlot, Arc<BakedMap>), &(MapSlot, Arc<BakedMap>))| {
+            a == b && Arc::ptr_eq(of_a, of_b)
+        };
+        Arc::ptr_eq(&self.triangles, &other.triangles)
+            && Arc::ptr_eq(&self.height_map, &other.height_map)
+            && self.maps.len() == other.maps.len()
+            && self.maps.iter().zip(&other.maps).all(same_map)
+            && (self.settings, self.two_sided) == (other.settings, other.two_sided)
+    }
+
+    /// The translated shaders over this surface in a frame, with what lights see in its views where it looks
+    /// up shadows there.
+    pub fn program<'a>(&'a self, frame: Frame, light_map: Option<&'a BakedMap>) -> Program<'a> {
         let color_map = self.color.as_deref().map_or(ColorTexture::BLANK, of_levels);
+        let lights = light_map.map(|map| (MapSlot::Lights, map));
         let normal_map = self.normal_map.as_deref().map_or(ColorTexture::BLANK, of_levels);
         Program::new(&Bound {
             frame,
@@ -65,7 +82,7 @@ impl JobSurface {
             height_map: HeightTexture::new(&self.height_map, self.settings.height_levels),
             color_map,
             normal_map,
-            maps: self.slots(),
+            maps: self.maps.iter().map(|(slot, map)| (*slot, &**map)).chain(lights).collect(),
         })
     }
 }
@@ -93,6 +110,6 @@ pub struct Rendering {
 pub fn uncovered() -> PixelOut {
     PixelOut::new(
         [0.0; 4], 0u32, 0u32, [0.0; 2], 0.0, [0.0; 3], [0.0; 3], 0.0, 0.0, [0; 2], 0u32, 0u32, 0u32, 0.0,
-        0u32,
+        0u32, 0.0, 0u32,
     )
 }

@@ -5,6 +5,7 @@
 
 pub mod camera;
 pub mod cpu;
+pub mod depth_buffer;
 pub mod environment;
 #[cfg(feature = "gpu")]
 pub mod gpu;
@@ -12,6 +13,7 @@ mod heights_under;
 pub mod job;
 mod kept;
 pub mod light;
+mod light_views;
 pub mod material;
 pub mod mipmaps;
 pub mod picture;

@@ -7,9 +7,9 @@ use crate::job::Rendering;
 use crate::tone::Tone;
 
 /// The names of the channels of [`aov`], in order.
-pub const AOV_CHANNELS: [&str; 16] = [
+pub const AOV_CHANNELS: [&str; 18] = [
     "hit", "uv.x", "uv.y", "height", "P.x", "P.y", "P.z", "N.x", "N.y", "N.z", "depth", "reads", "steps",
-    "bytes", "lit", "level",
+    "bytes", "lit", "level", "z", "surface",
 ];
 
 /// How linear light becomes the colours of a picture.
@@ -56,7 +56,8 @@ pub fn aov_of(pixel: &PixelOut) -> [f32; AOV_CHANNELS.len()] {
     if pixel.hit == 0 {
         return [0.0; AOV_CHANNELS.len()];
     }
-    let PixelOut { uv, height, position, normal, depth, reads, steps, bytes, lit, level, .. } = pixel;
+    let PixelOut { uv, height, position, normal, depth, reads, steps, bytes, lit, level, z, surface, .. } =
+        pixel;
     [
         1.0,
         uv.x,
@@ -74,6 +75,8 @@ pub fn aov_of(pixel: &PixelOut) -> [f32; AOV_CHANNELS.len()] {
         *bytes as f32,
         *lit,
         *level as f32,
+        *z,
+        *surface as f32,
     ]
 }
 
@@ -81,8 +84,9 @@ pub fn aov_of(pixel: &PixelOut) -> [f32; AOV_CHANNELS.len()] {
 ///
 /// `hit` is 1 or 0; `uv` is not wrapped; `height` is a texel value; `P` and `N` are in the world; `depth` is
 /// in metres along the view axis; `reads`, `steps` and `bytes` are what the ray [cost](relief_core::Cost);
-/// `lit` is the part of the first light that arrives; `level` is the level of detail. Pixels that no surface
-/// covers are 0 throughout.
+/// `lit` is the part of the first light that arrives; `level` is the level of detail; `z` is what the scene's
+/// [depth buffer](crate::depth_buffer::DepthBuffer) holds; `surface` is the surface's number in the scene.
+/// Pixels that no surface covers are 0 throughout.
 pub fn aov(rendering: &Rendering) -> Vec<(&'static str, Vec<f32>)> {
     let plane = |place: usize| rendering.pixels.iter().map(|pixel| aov_of(pixel)[place]).collect();
     AOV_CHANNELS.into_iter().enumerate().map(|(place, name)| (name, plane(place))).collect()

@@ -7,12 +7,13 @@ use relief_core::BakedMap;
 use relief_io::Picture;
 use relief_maps::{Account, Maps, MapsError, Watch};
 use relief_shaders::cpu::{Frame, Light as ShaderLight, SurfaceSettings};
-use relief_shaders::{MAX_LIGHTS, MapNeed, MapSlot, SlotMaps};
+use relief_shaders::{MapNeed, MapSlot, SlotMaps};
 
 use crate::camera::Camera;
 use crate::environment::Environment;
 use crate::job::{Job, JobSurface};
 use crate::light::Light;
+use crate::light_views::{LightViews, relief_points};
 use crate::mesh::Vertex;
 use crate::mipmaps::Mipmaps;
 use crate::pictures::Pictures;
@@ -67,7 +68,8 @@ impl Preparer {
         let none = Vec::new();
         let maps = self.maps.iter().chain(std::iter::repeat(&none));
         let environment = || scene.environment().map_or_else(Environment::sky, Arc::clone);
-        let surfaces = scene.surfaces().iter().zip(maps).map(|(surface, maps)| {
+        let numbered = (0u32..).zip(scene.surfaces());
+        let surfaces = numbered.zip(maps).map(|((number, surface), maps)| {
             let levels = surface.selection().has_levels();
             let color = surface.color().map(|picture| pictures.of(picture, levels, &self.pictures));
             let normal_map = match surface.normal_map() {
@@ -81,6 +83,7 @@ impl Preparer {
             }
             let slots = maps.iter().map(|(slot, map)| (*slot, &**map)).collect();
             let settings = surface_settings(surface, &slots, color.as_deref(), normal_map.as_deref());
+            let settings = SurfaceSettings { number, ..settings };
             let shell_m = [settings.shell_m.x, settings.shell_m.y];
             let of_surface = triangles.of(surface, shell_m, &self.triangles);
             JobSurface {
@@ -94,10 +97,14 @@ impl Preparer {
                 two_sided: surface.two_sided(),
             }
         });
-        let surfaces = surfaces.collect();
+        let surfaces: Vec<JobSurface> = surfaces.collect();
         (self.triangles, self.pictures) = (triangles, pictures);
         let [width, height] = scene.size();
-        Job { width, height, samples: scene.samples(), frame: frame(scene), surfaces }
+        let aspect = f64::from(width) / f64::from(height);
+        let light_views = LightViews::new(scene.lights(), scene.camera(), aspect, &surfaces);
+        let mut frame = frame(scene, &surfaces);
+        light_views.tell(&mut frame);
+        Job { width, height, samples: scene.samples(), frame, light_views, surfaces }
     }
 }
 
@@ -110,7 +117,7 @@ fn place(v: DVec3, w: f32) -> [f32; 4] {
 }
 
 /// What changes with the frame: camera and lights.
-fn frame(scene: &Scene) -> Frame {
+fn frame(scene: &Scene, surfaces: &[JobSurface]) -> Frame {
     let camera = scene.camera();
     let [columns, rows] = scene.size();
     let across = 2.0 * camera.half_height() / f64::from(rows);
@@ -124,15 +131,17 @@ fn frame(scene: &Scene) -> Frame {
     } else {
         (eye, none, none, to_corner(forward), right, down)
     };
-    let mut lights = [ShaderLight::new([0.0; 4], [0.0; 4]); MAX_LIGHTS];
+    let mut lights = Frame::none().lights;
     for (slot, light) in lights.iter_mut().zip(scene.lights()) {
         *slot = match *light {
             Light::Directional { toward, irradiance, diameter_deg } => {
                 let radius = (0.5 * diameter_deg).to_radians().tan();
-                ShaderLight::new(place(toward, 0.0), irradiance.extend(radius as f32).to_array())
+                let color = irradiance.extend(radius as f32).to_array();
+                ShaderLight::new(place(toward, 0.0), color, 0u32, 0u32)
             }
             Light::Point { position_m, intensity, radius_m } => {
-                ShaderLight::new(place(position_m, 1.0), intensity.extend(radius_m as f32).to_array())
+                let color = intensity.extend(radius_m as f32).to_array();
+                ShaderLight::new(place(position_m, 1.0), color, 0u32, 0u32)
             }
         };
     }
@@ -149,10 +158,25 @@ fn frame(scene: &Scene) -> Frame {
         ambient: four(scene.ambient()).into(),
         sample_width: (1.0 / f64::from(scene.samples()).sqrt()) as f32,
         near: near as f32,
+        clip: clip(scene, surfaces).into(),
         background: four(scene.background()).into(),
         lights,
         light_count: scene.lights().len() as u32,
+        ..Frame::none()
     }
+}
+
+/// What the depth buffer holds, as the shaders take it.
+fn clip(scene: &Scene, surfaces: &[JobSurface]) -> [f32; 4] {
+    let camera = scene.camera();
+    let depths = surfaces.iter().flat_map(relief_points);
+    let depths = depths.map(|point| camera.forward().dot(point - camera.eye()));
+    let [near, far] =
+        depths.fold([f64::INFINITY, 0.0], |[near, far], depth| [depth.min(near), depth.max(far)]);
+    let (far, is_orthographic) = (if far > 0.0 { far * 1.01 } else { 1.0 }, camera.is_orthographic());
+    let near = (near * 0.99).clamp(if is_orthographic { 0.0 } else { far * NEAR_OVER_FAR }, far * 0.5);
+    let [always, over, times] = scene.depth_buffer().coefficients(is_orthographic, [near, far]);
+    [always as f32, over as f32, times as f32, 0.0]
 }
 
 /// What belongs to a surface: its maps, displacement, material and method.

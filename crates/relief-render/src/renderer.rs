@@ -211,7 +211,9 @@ impl Renderer {
                 };
                 renderer.render_bands(&job, *sampling, numbers, &rendering, &mut sink)?
             }
-            Backend::Cpu(renderer) => renderer.render_bands(&job, numbers, &rendering, cancel, sink),
+            Backend::Cpu(renderer) => renderer
+                .render_bands(&job, numbers, &rendering, cancel, sink)
+                .ok_or(RenderError::OutOfMemory { width: job.width, height: job.height })?,
         };
         if ended.is_break() { Err(RenderError::Stopped) } else { Ok(self.made(accounts, started)) }
     }

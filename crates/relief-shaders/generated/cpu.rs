@@ -136,6 +136,8 @@ pub struct Entered {
     /// The part, below 1, by which the traced relief is flatter than it is: its heights are drawn toward their
     /// mean.
     pub fade: f32,
+    /// Of a placed hit: metres along the view axis, from where the ray begins to the hit on the ray.
+    pub depth: f32,
 }
 impl Entered {
     pub fn new(
@@ -152,8 +154,9 @@ impl Entered {
         quadric: impl rt::Into<rt::Vec4<f32>>,
         footprint: impl rt::Into<f32>,
         fade: impl rt::Into<f32>,
+        depth: impl rt::Into<f32>,
     ) -> Self {
-        Self { segments: rt::into(segments), point: rt::into(point), uv: rt::into(uv), tangent: rt::into(tangent), bitangent: rt::into(bitangent), normal: rt::into(normal), metric: rt::into(metric), level: rt::into(level), facing: rt::into(facing), span: rt::into(span), quadric: rt::into(quadric), footprint: rt::into(footprint), fade: rt::into(fade) }
+        Self { segments: rt::into(segments), point: rt::into(point), uv: rt::into(uv), tangent: rt::into(tangent), bitangent: rt::into(bitangent), normal: rt::into(normal), metric: rt::into(metric), level: rt::into(level), facing: rt::into(facing), span: rt::into(span), quadric: rt::into(quadric), footprint: rt::into(footprint), fade: rt::into(fade), depth: rt::into(depth) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -248,13 +251,59 @@ pub struct Light {
     /// Linear RGB: irradiance of a directional light, intensity of a point light. The fourth part is how large
     /// its disc is: the tangent of half the angle under which it is seen, or its radius in metres.
     pub color: rt::Vec4<f32>,
+    /// Which of the frame's views of lights are its own, and how many.
+    pub first_view: u32,
+    pub views: u32,
 }
 impl Light {
     pub fn new(
         place: impl rt::Into<rt::Vec4<f32>>,
         color: impl rt::Into<rt::Vec4<f32>>,
+        first_view: impl rt::Into<u32>,
+        views: impl rt::Into<u32>,
     ) -> Self {
-        Self { place: rt::into(place), color: rt::into(color) }
+        Self { place: rt::into(place), color: rt::into(color), first_view: rt::into(first_view), views: rt::into(views) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A picture that a light sees: square, of parallel rays, or of rays from a point.
+pub struct LightView {
+    /// Of a point of the world: column and row in texels, and metres along the view axis. Columns and rows of
+    /// rays from a point are to be divided by the latter.
+    pub column: rt::Vec4<f32>,
+    pub row: rt::Vec4<f32>,
+    pub depth: rt::Vec4<f32>,
+    /// Where the ray through the upper left corner begins; for rays from a point its direction. Its change per
+    /// texel to the right and downward, and where rays from a point begin.
+    pub corner: rt::Vec4<f32>,
+    pub across: rt::Vec4<f32>,
+    pub along: rt::Vec4<f32>,
+    pub eye: rt::Vec4<f32>,
+    /// As in `Frame`.
+    pub near: f32,
+    /// Metres that a texel is wide; 1 m away for rays from a point.
+    pub texel_m: f32,
+    /// 1 where rays begin in a point.
+    pub from_point: u32,
+    /// Texels of a side.
+    pub size: u32,
+}
+impl LightView {
+    pub fn new(
+        column: impl rt::Into<rt::Vec4<f32>>,
+        row: impl rt::Into<rt::Vec4<f32>>,
+        depth: impl rt::Into<rt::Vec4<f32>>,
+        corner: impl rt::Into<rt::Vec4<f32>>,
+        across: impl rt::Into<rt::Vec4<f32>>,
+        along: impl rt::Into<rt::Vec4<f32>>,
+        eye: impl rt::Into<rt::Vec4<f32>>,
+        near: impl rt::Into<f32>,
+        texel_m: impl rt::Into<f32>,
+        from_point: impl rt::Into<u32>,
+        size: impl rt::Into<u32>,
+    ) -> Self {
+        Self { column: rt::into(column), row: rt::into(row), depth: rt::into(depth), corner: rt::into(corner), across: rt::into(across), along: rt::into(along), eye: rt::into(eye), near: rt::into(near), texel_m: rt::into(texel_m), from_point: rt::into(from_point), size: rt::into(size) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -279,10 +328,14 @@ pub struct Frame {
     pub sample_width: f32,
     /// The depth in metres before which hits are ordered less finely than beyond it.
     pub near: f32,
+    /// What a depth buffer holds for a depth d is x + y / d + z d.
+    pub clip: rt::Vec4<f32>,
     /// Linear RGB of pixels that show no surface.
     pub background: rt::Vec4<f32>,
     pub lights: [Light; 8],
     pub light_count: u32,
+    /// What lights see, as far as shadows are looked up there.
+    pub light_views: [LightView; 48],
 }
 impl Frame {
     pub fn new(
@@ -297,11 +350,13 @@ impl Frame {
         ambient: impl rt::Into<rt::Vec4<f32>>,
         sample_width: impl rt::Into<f32>,
         near: impl rt::Into<f32>,
+        clip: impl rt::Into<rt::Vec4<f32>>,
         background: impl rt::Into<rt::Vec4<f32>>,
         lights: impl rt::Into<[Light; 8]>,
         light_count: impl rt::Into<u32>,
+        light_views: impl rt::Into<[LightView; 48]>,
     ) -> Self {
-        Self { view_projection: rt::into(view_projection), eye: rt::into(eye), eye_right: rt::into(eye_right), eye_down: rt::into(eye_down), forward: rt::into(forward), corner: rt::into(corner), right: rt::into(right), down: rt::into(down), ambient: rt::into(ambient), sample_width: rt::into(sample_width), near: rt::into(near), background: rt::into(background), lights: rt::into(lights), light_count: rt::into(light_count) }
+        Self { view_projection: rt::into(view_projection), eye: rt::into(eye), eye_right: rt::into(eye_right), eye_down: rt::into(eye_down), forward: rt::into(forward), corner: rt::into(corner), right: rt::into(right), down: rt::into(down), ambient: rt::into(ambient), sample_width: rt::into(sample_width), near: rt::into(near), clip: rt::into(clip), background: rt::into(background), lights: rt::into(lights), light_count: rt::into(light_count), light_views: rt::into(light_views) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -317,6 +372,32 @@ impl Grid {
         step: impl rt::Into<rt::Vec2<f32>>,
     ) -> Self {
         Self { origin: rt::into(origin), step: rt::into(step) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A point of a surface in a light's view, and the square around it in which texels count.
+pub struct InView {
+    pub number: u32,
+    pub point: rt::Vec3<f32>,
+    pub normal: rt::Vec3<f32>,
+    pub low: rt::Vec2<f32>,
+    pub high: rt::Vec2<f32>,
+    /// How deep planes may be.
+    pub least_depth: f32,
+    pub most_depth: f32,
+}
+impl InView {
+    pub fn new(
+        number: impl rt::Into<u32>,
+        point: impl rt::Into<rt::Vec3<f32>>,
+        normal: impl rt::Into<rt::Vec3<f32>>,
+        low: impl rt::Into<rt::Vec2<f32>>,
+        high: impl rt::Into<rt::Vec2<f32>>,
+        least_depth: impl rt::Into<f32>,
+        most_depth: impl rt::Into<f32>,
+    ) -> Self {
+        Self { number: rt::into(number), point: rt::into(point), normal: rt::into(normal), low: rt::into(low), high: rt::into(high), least_depth: rt::into(least_depth), most_depth: rt::into(most_depth) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -516,6 +597,10 @@ pub struct PixelOut {
     pub lit: f32,
     /// The level of detail that was traced.
     pub level: u32,
+    /// What a depth buffer of the frame's clip space holds for the hit, from 0 to 1.
+    pub z: f32,
+    /// The surface's number in the scene.
+    pub surface: u32,
 }
 impl PixelOut {
     pub fn new(
@@ -534,8 +619,10 @@ impl PixelOut {
         bytes: impl rt::Into<u32>,
         lit: impl rt::Into<f32>,
         level: impl rt::Into<u32>,
+        z: impl rt::Into<f32>,
+        surface: impl rt::Into<u32>,
     ) -> Self {
-        Self { color: rt::into(color), hit: rt::into(hit), exhausted: rt::into(exhausted), uv: rt::into(uv), height: rt::into(height), position: rt::into(position), normal: rt::into(normal), depth: rt::into(depth), t: rt::into(t), cell: rt::into(cell), reads: rt::into(reads), steps: rt::into(steps), bytes: rt::into(bytes), lit: rt::into(lit), level: rt::into(level) }
+        Self { color: rt::into(color), hit: rt::into(hit), exhausted: rt::into(exhausted), uv: rt::into(uv), height: rt::into(height), position: rt::into(position), normal: rt::into(normal), depth: rt::into(depth), t: rt::into(t), cell: rt::into(cell), reads: rt::into(reads), steps: rt::into(steps), bytes: rt::into(bytes), lit: rt::into(lit), level: rt::into(level), z: rt::into(z), surface: rt::into(surface) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -669,7 +756,7 @@ pub struct SurfaceSettings {
     /// For each stage, in the order in which a pixel goes through them.
     pub choices: [Choice; 8],
     /// For each slot of baked maps.
-    pub maps: [MapSettings; 6],
+    pub maps: [MapSettings; 7],
     pub diffuse: rt::Vec4<f32>,
     pub specular: rt::Vec4<f32>,
     /// Columns and rows of the height map, the colour map and the normal map.
@@ -702,6 +789,8 @@ pub struct SurfaceSettings {
     /// refraction.
     pub transmission: f32,
     pub ior: f32,
+    /// Its number in the scene.
+    pub number: u32,
     /// Texels of a face's side in the finest level of the surroundings, and their levels, at least 1 each.
     pub environment_side: u32,
     pub environment_levels: u32,
@@ -709,7 +798,7 @@ pub struct SurfaceSettings {
 impl SurfaceSettings {
     pub fn new(
         choices: impl rt::Into<[Choice; 8]>,
-        maps: impl rt::Into<[MapSettings; 6]>,
+        maps: impl rt::Into<[MapSettings; 7]>,
         diffuse: impl rt::Into<rt::Vec4<f32>>,
         specular: impl rt::Into<rt::Vec4<f32>>,
         height_size: impl rt::Into<rt::Vec2<u32>>,
@@ -732,10 +821,11 @@ impl SurfaceSettings {
         mean_height: impl rt::Into<f32>,
         transmission: impl rt::Into<f32>,
         ior: impl rt::Into<f32>,
+        number: impl rt::Into<u32>,
         environment_side: impl rt::Into<u32>,
         environment_levels: impl rt::Into<u32>,
     ) -> Self {
-        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), shell_m: rt::into(shell_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels) }
+        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), shell_m: rt::into(shell_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), number: rt::into(number), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -769,6 +859,8 @@ pub struct Toward {
     pub distance: f32,
     /// Radius of its disc over its distance: the tangent of half the angle under which it is seen.
     pub radius: f32,
+    /// Its number among the lights of the frame.
+    pub number: u32,
 }
 impl Toward {
     pub fn new(
@@ -776,8 +868,9 @@ impl Toward {
         falloff: impl rt::Into<f32>,
         distance: impl rt::Into<f32>,
         radius: impl rt::Into<f32>,
+        number: impl rt::Into<u32>,
     ) -> Self {
-        Self { direction: rt::into(direction), falloff: rt::into(falloff), distance: rt::into(distance), radius: rt::into(radius) }
+        Self { direction: rt::into(direction), falloff: rt::into(falloff), distance: rt::into(distance), radius: rt::into(radius), number: rt::into(number) }
     }
 }
 #[allow(non_upper_case_globals)]
@@ -805,9 +898,11 @@ pub const LIGHT_RAY_LIT: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
 pub const LIGHT_RAY_OPEN: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
-pub const MAP_SLOTS: rt::Scalar<u32> = rt::Scalar(6u32);
+pub const MAP_SLOTS: rt::Scalar<u32> = rt::Scalar(7u32);
 #[allow(non_upper_case_globals)]
 pub const MAX_LIGHTS: rt::Scalar<u32> = rt::Scalar(8u32);
+#[allow(non_upper_case_globals)]
+pub const MAX_LIGHT_VIEWS: rt::Scalar<u32> = rt::Scalar(48u32);
 #[allow(non_upper_case_globals)]
 pub const NEWTON_STEPS: rt::Scalar<u32> = rt::Scalar(6u32);
 #[allow(non_upper_case_globals)]
@@ -860,10 +955,12 @@ pub(crate) struct Resources<'g> {
     pub(crate) detail_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(10)"]
     pub(crate) environment_map: rt::MapTexture<'g>,
-    #[doc = "group(0) binding(11)"]
+    #[doc = "group(0) binding(12)"]
     pub(crate) frame: Frame,
     #[doc = "group(0) binding(1)"]
     pub(crate) height_map: rt::HeightTexture<'g>,
+    #[doc = "group(0) binding(11)"]
+    pub(crate) light_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(3)"]
     pub(crate) normal_map: rt::ColorTexture<'g>,
     #[doc = "group(0) binding(6)"]
@@ -1355,14 +1452,14 @@ impl<'g> Resources<'g> {
         uv: rt::Vec2<f32>,
         n_2: rt::Vec2<i32>,
     ) -> Around {
-        let point_7 = ((uv * n_2.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_7);
+        let point_9 = ((uv * n_2.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_9);
         let i_1 = _e8.cast_elem_as_i32();
         let _e12 = self.v_wrap_index(i_1.x(), n_2.x());
         let _e17 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_2.x());
         let _e21 = self.v_wrap_index(i_1.y(), n_2.y());
         let _e26 = self.v_wrap_index((i_1.y() + rt::Scalar(1i32)), n_2.y());
-        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_7 - _e8));
+        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_9 - _e8));
     }
     pub(crate) fn level_texels(
         &self,
@@ -1464,11 +1561,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_3);
         let _e3 = self.v_texels_around(uv_1, _e2);
-        let k_21 = level_3.cast_elem_as_i32();
-        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_21);
-        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_21);
-        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_21);
-        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_21);
+        let k_23 = level_3.cast_elem_as_i32();
+        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_23);
+        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_23);
+        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_23);
+        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_23);
         let _e34 = self.v_bilinear(_e11, _e18, _e25, _e32, _e3.part);
         return _e34;
     }
@@ -1670,17 +1767,17 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_face_place(direction_2);
         let _e5 = rt::Scalar(self.surface_settings.environment_side);
-        let last_1 = ((_e5 >> level_6).cast_elem_as_i32().max(rt::Scalar(1i32)) - rt::Scalar(1i32));
-        let point_8 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_1.cast_elem_as_f32()));
-        let most_2 = (last_1 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).cast_elem_as_f32();
-        let corner_3 = point_8.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
-        let texel_4 = corner_3.cast_elem_as_i32();
-        let k_22 = level_6.cast_elem_as_i32();
-        let _e35 = self.v_environment_texel(texel_4, rt::Scalar(_e2.face), k_22);
-        let _e41 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_22);
-        let _e47 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_22);
-        let _e53 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_22);
-        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_8 - corner_3));
+        let last_2 = ((_e5 >> level_6).cast_elem_as_i32().max(rt::Scalar(1i32)) - rt::Scalar(1i32));
+        let point_10 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.cast_elem_as_f32()));
+        let most_2 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).cast_elem_as_f32();
+        let corner_3 = point_10.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
+        let texel_5 = corner_3.cast_elem_as_i32();
+        let k_24 = level_6.cast_elem_as_i32();
+        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_24);
+        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_24);
+        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_24);
+        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_24);
+        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_10 - corner_3));
         return _e55.xyz();
     }
     pub(crate) fn environment_in_lobe(
@@ -1990,15 +2087,15 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_23 = level_8.cast_elem_as_i32();
+        let k_25 = level_8.cast_elem_as_i32();
         let _e6 = self.v_wrap_index(cell.x(), _e2.x());
         let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
         let _e14 = self.v_wrap_index(cell.y(), _e2.y());
         let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_23));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_23));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_23));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_23));
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_25));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_25));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_25));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_25));
         return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
     }
     pub(crate) fn height_at(
@@ -2015,9 +2112,9 @@ impl<'g> Resources<'g> {
         level_9: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
         let _e2 = self.v_height_size(level_9);
-        let point_9 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_9);
-        let f = (point_9 - _e8);
+        let point_11 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_11);
+        let f = (point_11 - _e8);
         let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_9);
         let top_2 = (_e11.x() + ((_e11.y() - _e11.x()) * f.x()));
         let bottom_1 = (_e11.z() + ((_e11.w() - _e11.z()) * f.x()));
@@ -2134,10 +2231,10 @@ impl<'g> Resources<'g> {
         let bx = (h_1.y() - h_1.x());
         let by = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_77 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
+        let at_85 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
         let z = (path_4.h.x() + (t_8 * (path_4.h.y() + (t_8 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_8) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_77.x())) + (by * at_77.y())) + ((twist * at_77.x()) * at_77.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_77.x() * grid_1.step.y()) + (at_77.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_85.x())) + (by * at_85.y())) + ((twist * at_85.x()) * at_85.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_85.x() * grid_1.step.y()) + (at_85.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -2247,11 +2344,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_10);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_24 = level_10.cast_elem_as_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_24));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_24));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_24));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_24));
+        let k_26 = level_10.cast_elem_as_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_26));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_26));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_26));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_26));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -2327,9 +2424,9 @@ impl<'g> Resources<'g> {
         level_11: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(path_6.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_5 = rt::texture::Read::read_texel((&self.shadow_search_map), place_3, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
+            let texel_6 = rt::texture::Read::read_texel((&self.shadow_search_map), place_3, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
             let _e12 = self.surface_settings.maps[2usize];
-            let _e13 = self.v_decoded(texel_5, _e12);
+            let _e13 = self.v_decoded(texel_6, _e12);
             return _e13;
         }
         let _e15 = rt::texture::Read::read_texel((&self.search_map), place_3, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
@@ -2351,9 +2448,9 @@ impl<'g> Resources<'g> {
         texel_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let _e3 = self.v_height_texels(rt::Scalar(path_7.level));
-        let place_7 = texel_1.cast_elem_as_i32();
-        let _e7 = self.v_wrap_index(place_7.x(), _e3.x());
-        let _e10 = self.v_wrap_index(place_7.y(), _e3.y());
+        let place_10 = texel_1.cast_elem_as_i32();
+        let _e7 = self.v_wrap_index(place_10.x(), _e3.x());
+        let _e10 = self.v_wrap_index(place_10.y(), _e3.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e7, _e10);
         let _e15 = self.v_search_texel(path_7, wrapped, rt::Scalar(0i32), rt::Scalar(path_7.level).cast_elem_as_i32());
         let _e17 = self.v_slope_of(_e15.x());
@@ -2404,21 +2501,28 @@ impl<'g> Resources<'g> {
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         return (_e21 / width_1);
     }
+    pub(crate) fn depth_on_ray(&self, pixel_5: PixelIn, path_8: Path, hit_6: Hit) -> f32 {
+        rt::into(self.v_depth_on_ray(pixel_5, path_8, hit_6))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_depth_on_ray(&self, pixel_5: PixelIn, path_8: Path, hit_6: Hit) -> rt::Scalar<f32> {
+        return ((rt::Scalar(path_8.start) + rt::Scalar(hit_6.t)) / pixel_5.direction.length());
+    }
     pub(crate) fn footprint_axis(
         &self,
-        pixel_5: PixelIn,
+        pixel_6: PixelIn,
         at_13: Entered,
         normal_8: impl rt::Into<rt::Vec3<f32>>,
         t_10: impl rt::Into<rt::Scalar<f32>>,
         origin: impl rt::Into<rt::Vec3<f32>>,
         direction_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_footprint_axis(pixel_5, at_13, rt::into(normal_8), rt::into(t_10), rt::into(origin), rt::into(direction_4)))
+        rt::into(self.v_footprint_axis(pixel_6, at_13, rt::into(normal_8), rt::into(t_10), rt::into(origin), rt::into(direction_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_footprint_axis(
         &self,
-        pixel_5: PixelIn,
+        pixel_6: PixelIn,
         at_13: Entered,
         normal_8: rt::Vec3<f32>,
         t_10: rt::Scalar<f32>,
@@ -2426,34 +2530,34 @@ impl<'g> Resources<'g> {
         direction_4: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
         let aside_2 = (origin + (direction_4 * t_10));
-        let along_10 = (normal_8.dot(aside_2) / normal_8.dot(pixel_5.direction));
-        let _e15 = self.v_climb(at_13, (aside_2 - (pixel_5.direction * along_10)));
+        let along_10 = (normal_8.dot(aside_2) / normal_8.dot(pixel_6.direction));
+        let _e15 = self.v_climb(at_13, (aside_2 - (pixel_6.direction * along_10)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.cast_elem_as_f32());
     }
     pub(crate) fn footprint_of(
         &self,
-        pixel_6: PixelIn,
+        pixel_7: PixelIn,
         at_14: Entered,
         anisotropy: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_footprint_of(pixel_6, at_14, rt::into(anisotropy)))
+        rt::into(self.v_footprint_of(pixel_7, at_14, rt::into(anisotropy)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_footprint_of(
         &self,
-        pixel_6: PixelIn,
+        pixel_7: PixelIn,
         at_14: Entered,
         anisotropy: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let normal_14 = at_14.facing;
-        let _e4 = self.v_plane_distance(pixel_6, normal_14);
+        let normal_16 = at_14.facing;
+        let _e4 = self.v_plane_distance(pixel_7, normal_16);
         let _e7 = self.frame.eye_right;
         let _e11 = self.frame.right;
-        let _e13 = self.v_footprint_axis(pixel_6, at_14, normal_14, _e4, _e7.xyz(), _e11.xyz());
+        let _e13 = self.v_footprint_axis(pixel_7, at_14, normal_16, _e4, _e7.xyz(), _e11.xyz());
         let _e16 = self.frame.eye_down;
         let _e20 = self.frame.down;
-        let _e22 = self.v_footprint_axis(pixel_6, at_14, normal_14, _e4, _e16.xyz(), _e20.xyz());
+        let _e22 = self.v_footprint_axis(pixel_7, at_14, normal_16, _e4, _e16.xyz(), _e20.xyz());
         let both = <rt::Vec4<f32>>::new_22(_e13, _e22);
         let sum_1 = both.dot(both);
         let area_1 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
@@ -2466,22 +2570,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn detail_fade(
         &self,
-        pixel_7: PixelIn,
+        pixel_8: PixelIn,
         at_15: Entered,
         params_5: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_fade(pixel_7, at_15, rt::into(params_5)))
+        rt::into(self.v_detail_fade(pixel_8, at_15, rt::into(params_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_fade(
         &self,
-        pixel_7: PixelIn,
+        pixel_8: PixelIn,
         at_15: Entered,
         params_5: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_7, at_15, params_5.x());
+        let _e4 = self.v_footprint_of(pixel_8, at_15, params_5.x());
         let begin_2 = (params_5.z() * params_5.w());
-        let _e8 = self.v_depth_in_samples(pixel_7, at_15);
+        let _e8 = self.v_depth_in_samples(pixel_8, at_15);
         let part_6 = ((begin_2 - _e8) / (begin_2 - params_5.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
         let _e20 = self.v_levels_of((_e4 / params_5.y()), _e19);
@@ -2490,61 +2594,61 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn detail_footprint(
         &self,
-        pixel_8: PixelIn,
+        pixel_9: PixelIn,
         at_16: Entered,
         params_6: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_footprint(pixel_8, at_16, rt::into(params_6)))
+        rt::into(self.v_detail_footprint(pixel_9, at_16, rt::into(params_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_footprint(
         &self,
-        pixel_8: PixelIn,
+        pixel_9: PixelIn,
         at_16: Entered,
         params_6: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_8, at_16, params_6.x());
+        let _e4 = self.v_footprint_of(pixel_9, at_16, params_6.x());
         let _e9 = rt::Scalar(self.surface_settings.height_levels);
         let _e10 = self.v_levels_of((_e4 / params_6.y()), _e9);
         return <Detail>::new(rt::Scalar(_e10.fine), _e4, rt::Scalar(0f32));
     }
     pub(crate) fn detail_none(
         &self,
-        pixel_9: PixelIn,
+        pixel_10: PixelIn,
         at_17: Entered,
         params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_none(pixel_9, at_17, rt::into(params_7)))
+        rt::into(self.v_detail_none(pixel_10, at_17, rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_none(
         &self,
-        pixel_9: PixelIn,
+        pixel_10: PixelIn,
         at_17: Entered,
         params_7: rt::Vec4<f32>,
     ) -> Detail {
         return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub(crate) fn detail_stage(&self, pixel_10: PixelIn, at_18: Entered) -> Detail {
-        rt::into(self.v_detail_stage(pixel_10, at_18))
+    pub(crate) fn detail_stage(&self, pixel_11: PixelIn, at_18: Entered) -> Detail {
+        rt::into(self.v_detail_stage(pixel_11, at_18))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_detail_stage(&self, pixel_10: PixelIn, at_18: Entered) -> Detail {
+    fn v_detail_stage(&self, pixel_11: PixelIn, at_18: Entered) -> Detail {
         let _e6 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[1usize].params;
-                let _e12 = self.v_detail_none(pixel_10, at_18, _e11);
+                let _e12 = self.v_detail_none(pixel_11, at_18, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[1usize].params;
-                let _e18 = self.v_detail_footprint(pixel_10, at_18, _e17);
+                let _e18 = self.v_detail_footprint(pixel_11, at_18, _e17);
                 return _e18;
             }
             _ => {
                 let _e23 = self.surface_settings.choices[1usize].params;
-                let _e24 = self.v_detail_fade(pixel_10, at_18, _e23);
+                let _e24 = self.v_detail_fade(pixel_11, at_18, _e23);
                 return _e24;
             }
         }
@@ -2586,63 +2690,63 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_13);
         let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_25 = (level_13 - SEEN_FIRST_LEVEL).cast_elem_as_i32();
-        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_25);
-        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_25);
-        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_25);
-        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_25);
+        let k_27 = (level_13 - SEEN_FIRST_LEVEL).cast_elem_as_i32();
+        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_27);
+        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_27);
+        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_27);
+        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_27);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e4.part);
         return _e33;
     }
     pub(crate) fn search_texel_between(
         &self,
-        path_8: Path,
+        path_9: Path,
         uv_6: impl rt::Into<rt::Vec2<f32>>,
         layer_4: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel_between(path_8, rt::into(uv_6), rt::into(layer_4)))
+        rt::into(self.v_search_texel_between(path_9, rt::into(uv_6), rt::into(layer_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_texel_between(
         &self,
-        path_8: Path,
+        path_9: Path,
         uv_6: rt::Vec2<f32>,
         layer_4: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = self.v_height_texels(rt::Scalar(path_8.level));
+        let _e4 = self.v_height_texels(rt::Scalar(path_9.level));
         let _e5 = self.v_texels_around(uv_6, _e4);
-        let level_26 = rt::Scalar(path_8.level).cast_elem_as_i32();
-        let _e13 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_26);
-        let _e19 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_26);
-        let _e25 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_26);
-        let _e31 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_26);
+        let level_26 = rt::Scalar(path_9.level).cast_elem_as_i32();
+        let _e13 = self.v_search_texel(path_9, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_26);
+        let _e19 = self.v_search_texel(path_9, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_26);
+        let _e25 = self.v_search_texel(path_9, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_26);
+        let _e31 = self.v_search_texel(path_9, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_26);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
     pub(crate) fn distance_at(
         &self,
-        path_9: Path,
+        path_10: Path,
         uv_7: impl rt::Into<rt::Vec2<f32>>,
         height: impl rt::Into<rt::Scalar<f32>>,
         slices: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_distance_at(path_9, rt::into(uv_7), rt::into(height), rt::into(slices)))
+        rt::into(self.v_distance_at(path_10, rt::into(uv_7), rt::into(height), rt::into(slices)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_distance_at(
         &self,
-        path_9: Path,
+        path_10: Path,
         uv_7: rt::Vec2<f32>,
         height: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_8 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_3 = place_8.floor();
-        let _e13 = self.v_search_texel_between(path_9, uv_7, below_3.cast_elem_as_i32());
+        let place_11 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_3 = place_11.floor();
+        let _e13 = self.v_search_texel_between(path_10, uv_7, below_3.cast_elem_as_i32());
         let lower = _e13.x();
-        let _e21 = self.v_search_texel_between(path_9, uv_7, (below_3 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
+        let _e21 = self.v_search_texel_between(path_10, uv_7, (below_3 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
         let upper = _e21.x();
-        return (lower + ((upper - lower) * (place_8 - below_3)));
+        return (lower + ((upper - lower) * (place_11 - below_3)));
     }
     pub(crate) fn eighth_turn(&self, tangent: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_eighth_turn(rt::into(tangent)))
@@ -2653,69 +2757,69 @@ impl<'g> Resources<'g> {
         let series = (rt::Scalar(0.999866f32) + (s_1 * (rt::Scalar(-0.3302995f32) + (s_1 * (rt::Scalar(0.180141f32) + (s_1 * (rt::Scalar(-0.085133f32) + (s_1 * rt::Scalar(0.0208351f32)))))))));
         return ((tangent * series) * rt::Scalar(0.15915494f32));
     }
-    pub(crate) fn plane_normal(&self, pixel_11: PixelIn) -> rt::Vec3<f32> {
-        rt::into(self.v_plane_normal(pixel_11))
+    pub(crate) fn plane_normal(&self, pixel_12: PixelIn) -> rt::Vec3<f32> {
+        rt::into(self.v_plane_normal(pixel_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_plane_normal(&self, pixel_11: PixelIn) -> rt::Vec3<f32> {
-        let a_5 = pixel_11.a.position;
-        return (pixel_11.b.position - a_5).cross((pixel_11.c.position - a_5));
+    fn v_plane_normal(&self, pixel_12: PixelIn) -> rt::Vec3<f32> {
+        let a_5 = pixel_12.a.position;
+        return (pixel_12.b.position - a_5).cross((pixel_12.c.position - a_5));
     }
     pub(crate) fn plane_weights(
         &self,
-        pixel_12: PixelIn,
+        pixel_13: PixelIn,
         normal_9: impl rt::Into<rt::Vec3<f32>>,
         point_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_plane_weights(pixel_12, rt::into(normal_9), rt::into(point_1)))
+        rt::into(self.v_plane_weights(pixel_13, rt::into(normal_9), rt::into(point_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_plane_weights(
         &self,
-        pixel_12: PixelIn,
+        pixel_13: PixelIn,
         normal_9: rt::Vec3<f32>,
         point_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let a_6 = pixel_12.a.position;
+        let a_6 = pixel_13.a.position;
         let nn = normal_9.dot(normal_9);
         let from_a = (point_1 - a_6);
-        let wb = (from_a.cross((pixel_12.c.position - a_6)).dot(normal_9) / nn);
-        let wc = ((pixel_12.b.position - a_6).cross(from_a).dot(normal_9) / nn);
+        let wb = (from_a.cross((pixel_13.c.position - a_6)).dot(normal_9) / nn);
+        let wc = ((pixel_13.b.position - a_6).cross(from_a).dot(normal_9) / nn);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - wb) - wc), wb, wc);
     }
     pub(crate) fn surface_plane_enter(
         &self,
-        pixel_13: PixelIn,
+        pixel_14: PixelIn,
         params_8: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_enter(pixel_13, rt::into(params_8)))
+        rt::into(self.v_surface_plane_enter(pixel_14, rt::into(params_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_enter(
         &self,
-        pixel_13: PixelIn,
+        pixel_14: PixelIn,
         params_8: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_9: rt::Scalar<bool>;
 
-        let _e2 = self.v_plane_normal(pixel_13);
-        let _e5 = self.v_plane_distance(pixel_13, _e2);
-        let point_10 = (pixel_13.origin + (pixel_13.direction * _e5));
-        let _e8 = self.v_plane_weights(pixel_13, _e2, point_10);
+        let _e2 = self.v_plane_normal(pixel_14);
+        let _e5 = self.v_plane_distance(pixel_14, _e2);
+        let point_12 = (pixel_14.origin + (pixel_14.direction * _e5));
+        let _e8 = self.v_plane_weights(pixel_14, _e2, point_12);
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_21 = (((pixel_13.a.uv * wa) + (pixel_13.b.uv * wb_1)) + (pixel_13.c.uv * wc_1));
-        let tangent_1 = (((pixel_13.a.tangent * wa) + (pixel_13.b.tangent * wb_1)) + (pixel_13.c.tangent * wc_1));
-        let bitangent = (((pixel_13.a.bitangent * wa) + (pixel_13.b.bitangent * wb_1)) + (pixel_13.c.bitangent * wc_1));
-        let normal_15 = ((((pixel_13.a.normal * wa) + (pixel_13.b.normal * wb_1)) + (pixel_13.c.normal * wc_1)).normalize() * rt::Scalar(pixel_13.side));
+        let uv_23 = (((pixel_14.a.uv * wa) + (pixel_14.b.uv * wb_1)) + (pixel_14.c.uv * wc_1));
+        let tangent_1 = (((pixel_14.a.tangent * wa) + (pixel_14.b.tangent * wb_1)) + (pixel_14.c.tangent * wc_1));
+        let bitangent = (((pixel_14.a.bitangent * wa) + (pixel_14.b.bitangent * wb_1)) + (pixel_14.c.bitangent * wc_1));
+        let normal_17 = ((((pixel_14.a.normal * wa) + (pixel_14.b.normal * wb_1)) + (pixel_14.c.normal * wc_1)).normalize() * rt::Scalar(pixel_14.side));
         let tt = tangent_1.dot(tangent_1);
         let tb = tangent_1.dot(bitangent);
         let bb = bitangent.dot(bitangent);
         let area_2 = ((tt * bb) - (tb * tb));
         let _e67 = rt::Scalar(self.surface_settings.scale_m);
         let metric_1 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e67);
-        let descent_2 = (rt::Scalar(0f32) - normal_15.dot((pixel_13.direction / rt::Vec3::splat_from_scalar(pixel_13.direction.length()))));
+        let descent_2 = (rt::Scalar(0f32) - normal_17.dot((pixel_14.direction / rt::Vec3::splat_from_scalar(pixel_14.direction.length()))));
         if rt::Scalar::into_branch_condition(area_2.elementwise_gt(rt::Scalar(0f32))) {
             local_9 = descent_2.elementwise_gt(rt::Scalar(0f32));
         } else {
@@ -2723,93 +2827,93 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_9;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_10, uv_21, tangent_1, bitangent, normal_15, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_12, uv_23, tangent_1, bitangent, normal_17, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
-        pixel_14: PixelIn,
+        pixel_15: PixelIn,
         along: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_middle_of(pixel_14, rt::into(along)))
+        rt::into(self.v_middle_of(pixel_15, rt::into(along)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_middle_of(
         &self,
-        pixel_14: PixelIn,
+        pixel_15: PixelIn,
         along: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let centre = (((pixel_14.a.position + pixel_14.b.position) + pixel_14.c.position) * rt::Scalar(0.33333334f32));
-        return (centre - pixel_14.origin).dot(along);
+        let centre = (((pixel_15.a.position + pixel_15.b.position) + pixel_15.c.position) * rt::Scalar(0.33333334f32));
+        return (centre - pixel_15.origin).dot(along);
     }
     pub(crate) fn frame_at(
         &self,
-        pixel_15: PixelIn,
+        pixel_16: PixelIn,
         weights_1: impl rt::Into<rt::Vec3<f32>>,
         point_2: impl rt::Into<rt::Vec3<f32>>,
         uv_8: impl rt::Into<rt::Vec2<f32>>,
         facing: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_frame_at(pixel_15, rt::into(weights_1), rt::into(point_2), rt::into(uv_8), rt::into(facing)))
+        rt::into(self.v_frame_at(pixel_16, rt::into(weights_1), rt::into(point_2), rt::into(uv_8), rt::into(facing)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frame_at(
         &self,
-        pixel_15: PixelIn,
+        pixel_16: PixelIn,
         weights_1: rt::Vec3<f32>,
         point_2: rt::Vec3<f32>,
         uv_8: rt::Vec2<f32>,
         facing: rt::Vec3<f32>,
     ) -> Entered {
-        let _e6 = self.v_ordered(pixel_15, rt::Scalar(0u32));
-        let _e8 = self.v_ordered(pixel_15, rt::Scalar(1u32));
-        let _e10 = self.v_ordered(pixel_15, rt::Scalar(2u32));
+        let _e6 = self.v_ordered(pixel_16, rt::Scalar(0u32));
+        let _e8 = self.v_ordered(pixel_16, rt::Scalar(1u32));
+        let _e10 = self.v_ordered(pixel_16, rt::Scalar(2u32));
         let tangent_2 = (((_e6.tangent * weights_1.x()) + (_e8.tangent * weights_1.y())) + (_e10.tangent * weights_1.z()));
         let bitangent_1 = (((_e6.bitangent * weights_1.x()) + (_e8.bitangent * weights_1.y())) + (_e10.bitangent * weights_1.z()));
-        let normal_16 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
+        let normal_18 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
         let _e49 = rt::Scalar(self.surface_settings.scale_m);
         let metric_2 = <rt::Vec4<f32>>::from_scalars(tangent_2.dot(tangent_2), tangent_2.dot(bitangent_1), bitangent_1.dot(bitangent_1), _e49);
-        let unit = (normal_16.normalize() * rt::Scalar(pixel_15.side));
-        return <Entered>::new(rt::Scalar(1u32), point_2, uv_8, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32));
+        let unit = (normal_18.normalize() * rt::Scalar(pixel_16.side));
+        return <Entered>::new(rt::Scalar(1u32), point_2, uv_8, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn facing_of(
         &self,
-        pixel_16: PixelIn,
+        pixel_17: PixelIn,
         along_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_facing_of(pixel_16, rt::into(along_1)))
+        rt::into(self.v_facing_of(pixel_17, rt::into(along_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_facing_of(
         &self,
-        pixel_16: PixelIn,
+        pixel_17: PixelIn,
         along_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_plane_normal(pixel_16);
-        let unit_1 = (_e2 * (rt::Scalar(pixel_16.side) / _e2.dot(_e2).sqrt()));
+        let _e2 = self.v_plane_normal(pixel_17);
+        let unit_1 = (_e2 * (rt::Scalar(pixel_17.side) / _e2.dot(_e2).sqrt()));
         let cosine_4 = (rt::Scalar(0f32) - unit_1.dot(along_1));
         return (unit_1 - (along_1 * (rt::Scalar(0.0625f32) - cosine_4).max(rt::Scalar(0f32))));
     }
     pub(crate) fn shell_middle(
         &self,
-        pixel_17: PixelIn,
+        pixel_18: PixelIn,
         along_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_shell_middle(pixel_17, rt::into(along_2)))
+        rt::into(self.v_shell_middle(pixel_18, rt::into(along_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shell_middle(
         &self,
-        pixel_17: PixelIn,
+        pixel_18: PixelIn,
         along_2: rt::Vec3<f32>,
     ) -> Entered {
         let mut at_19: Entered;
 
         let third = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_22 = (((pixel_17.a.uv + pixel_17.b.uv) + pixel_17.c.uv) * rt::Scalar(0.33333334f32));
-        let _e17 = self.v_middle_of(pixel_17, along_2);
-        let point_11 = (pixel_17.origin + (along_2 * _e17));
-        let _e20 = self.v_facing_of(pixel_17, along_2);
-        let _e21 = self.v_frame_at(pixel_17, third, point_11, uv_22, _e20);
+        let uv_24 = (((pixel_18.a.uv + pixel_18.b.uv) + pixel_18.c.uv) * rt::Scalar(0.33333334f32));
+        let _e17 = self.v_middle_of(pixel_18, along_2);
+        let point_13 = (pixel_18.origin + (along_2 * _e17));
+        let _e20 = self.v_facing_of(pixel_18, along_2);
+        let _e21 = self.v_frame_at(pixel_18, third, point_13, uv_24, _e20);
         at_19 = _e21;
         rt::Scalar(at_19.segments) = rt::Scalar(0u32);
         let _e25 = at_19;
@@ -2853,18 +2957,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shell_slack(
         &self,
-        pixel_18: PixelIn,
+        pixel_19: PixelIn,
         middle: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_shell_slack(pixel_18, rt::into(middle)))
+        rt::into(self.v_shell_slack(pixel_19, rt::into(middle)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shell_slack(
         &self,
-        pixel_18: PixelIn,
+        pixel_19: PixelIn,
         middle: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let origin_2 = pixel_18.origin.abs();
+        let origin_2 = pixel_19.origin.abs();
         return (rt::Scalar(0.0000009536743f32) * (origin_2.x().max(origin_2.y()).max(origin_2.z()) + middle.abs()));
     }
     pub(crate) fn where_positive(
@@ -2895,17 +2999,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn tetrahedron(
         &self,
-        pixel_19: PixelIn,
+        pixel_20: PixelIn,
         along_3: impl rt::Into<rt::Vec3<f32>>,
         middle_1: impl rt::Into<rt::Scalar<f32>>,
         number: impl rt::Into<rt::Scalar<u32>>,
     ) -> Tetrahedron {
-        rt::into(self.v_tetrahedron(pixel_19, rt::into(along_3), rt::into(middle_1), rt::into(number)))
+        rt::into(self.v_tetrahedron(pixel_20, rt::into(along_3), rt::into(middle_1), rt::into(number)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_tetrahedron(
         &self,
-        pixel_19: PixelIn,
+        pixel_20: PixelIn,
         along_3: rt::Vec3<f32>,
         middle_1: rt::Scalar<f32>,
         number: rt::Scalar<u32>,
@@ -2913,20 +3017,20 @@ impl<'g> Resources<'g> {
         let mut inside: rt::Vec2<f32>;
         let mut local_10: rt::Scalar<bool>;
 
-        let origin_3 = (pixel_19.origin + (along_3 * middle_1));
+        let origin_3 = (pixel_20.origin + (along_3 * middle_1));
         let is_first = number.elementwise_eq(rt::Scalar(0u32));
         let is_last = number.elementwise_eq(rt::Scalar(2u32));
-        let _e12 = self.v_ordered(pixel_19, rt::Scalar(0u32));
-        let _e15 = self.v_raised(_e12, rt::Scalar(pixel_19.side), rt::Scalar(0f32));
+        let _e12 = self.v_ordered(pixel_20, rt::Scalar(0u32));
+        let _e15 = self.v_raised(_e12, rt::Scalar(pixel_20.side), rt::Scalar(0f32));
         let q0_ = (_e15 - origin_3);
-        let _e20 = self.v_ordered(pixel_19, rt::Scalar(1u32).select(rt::Scalar(0u32), is_last));
-        let _e25 = self.v_raised(_e20, rt::Scalar(pixel_19.side), rt::Scalar(0f32).select(rt::Scalar(1f32), is_last));
+        let _e20 = self.v_ordered(pixel_20, rt::Scalar(1u32).select(rt::Scalar(0u32), is_last));
+        let _e25 = self.v_raised(_e20, rt::Scalar(pixel_20.side), rt::Scalar(0f32).select(rt::Scalar(1f32), is_last));
         let q1_ = (_e25 - origin_3);
-        let _e30 = self.v_ordered(pixel_19, rt::Scalar(1u32).select(rt::Scalar(2u32), is_first));
-        let _e35 = self.v_raised(_e30, rt::Scalar(pixel_19.side), rt::Scalar(1f32).select(rt::Scalar(0f32), is_first));
+        let _e30 = self.v_ordered(pixel_20, rt::Scalar(1u32).select(rt::Scalar(2u32), is_first));
+        let _e35 = self.v_raised(_e30, rt::Scalar(pixel_20.side), rt::Scalar(1f32).select(rt::Scalar(0f32), is_first));
         let q2_ = (_e35 - origin_3);
-        let _e38 = self.v_ordered(pixel_19, rt::Scalar(2u32));
-        let _e41 = self.v_raised(_e38, rt::Scalar(pixel_19.side), rt::Scalar(1f32));
+        let _e38 = self.v_ordered(pixel_20, rt::Scalar(2u32));
+        let _e41 = self.v_raised(_e38, rt::Scalar(pixel_20.side), rt::Scalar(1f32));
         let q3_ = (_e41 - origin_3);
         let e1_ = (q1_ - q0_);
         let e2_ = (q2_ - q0_);
@@ -2944,7 +3048,7 @@ impl<'g> Resources<'g> {
         let g2_ = (along_3.dot(n2_) / volume);
         let g3_ = (along_3.dot(n3_) / volume);
         let g0_ = (rt::Scalar(0f32) - (along_3.dot(n0_) / volume));
-        let _e77 = self.v_shell_slack(pixel_19, middle_1);
+        let _e77 = self.v_shell_slack(pixel_20, middle_1);
         let slack_4 = (_e77 / volume.abs());
         inside = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_1), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e85 = inside;
@@ -2983,44 +3087,44 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn is_met(
         &self,
-        pixel_20: PixelIn,
+        pixel_21: PixelIn,
         along_4: impl rt::Into<rt::Vec3<f32>>,
         middle_2: impl rt::Into<rt::Scalar<f32>>,
         number_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_met(pixel_20, rt::into(along_4), rt::into(middle_2), rt::into(number_1)))
+        rt::into(self.v_is_met(pixel_21, rt::into(along_4), rt::into(middle_2), rt::into(number_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_is_met(
         &self,
-        pixel_20: PixelIn,
+        pixel_21: PixelIn,
         along_4: rt::Vec3<f32>,
         middle_2: rt::Scalar<f32>,
         number_1: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
-        let _e4 = self.v_tetrahedron(pixel_20, along_4, middle_2, number_1);
+        let _e4 = self.v_tetrahedron(pixel_21, along_4, middle_2, number_1);
         let inside_5 = _e4.inside;
         return inside_5.y().elementwise_gt(inside_5.x());
     }
     pub(crate) fn surface_tetrahedra_enter(
         &self,
-        pixel_21: PixelIn,
+        pixel_22: PixelIn,
         params_9: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_enter(pixel_21, rt::into(params_9)))
+        rt::into(self.v_surface_tetrahedra_enter(pixel_22, rt::into(params_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_enter(
         &self,
-        pixel_21: PixelIn,
+        pixel_22: PixelIn,
         params_9: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_20: Entered;
         let mut number_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let along_11 = pixel_21.direction.normalize();
-        let _e4 = self.v_middle_of(pixel_21, along_11);
-        let _e5 = self.v_shell_middle(pixel_21, along_11);
+        let along_11 = pixel_22.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_22, along_11);
+        let _e5 = self.v_shell_middle(pixel_22, along_11);
         at_20 = _e5;
         'naga_break: loop {
             'naga_continue: {
@@ -3031,7 +3135,7 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e12 = number_2;
-                    let _e13 = self.v_is_met(pixel_21, along_11, _e4, _e12);
+                    let _e13 = self.v_is_met(pixel_22, along_11, _e4, _e12);
                     if rt::Scalar::into_branch_condition(_e13) {
                         rt::Scalar(at_20.segments) = rt::Scalar(3u32);
                     }
@@ -3045,26 +3149,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn prism_of(
         &self,
-        pixel_22: PixelIn,
+        pixel_23: PixelIn,
         along_5: impl rt::Into<rt::Vec3<f32>>,
         middle_3: impl rt::Into<rt::Scalar<f32>>,
         params_10: impl rt::Into<rt::Vec4<f32>>,
     ) -> Prism {
-        rt::into(self.v_prism_of(pixel_22, rt::into(along_5), rt::into(middle_3), rt::into(params_10)))
+        rt::into(self.v_prism_of(pixel_23, rt::into(along_5), rt::into(middle_3), rt::into(params_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_prism_of(
         &self,
-        pixel_22: PixelIn,
+        pixel_23: PixelIn,
         along_5: rt::Vec3<f32>,
         middle_3: rt::Scalar<f32>,
         params_10: rt::Vec4<f32>,
     ) -> Prism {
-        let origin_4 = (pixel_22.origin + (along_5 * middle_3));
-        let _e8 = self.v_ordered(pixel_22, rt::Scalar(0u32));
-        let _e10 = self.v_ordered(pixel_22, rt::Scalar(1u32));
-        let _e12 = self.v_ordered(pixel_22, rt::Scalar(2u32));
-        return <Prism>::new((_e8.position - origin_4), (_e10.position - origin_4), (_e12.position - origin_4), (_e8.normal * rt::Scalar(pixel_22.side)), (_e10.normal * rt::Scalar(pixel_22.side)), (_e12.normal * rt::Scalar(pixel_22.side)), (pixel_22.shell.lift * (params_10.y() * rt::Scalar(pixel_22.side))));
+        let origin_4 = (pixel_23.origin + (along_5 * middle_3));
+        let _e8 = self.v_ordered(pixel_23, rt::Scalar(0u32));
+        let _e10 = self.v_ordered(pixel_23, rt::Scalar(1u32));
+        let _e12 = self.v_ordered(pixel_23, rt::Scalar(2u32));
+        return <Prism>::new((_e8.position - origin_4), (_e10.position - origin_4), (_e12.position - origin_4), (_e8.normal * rt::Scalar(pixel_23.side)), (_e10.normal * rt::Scalar(pixel_23.side)), (_e12.normal * rt::Scalar(pixel_23.side)), (pixel_23.shell.lift * (params_10.y() * rt::Scalar(pixel_23.side))));
     }
     pub(crate) fn offsets_of(&self, shell: Shell) -> rt::Vec2<f32> {
         rt::into(self.v_offsets_of(shell))
@@ -3115,18 +3219,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn span_of(
         &self,
-        pixel_23: PixelIn,
+        pixel_24: PixelIn,
         prism_1: Prism,
         along_7: impl rt::Into<rt::Vec3<f32>>,
         middle_4: impl rt::Into<rt::Scalar<f32>>,
         params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_span_of(pixel_23, prism_1, rt::into(along_7), rt::into(middle_4), rt::into(params_11)))
+        rt::into(self.v_span_of(pixel_24, prism_1, rt::into(along_7), rt::into(middle_4), rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_span_of(
         &self,
-        pixel_23: PixelIn,
+        pixel_24: PixelIn,
         prism_1: Prism,
         along_7: rt::Vec3<f32>,
         middle_4: rt::Scalar<f32>,
@@ -3135,12 +3239,12 @@ impl<'g> Resources<'g> {
         let mut shell_1: Shell;
         let mut span_1: rt::Vec2<f32>;
 
-        shell_1 = pixel_23.shell;
+        shell_1 = pixel_24.shell;
         let _e9 = shell_1.lift;
         shell_1.lift = (_e9 * params_11.y());
         let _e12 = shell_1;
         let _e13 = self.v_offsets_of(_e12);
-        let _e14 = self.v_shell_slack(pixel_23, middle_4);
+        let _e14 = self.v_shell_slack(pixel_24, middle_4);
         let low0_ = (prism_1.p0_ + (prism_1.n0_ * _e13.x()));
         let low1_ = (prism_1.p1_ + (prism_1.n1_ * _e13.x()));
         let low2_ = (prism_1.p2_ + (prism_1.n2_ * _e13.x()));
@@ -3228,12 +3332,12 @@ impl<'g> Resources<'g> {
                     let _e37 = w_1.x();
                     let _e41 = w_1.y();
                     let _e46 = w_1.z();
-                    let normal_17 = (((prism_2.n0_ * _e37) + (prism_2.n1_ * _e41)) + (prism_2.n2_ * _e46));
+                    let normal_19 = (((prism_2.n0_ * _e37) + (prism_2.n1_ * _e41)) + (prism_2.n2_ * _e46));
                     let _e51 = w_1.x();
                     let _e55 = w_1.y();
                     let _e60 = w_1.z();
                     let base_1 = (((prism_2.p0_ * _e51) + (prism_2.p1_ * _e55)) + (prism_2.p2_ * _e60));
-                    let rest_2 = ((place_5 - base_1) - (normal_17 * offset_2));
+                    let rest_2 = ((place_5 - base_1) - (normal_19 * offset_2));
                     let _e68 = w_1.x();
                     let _e70 = w_1.y();
                     let _e74 = w_1.z();
@@ -3242,9 +3346,9 @@ impl<'g> Resources<'g> {
                     let _e84 = w_1.z();
                     let _e88 = w_1.y();
                     let third_1 = ((l.y() * (_e82 - _e84)) + (_e88 * (l.x() - l.z())));
-                    let a_8 = (((prism_2.p1_ - prism_2.p0_) + ((prism_2.n1_ - prism_2.n0_) * offset_2)) + (normal_17 * second_1));
-                    let b_7 = (((prism_2.p2_ - prism_2.p0_) + ((prism_2.n2_ - prism_2.n0_) * offset_2)) + (normal_17 * third_1));
-                    let c_7 = (normal_17 * width_3);
+                    let a_8 = (((prism_2.p1_ - prism_2.p0_) + ((prism_2.n1_ - prism_2.n0_) * offset_2)) + (normal_19 * second_1));
+                    let b_7 = (((prism_2.p2_ - prism_2.p0_) + ((prism_2.n2_ - prism_2.n0_) * offset_2)) + (normal_19 * third_1));
+                    let c_7 = (normal_19 * width_3);
                     let across_2 = b_7.cross(c_7);
                     let volume_1 = a_8.dot(across_2);
                     let db = (rest_2.dot(across_2) / volume_1);
@@ -3268,30 +3372,30 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_prism_enter(
         &self,
-        pixel_24: PixelIn,
+        pixel_25: PixelIn,
         params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_enter(pixel_24, rt::into(params_12)))
+        rt::into(self.v_surface_prism_enter(pixel_25, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_enter(
         &self,
-        pixel_24: PixelIn,
+        pixel_25: PixelIn,
         params_12: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_21: Entered;
         let mut local_11: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_24.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e6 = self.v_surface_tetrahedra_enter(pixel_24, params_12);
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_25.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e6 = self.v_surface_tetrahedra_enter(pixel_25, params_12);
             return _e6;
         }
-        let along_12 = pixel_24.direction.normalize();
-        let _e9 = self.v_middle_of(pixel_24, along_12);
-        let _e10 = self.v_prism_of(pixel_24, along_12, _e9, params_12);
-        let _e11 = self.v_shell_middle(pixel_24, along_12);
+        let along_12 = pixel_25.direction.normalize();
+        let _e9 = self.v_middle_of(pixel_25, along_12);
+        let _e10 = self.v_prism_of(pixel_25, along_12, _e9, params_12);
+        let _e11 = self.v_shell_middle(pixel_25, along_12);
         at_21 = _e11;
-        let _e14 = self.v_span_of(pixel_24, _e10, along_12, _e9, params_12);
+        let _e14 = self.v_span_of(pixel_25, _e10, along_12, _e9, params_12);
         at_21.span = _e14;
         let _e17 = at_21.span.y();
         let _e20 = at_21.span.x();
@@ -3306,7 +3410,7 @@ impl<'g> Resources<'g> {
             let _e35 = at_21;
             return _e35;
         }
-        let height_7 = (rt::Scalar(0.5f32) * (pixel_24.shell.heights.x() + pixel_24.shell.heights.y()));
+        let height_7 = (rt::Scalar(0.5f32) * (pixel_25.shell.heights.x() + pixel_25.shell.heights.y()));
         let _e47 = at_21.span.x();
         let _e49 = self.v_shell_point(_e10, (along_12 * _e47), height_7);
         let _e52 = at_21.span.y();
@@ -3317,10 +3421,10 @@ impl<'g> Resources<'g> {
         let _e70 = self.v_shell_point(_e10, (along_12 * (_e65 + (rt::Scalar(0.25f32) * long))), height_7);
         let _e73 = at_21.span.x();
         let _e78 = self.v_shell_point(_e10, (along_12 * (_e73 + (rt::Scalar(0.75f32) * long))), height_7);
-        let _e80 = self.v_beside_chord(pixel_24, _e49, _e62, _e54, _e70, rt::Scalar(0.25f32));
-        let _e82 = self.v_beside_chord(pixel_24, _e49, _e62, _e54, _e78, rt::Scalar(0.75f32));
+        let _e80 = self.v_beside_chord(pixel_25, _e49, _e62, _e54, _e70, rt::Scalar(0.25f32));
+        let _e82 = self.v_beside_chord(pixel_25, _e49, _e62, _e54, _e78, rt::Scalar(0.75f32));
         let quarters = _e80.max(_e82);
-        let _e85 = self.v_beside_chord(pixel_24, _e49, _e62, _e54, _e62, rt::Scalar(0.5f32));
+        let _e85 = self.v_beside_chord(pixel_25, _e49, _e62, _e54, _e62, rt::Scalar(0.5f32));
         let most_4 = _e85.max(quarters);
         rt::Scalar(at_21.segments) = (most_4 / params_12.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).cast_elem_as_u32();
         let _e96 = at_21;
@@ -3362,58 +3466,58 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn quadric_of(
         &self,
-        pixel_25: PixelIn,
+        pixel_26: PixelIn,
         point_3: impl rt::Into<rt::Vec3<f32>>,
         lift_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_quadric_of(pixel_25, rt::into(point_3), rt::into(lift_1)))
+        rt::into(self.v_quadric_of(pixel_26, rt::into(point_3), rt::into(lift_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_of(
         &self,
-        pixel_25: PixelIn,
+        pixel_26: PixelIn,
         point_3: rt::Vec3<f32>,
         lift_1: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let mut height_3: rt::Scalar<f32>;
 
-        let _e3 = self.v_plane_normal(pixel_25);
-        let _e4 = self.v_plane_weights(pixel_25, _e3, point_3);
-        let quadric_2 = (((pixel_25.a.quadric * _e4.x()) + (pixel_25.b.quadric * _e4.y())) + (pixel_25.c.quadric * _e4.z()));
+        let _e3 = self.v_plane_normal(pixel_26);
+        let _e4 = self.v_plane_weights(pixel_26, _e3, point_3);
+        let quadric_2 = (((pixel_26.a.quadric * _e4.x()) + (pixel_26.b.quadric * _e4.y())) + (pixel_26.c.quadric * _e4.z()));
         let _e19 = self.v_base_height();
         height_3 = _e19;
         let _e23 = rt::Scalar(self.surface_settings.bias_m);
         let _e26 = rt::Scalar(self.surface_settings.scale_m);
         if rt::Scalar::into_branch_condition((_e23 + _e26).elementwise_gt(rt::Scalar(0f32))) {
             let _e30 = height_3;
-            height_3 = ((rt::Scalar(2f32) * _e30) - rt::Scalar(1f32)).select(rt::Scalar(1f32), rt::Scalar(pixel_25.side).elementwise_gt(rt::Scalar(0f32)));
+            height_3 = ((rt::Scalar(2f32) * _e30) - rt::Scalar(1f32)).select(rt::Scalar(1f32), rt::Scalar(pixel_26.side).elementwise_gt(rt::Scalar(0f32)));
         }
-        let _e43 = self.v_ordered_weights(pixel_25.shell, _e4);
-        let _e44 = self.v_lift_of(pixel_25.shell.lift, _e43);
-        let lifted_1 = (_e44 * (lift_1 * rt::Scalar(pixel_25.side)));
+        let _e43 = self.v_ordered_weights(pixel_26.shell, _e4);
+        let _e44 = self.v_lift_of(pixel_26.shell.lift, _e43);
+        let lifted_1 = (_e44 * (lift_1 * rt::Scalar(pixel_26.side)));
         let _e50 = height_3;
         let _e51 = self.v_traced_scale_m();
-        return <rt::Vec4<f32>>::new_31((quadric_2 * rt::Scalar(pixel_25.side)), (_e50 - (lifted_1 / _e51)));
+        return <rt::Vec4<f32>>::new_31((quadric_2 * rt::Scalar(pixel_26.side)), (_e50 - (lifted_1 / _e51)));
     }
     pub(crate) fn surface_quadric_vertical_enter(
         &self,
-        pixel_26: PixelIn,
+        pixel_27: PixelIn,
         params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_enter(pixel_26, rt::into(params_13)))
+        rt::into(self.v_surface_quadric_vertical_enter(pixel_27, rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_enter(
         &self,
-        pixel_26: PixelIn,
+        pixel_27: PixelIn,
         params_13: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_22: Entered;
 
-        let _e2 = self.v_surface_plane_enter(pixel_26, params_13);
+        let _e2 = self.v_surface_plane_enter(pixel_27, params_13);
         at_22 = _e2;
         let _e6 = at_22.point;
-        let _e8 = self.v_quadric_of(pixel_26, _e6, params_13.y());
+        let _e8 = self.v_quadric_of(pixel_27, _e6, params_13.y());
         at_22.quadric = _e8;
         let _e11 = at_22.metric.x();
         let _e14 = at_22.metric.z();
@@ -3426,26 +3530,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_quadric_perpendicular_enter(
         &self,
-        pixel_27: PixelIn,
+        pixel_28: PixelIn,
         params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_27, rt::into(params_14)))
+        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_28, rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_enter(
         &self,
-        pixel_27: PixelIn,
+        pixel_28: PixelIn,
         params_14: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_23: Entered;
 
-        let _e2 = self.v_surface_quadric_vertical_enter(pixel_27, params_14);
+        let _e2 = self.v_surface_quadric_vertical_enter(pixel_28, params_14);
         at_23 = _e2;
-        let along_13 = pixel_27.direction.length();
+        let along_13 = pixel_28.direction.length();
         let _e6 = at_23;
-        let _e10 = self.v_across_of(_e6, (pixel_27.direction / rt::Vec3::splat_from_scalar(along_13)));
-        let _e11 = self.v_plane_normal(pixel_27);
-        let _e12 = self.v_plane_distance(pixel_27, _e11);
+        let _e10 = self.v_across_of(_e6, (pixel_28.direction / rt::Vec3::splat_from_scalar(along_13)));
+        let _e11 = self.v_plane_normal(pixel_28);
+        let _e12 = self.v_plane_distance(pixel_28, _e11);
         let eye_1 = (rt::Scalar(0f32) - (_e12 * along_13));
         let _e17 = at_23;
         let _e18 = self.v_across_span(_e17, _e10, eye_1);
@@ -3457,51 +3561,51 @@ impl<'g> Resources<'g> {
         let _e34 = at_23;
         return _e34;
     }
-    pub(crate) fn surface_enter_stage(&self, pixel_28: PixelIn) -> Entered {
-        rt::into(self.v_surface_enter_stage(pixel_28))
+    pub(crate) fn surface_enter_stage(&self, pixel_29: PixelIn) -> Entered {
+        rt::into(self.v_surface_enter_stage(pixel_29))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_enter_stage(&self, pixel_28: PixelIn) -> Entered {
+    fn v_surface_enter_stage(&self, pixel_29: PixelIn) -> Entered {
         let _e5 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[0usize].params;
-                let _e11 = self.v_surface_plane_enter(pixel_28, _e10);
+                let _e11 = self.v_surface_plane_enter(pixel_29, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[0usize].params;
-                let _e17 = self.v_surface_prism_enter(pixel_28, _e16);
+                let _e17 = self.v_surface_prism_enter(pixel_29, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[0usize].params;
-                let _e23 = self.v_surface_quadric_perpendicular_enter(pixel_28, _e22);
+                let _e23 = self.v_surface_quadric_perpendicular_enter(pixel_29, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[0usize].params;
-                let _e29 = self.v_surface_quadric_vertical_enter(pixel_28, _e28);
+                let _e29 = self.v_surface_quadric_vertical_enter(pixel_29, _e28);
                 return _e29;
             }
             _ => {
                 let _e34 = self.surface_settings.choices[0usize].params;
-                let _e35 = self.v_surface_tetrahedra_enter(pixel_28, _e34);
+                let _e35 = self.v_surface_tetrahedra_enter(pixel_29, _e34);
                 return _e35;
             }
         }
     }
-    pub(crate) fn enter_relief(&self, pixel_29: PixelIn) -> Entered {
-        rt::into(self.v_enter_relief(pixel_29))
+    pub(crate) fn enter_relief(&self, pixel_30: PixelIn) -> Entered {
+        rt::into(self.v_enter_relief(pixel_30))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_enter_relief(&self, pixel_29: PixelIn) -> Entered {
+    fn v_enter_relief(&self, pixel_30: PixelIn) -> Entered {
         let mut at_24: Entered;
 
-        let _e1 = self.v_surface_enter_stage(pixel_29);
+        let _e1 = self.v_surface_enter_stage(pixel_30);
         at_24 = _e1;
         let _e3 = at_24;
-        let _e4 = self.v_detail_stage(pixel_29, _e3);
+        let _e4 = self.v_detail_stage(pixel_30, _e3);
         rt::Scalar(at_24.level) = rt::Scalar(_e4.level);
         rt::Scalar(at_24.footprint) = rt::Scalar(_e4.footprint);
         rt::Scalar(at_24.fade) = rt::Scalar(_e4.fade);
@@ -3510,7 +3614,7 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn entered_once(
         &self,
-        path_10: Path,
+        path_11: Path,
         grid_5: Grid,
         above: impl rt::Into<rt::Scalar<f32>>,
         below: impl rt::Into<rt::Scalar<f32>>,
@@ -3518,12 +3622,12 @@ impl<'g> Resources<'g> {
         below_gap: impl rt::Into<rt::Scalar<f32>>,
         so_far: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_entered_once(path_10, grid_5, rt::into(above), rt::into(below), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
+        rt::into(self.v_entered_once(path_11, grid_5, rt::into(above), rt::into(below), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_entered_once(
         &self,
-        path_10: Path,
+        path_11: Path,
         grid_5: Grid,
         above: rt::Scalar<f32>,
         below: rt::Scalar<f32>,
@@ -3569,7 +3673,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
-                    let _e42 = self.v_path_gap(path_10, middle_8);
+                    let _e42 = self.v_path_gap(path_11, middle_8);
                     let _e43 = cost_1;
                     cost_1 = (_e43 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e42.elementwise_le(rt::Scalar(0f32))) {
@@ -3626,11 +3730,11 @@ impl<'g> Resources<'g> {
         let _e5 = self.surface_settings.normal_size;
         let _e6 = self.v_level_texels(_e5, level_14);
         let _e7 = self.v_texels_around(uv_9, _e6);
-        let k_26 = level_14.cast_elem_as_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_26));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_26));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_26));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_26));
+        let k_28 = level_14.cast_elem_as_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_28));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_28));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_28));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_28));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
@@ -3722,17 +3826,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane_segment(
         &self,
-        pixel_30: PixelIn,
+        pixel_31: PixelIn,
         at_27: Entered,
         k_1: impl rt::Into<rt::Scalar<u32>>,
         params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_30, at_27, rt::into(k_1), rt::into(params_15)))
+        rt::into(self.v_surface_plane_segment(pixel_31, at_27, rt::into(k_1), rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_segment(
         &self,
-        pixel_30: PixelIn,
+        pixel_31: PixelIn,
         at_27: Entered,
         k_1: rt::Scalar<u32>,
         params_15: rt::Vec4<f32>,
@@ -3741,16 +3845,16 @@ impl<'g> Resources<'g> {
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_3: rt::Vec2<f32>;
 
-        let along_14 = pixel_30.direction.length();
-        let direction_5 = (pixel_30.direction / rt::Vec3::splat_from_scalar(along_14));
+        let along_14 = pixel_31.direction.length();
+        let direction_5 = (pixel_31.direction / rt::Vec3::splat_from_scalar(along_14));
         let _e9 = self.v_climb(at_27, direction_5);
         let duv_4 = _e9.xy();
         let descent_3 = (rt::Scalar(0f32) - at_27.normal.dot(direction_5));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
         let slope_5 = ((rt::Scalar(0f32) - descent_3) / _e15);
-        let _e20 = self.v_plane_normal(pixel_30);
-        let _e21 = self.v_plane_distance(pixel_30, _e20);
+        let _e20 = self.v_plane_normal(pixel_31);
+        let _e21 = self.v_plane_distance(pixel_31, _e20);
         let distance = (_e21 * along_14);
         let eye_2 = (rt::Scalar(0f32) - distance);
         let top_3 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
@@ -3786,72 +3890,72 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn path_from(
         &self,
-        path_11: Path,
+        path_12: Path,
         t_11: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_path_from(path_11, rt::into(t_11)))
+        rt::into(self.v_path_from(path_12, rt::into(t_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_from(
         &self,
-        path_11: Path,
+        path_12: Path,
         t_11: rt::Scalar<f32>,
     ) -> Path {
         let mut rest: Path;
 
-        rest = path_11;
-        let _e4 = self.v_path_uv(path_11, t_11);
+        rest = path_12;
+        let _e4 = self.v_path_uv(path_12, t_11);
         rest.uv = _e4;
-        rest.h = <rt::Vec3<f32>>::from_scalars((path_11.h.x() + (t_11 * (path_11.h.y() + (t_11 * path_11.h.z())))), (path_11.h.y() + ((rt::Scalar(2f32) * t_11) * path_11.h.z())), path_11.h.z());
-        rt::Scalar(rest.exit) = (rt::Scalar(path_11.exit) - t_11);
-        rt::Scalar(rest.start) = (rt::Scalar(path_11.start) + t_11);
+        rest.h = <rt::Vec3<f32>>::from_scalars((path_12.h.x() + (t_11 * (path_12.h.y() + (t_11 * path_12.h.z())))), (path_12.h.y() + ((rt::Scalar(2f32) * t_11) * path_12.h.z())), path_12.h.z());
+        rt::Scalar(rest.exit) = (rt::Scalar(path_12.exit) - t_11);
+        rt::Scalar(rest.start) = (rt::Scalar(path_12.start) + t_11);
         let _e33 = rest;
         return _e33;
     }
-    pub(crate) fn grid_of(&self, path_12: Path) -> Grid {
-        rt::into(self.v_grid_of(path_12))
+    pub(crate) fn grid_of(&self, path_13: Path) -> Grid {
+        rt::into(self.v_grid_of(path_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_grid_of(&self, path_12: Path) -> Grid {
-        let _e2 = self.v_height_size(rt::Scalar(path_12.level));
-        return <Grid>::new(((path_12.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_12.duv * _e2));
+    fn v_grid_of(&self, path_13: Path) -> Grid {
+        let _e2 = self.v_height_size(rt::Scalar(path_13.level));
+        return <Grid>::new(((path_13.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_13.duv * _e2));
     }
     pub(crate) fn rounded_gap(
         &self,
-        path_13: Path,
+        path_14: Path,
         slack_2: impl rt::Into<rt::Scalar<f32>>,
         texels_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_rounded_gap(path_13, rt::into(slack_2), rt::into(texels_1)))
+        rt::into(self.v_rounded_gap(path_14, rt::into(slack_2), rt::into(texels_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_rounded_gap(
         &self,
-        path_13: Path,
+        path_14: Path,
         slack_2: rt::Scalar<f32>,
         texels_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_height_size(rt::Scalar(path_13.level));
-        let _e11 = self.v_cell_of(((path_13.uv * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e14 = self.v_height_cell(_e11.cast_elem_as_i32(), rt::Scalar(path_13.level));
+        let _e4 = self.v_height_size(rt::Scalar(path_14.level));
+        let _e11 = self.v_cell_of(((path_14.uv * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e14 = self.v_height_cell(_e11.cast_elem_as_i32(), rt::Scalar(path_14.level));
         let range = (_e14.x().max(_e14.y()).max(_e14.z().max(_e14.w())) - _e14.x().min(_e14.y()).min(_e14.z().min(_e14.w())));
-        let change_2 = (path_13.duv.abs() * _e4);
-        let places = ((path_13.uv.abs() * _e4) * rt::Scalar(0.0000009536743f32));
+        let change_2 = (path_14.duv.abs() * _e4);
+        let places = ((path_14.uv.abs() * _e4) * rt::Scalar(0.0000009536743f32));
         let aside_3 = (((((change_2.x() + change_2.y()) * slack_2) + places.x()) + places.y()) + texels_1);
-        return (((path_13.h.y().abs() * slack_2) + (range * aside_3)) + rt::Scalar(0.0000009536743f32));
+        return (((path_14.h.y().abs() * slack_2) + (range * aside_3)) + rt::Scalar(0.0000009536743f32));
     }
     pub(crate) fn out_of_ground(
         &self,
-        path_14: Path,
+        path_15: Path,
         slack_3: impl rt::Into<rt::Scalar<f32>>,
         texels_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_out_of_ground(path_14, rt::into(slack_3), rt::into(texels_2)))
+        rt::into(self.v_out_of_ground(path_15, rt::into(slack_3), rt::into(texels_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_out_of_ground(
         &self,
-        path_14: Path,
+        path_15: Path,
         slack_3: rt::Scalar<f32>,
         texels_2: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
@@ -3861,12 +3965,12 @@ impl<'g> Resources<'g> {
         let mut local_15: rt::Scalar<bool>;
         let mut local_16: rt::Scalar<bool>;
 
-        let _e3 = self.v_grid_of(path_14);
-        let _e4 = self.v_rounded_gap(path_14, slack_3, texels_2);
+        let _e3 = self.v_grid_of(path_15);
+        let _e4 = self.v_rounded_gap(path_15, slack_3, texels_2);
         let _e6 = self.v_cell_of(_e3.origin);
         cell_6 = _e6;
         let _e10 = cell_6;
-        let _e12 = self.v_cell_gap(path_14, _e3, _e10, rt::Scalar(0f32));
+        let _e12 = self.v_cell_gap(path_15, _e3, _e10, rt::Scalar(0f32));
         let is_near = _e12.x().elementwise_ge((rt::Scalar(0f32) - _e4));
         if rt::Scalar::into_branch_condition(_e12.x().elementwise_le(rt::Scalar(0f32))) {
             local_14 = _e12.y().elementwise_gt(rt::Scalar(0f32));
@@ -3883,21 +3987,21 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e31) {
             return rt::Scalar(0f32);
         }
-        let _e34 = self.v_rounded_gap(path_14, slack_3, rt::Scalar(0f32));
+        let _e34 = self.v_rounded_gap(path_15, slack_3, rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
                 let _e35 = t_12;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(path_14.exit))) {
+                if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(path_15.exit))) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e38 = cell_6;
                     let _e39 = self.v_cell_leave(_e3, _e38);
-                    let end_1 = _e39.x().min(_e39.y()).min(rt::Scalar(path_14.exit));
+                    let end_1 = _e39.x().min(_e39.y()).min(rt::Scalar(path_15.exit));
                     let _e48 = cell_6;
                     let _e49 = t_12;
-                    let _e50 = self.v_cell_gap(path_14, _e3, _e48, _e49);
+                    let _e50 = self.v_cell_gap(path_15, _e3, _e48, _e49);
                     let below_4 = (<rt::Vec3<f32>>::from_scalars(_e34, rt::Scalar(0f32), rt::Scalar(0f32)) - _e50);
                     if rt::Scalar::into_branch_condition((!below_4.x().elementwise_gt(rt::Scalar(0f32)))) {
                         let _e56 = t_12;
@@ -3928,34 +4032,34 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        return rt::Scalar(path_14.exit);
+        return rt::Scalar(path_15.exit);
     }
     pub(crate) fn surface_tetrahedra_segment(
         &self,
-        pixel_31: PixelIn,
+        pixel_32: PixelIn,
         at_28: Entered,
         k_2: impl rt::Into<rt::Scalar<u32>>,
         params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_31, at_28, rt::into(k_2), rt::into(params_16)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_32, at_28, rt::into(k_2), rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_segment(
         &self,
-        pixel_31: PixelIn,
+        pixel_32: PixelIn,
         at_28: Entered,
         k_2: rt::Scalar<u32>,
         params_16: rt::Vec4<f32>,
     ) -> Path {
         let mut chosen: Tetrahedron;
         let mut inside_1: rt::Vec2<f32>;
-        let mut path_15: Path;
+        let mut path_16: Path;
 
-        let along_15 = pixel_31.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_31, along_15);
-        let _e8 = self.v_tetrahedron(pixel_31, along_15, _e6, rt::Scalar(0u32));
-        let _e10 = self.v_tetrahedron(pixel_31, along_15, _e6, rt::Scalar(1u32));
-        let _e12 = self.v_tetrahedron(pixel_31, along_15, _e6, rt::Scalar(2u32));
+        let along_15 = pixel_32.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_32, along_15);
+        let _e8 = self.v_tetrahedron(pixel_32, along_15, _e6, rt::Scalar(0u32));
+        let _e10 = self.v_tetrahedron(pixel_32, along_15, _e6, rt::Scalar(1u32));
+        let _e12 = self.v_tetrahedron(pixel_32, along_15, _e6, rt::Scalar(2u32));
         let _e15 = self.v_comes_before(_e8.inside, _e10.inside);
         let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
         let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
@@ -3966,30 +4070,30 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_2)) {
             chosen = _e12;
         }
-        let _e30 = self.v_ordered(pixel_31, rt::Scalar(0u32));
-        let _e32 = self.v_ordered(pixel_31, rt::Scalar(1u32));
-        let _e34 = self.v_ordered(pixel_31, rt::Scalar(2u32));
+        let _e30 = self.v_ordered(pixel_32, rt::Scalar(0u32));
+        let _e32 = self.v_ordered(pixel_32, rt::Scalar(1u32));
+        let _e34 = self.v_ordered(pixel_32, rt::Scalar(2u32));
         let w_2 = chosen.weights;
         let g = chosen.change;
-        let uv_23 = (((_e30.uv * w_2.x()) + (_e32.uv * w_2.y())) + (_e34.uv * w_2.z()));
+        let uv_25 = (((_e30.uv * w_2.x()) + (_e32.uv * w_2.y())) + (_e34.uv * w_2.z()));
         let duv_5 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
-        let _e61 = self.v_shell_slack(pixel_31, _e6);
+        let _e61 = self.v_shell_slack(pixel_32, _e6);
         let beyond_1 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
         let _e68 = chosen.inside;
         inside_1 = _e68;
         let _e70 = inside_1;
-        let _e77 = self.v_where_positive(_e70, (w_2.w() - pixel_31.shell.heights.x()), g.w(), beyond_1);
+        let _e77 = self.v_where_positive(_e70, (w_2.w() - pixel_32.shell.heights.x()), g.w(), beyond_1);
         inside_1 = _e77;
         let _e78 = inside_1;
-        let _e87 = self.v_where_positive(_e78, (pixel_31.shell.heights.y() - w_2.w()), (rt::Scalar(0f32) - g.w()), beyond_1);
+        let _e87 = self.v_where_positive(_e78, (pixel_32.shell.heights.y() - w_2.w()), (rt::Scalar(0f32) - g.w()), beyond_1);
         inside_1 = _e87;
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_1;
-            let _e96 = self.v_inside_unit(uv_23.x(), duv_5.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_25.x(), duv_5.x(), _e95);
             inside_1 = _e96;
             let _e99 = inside_1;
-            let _e100 = self.v_inside_unit(uv_23.y(), duv_5.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_25.y(), duv_5.y(), _e99);
             inside_1 = _e100;
         }
         let whole = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -4000,46 +4104,46 @@ impl<'g> Resources<'g> {
         let _e146 = inside_1.x();
         let _e149 = inside_1.y();
         let _e151 = inside_1.x();
-        path_15 = <Path>::new((uv_23 + (duv_5 * _e125)), duv_5, <rt::Vec3<f32>>::from_scalars((w_2.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_28.metric, RAY_VIEW, rt::Scalar(at_28.level), (_e6 + _e146), ((_e149 - _e151) / whole));
-        let _e158 = rt::Scalar(path_15.exit);
+        path_16 = <Path>::new((uv_25 + (duv_5 * _e125)), duv_5, <rt::Vec3<f32>>::from_scalars((w_2.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_28.metric, RAY_VIEW, rt::Scalar(at_28.level), (_e6 + _e146), ((_e149 - _e151) / whole));
+        let _e158 = rt::Scalar(path_16.exit);
         if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
-            let _e161 = path_15;
-            let _e162 = path_15;
+            let _e161 = path_16;
+            let _e162 = path_16;
             let _e166 = self.v_out_of_ground(_e162, (rt::Scalar(4f32) * _e61), rt::Scalar(0f32));
             let _e167 = self.v_path_from(_e161, _e166);
-            path_15 = _e167;
+            path_16 = _e167;
         }
-        let _e168 = path_15;
+        let _e168 = path_16;
         return _e168;
     }
     pub(crate) fn surface_prism_segment(
         &self,
-        pixel_32: PixelIn,
+        pixel_33: PixelIn,
         at_29: Entered,
         k_3: impl rt::Into<rt::Scalar<u32>>,
         params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_32, at_29, rt::into(k_3), rt::into(params_17)))
+        rt::into(self.v_surface_prism_segment(pixel_33, at_29, rt::into(k_3), rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_segment(
         &self,
-        pixel_32: PixelIn,
+        pixel_33: PixelIn,
         at_29: Entered,
         k_3: rt::Scalar<u32>,
         params_17: rt::Vec4<f32>,
     ) -> Path {
         let mut inside_2: rt::Vec2<f32>;
-        let mut path_16: Path;
+        let mut path_17: Path;
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_32.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_surface_tetrahedra_segment(pixel_32, at_29, k_3, params_17);
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_33.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e8 = self.v_surface_tetrahedra_segment(pixel_33, at_29, k_3, params_17);
             return _e8;
         }
-        let along_16 = pixel_32.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_32, along_16);
-        let _e12 = self.v_prism_of(pixel_32, along_16, _e11, params_17);
-        let heights_1 = pixel_32.shell.heights;
+        let along_16 = pixel_33.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_33, along_16);
+        let _e12 = self.v_prism_of(pixel_33, along_16, _e11, params_17);
+        let heights_1 = pixel_33.shell.heights;
         let mean_3 = (rt::Scalar(0.5f32) * (heights_1.x() + heights_1.y()));
         let _e20 = self.v_chord_end(at_29, k_3);
         let _e23 = self.v_chord_end(at_29, (k_3 + rt::Scalar(1u32)));
@@ -4047,19 +4151,19 @@ impl<'g> Resources<'g> {
         let _e26 = self.v_shell_point(_e12, (along_16 * _e20), mean_3);
         let _e31 = self.v_shell_point(_e12, (along_16 * (rt::Scalar(0.5f32) * (_e20 + _e23))), mean_3);
         let _e33 = self.v_shell_point(_e12, (along_16 * _e23), mean_3);
-        let _e35 = self.v_uv_of(pixel_32, _e26.weights);
-        let _e37 = self.v_uv_of(pixel_32, _e33.weights);
+        let _e35 = self.v_uv_of(pixel_33, _e26.weights);
+        let _e37 = self.v_uv_of(pixel_33, _e33.weights);
         let duv_6 = ((_e37 - _e35) / rt::Vec2::splat_from_scalar(long_1));
         let bend_2 = (rt::Scalar(2f32) * ((rt::Scalar(_e26.height) + rt::Scalar(_e33.height)) - (rt::Scalar(2f32) * rt::Scalar(_e31.height))));
         let slope_6 = ((rt::Scalar(_e33.height) - rt::Scalar(_e26.height)) - bend_2);
-        let _e54 = self.v_shell_slack(pixel_32, _e11);
+        let _e54 = self.v_shell_slack(pixel_33, _e11);
         let change_3 = ((_e33.weights - _e26.weights) / rt::Vec3::splat_from_scalar(long_1));
         let _e67 = self.v_height_size(rt::Scalar(0u32));
         let _e70 = self.v_height_size(rt::Scalar(0u32));
-        let texel_6 = (at_29.metric.x().max(at_29.metric.z()).sqrt() / _e67.x().max(_e70.y()));
+        let texel_7 = (at_29.metric.x().max(at_29.metric.z()).sqrt() / _e67.x().max(_e70.y()));
         let edges = <rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length());
         let twice = (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length();
-        let beyond_2 = (edges * ((_e54 + ((rt::Scalar(2f32) * params_17.x()) * texel_6)) / twice));
+        let beyond_2 = (edges * ((_e54 + ((rt::Scalar(2f32) * params_17.x()) * texel_7)) / twice));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_1);
         let _e105 = inside_2;
         let _e110 = self.v_where_positive(_e105, _e26.weights.x(), change_3.x(), beyond_2.x());
@@ -4080,54 +4184,54 @@ impl<'g> Resources<'g> {
             inside_2 = _e135;
         }
         let _e142 = inside_2.y();
-        path_16 = <Path>::new(_e35, duv_6, <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e26.height), (slope_6 / long_1), (bend_2 / (long_1 * long_1))), _e142, rt::Scalar(0f32), at_29.metric, RAY_VIEW, rt::Scalar(at_29.level), (_e11 + _e20), (rt::Scalar(1f32) / rt::Scalar(at_29.segments).cast_elem_as_f32()));
+        path_17 = <Path>::new(_e35, duv_6, <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e26.height), (slope_6 / long_1), (bend_2 / (long_1 * long_1))), _e142, rt::Scalar(0f32), at_29.metric, RAY_VIEW, rt::Scalar(at_29.level), (_e11 + _e20), (rt::Scalar(1f32) / rt::Scalar(at_29.segments).cast_elem_as_f32()));
         let _e155 = inside_2.y();
         let _e157 = inside_2.x();
         if rt::Scalar::into_branch_condition((!_e155.elementwise_gt(_e157))) {
-            rt::Scalar(path_16.exit) = rt::Scalar(0f32);
-            let _e162 = path_16;
+            rt::Scalar(path_17.exit) = rt::Scalar(0f32);
+            let _e162 = path_17;
             return _e162;
         }
-        let _e163 = path_16;
+        let _e163 = path_17;
         let _e165 = inside_2.x();
         let _e166 = self.v_path_from(_e163, _e165);
-        path_16 = _e166;
-        let _e169 = path_16.h.x();
+        path_17 = _e166;
+        let _e169 = path_17.h.x();
         let above_4 = (_e169 - heights_1.y());
         if rt::Scalar::into_branch_condition(above_4.elementwise_gt(rt::Scalar(0f32))) {
-            let _e174 = path_16;
-            let _e177 = path_16.h.y();
-            let _e180 = path_16.h.z();
-            let _e183 = rt::Scalar(path_16.exit);
+            let _e174 = path_17;
+            let _e177 = path_17.h.y();
+            let _e180 = path_17.h.z();
+            let _e183 = rt::Scalar(path_17.exit);
             let _e184 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_4, _e177, _e180), _e183);
-            let _e186 = rt::Scalar(path_16.exit);
+            let _e186 = rt::Scalar(path_17.exit);
             let _e188 = self.v_path_from(_e174, _e184.min(_e186));
-            path_16 = _e188;
+            path_17 = _e188;
         }
-        let _e190 = rt::Scalar(path_16.exit);
+        let _e190 = rt::Scalar(path_17.exit);
         if rt::Scalar::into_branch_condition(_e190.elementwise_gt(rt::Scalar(0f32))) {
-            let _e193 = path_16;
-            let _e194 = path_16;
+            let _e193 = path_17;
+            let _e194 = path_17;
             let _e198 = self.v_out_of_ground(_e194, (rt::Scalar(4f32) * _e54), params_17.x());
             let _e199 = self.v_path_from(_e193, _e198);
-            path_16 = _e199;
+            path_17 = _e199;
         }
-        let _e200 = path_16;
+        let _e200 = path_17;
         return _e200;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
         &self,
-        pixel_33: PixelIn,
+        pixel_34: PixelIn,
         at_30: Entered,
         k_4: impl rt::Into<rt::Scalar<u32>>,
         params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_33, at_30, rt::into(k_4), rt::into(params_18)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_34, at_30, rt::into(k_4), rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_segment(
         &self,
-        pixel_33: PixelIn,
+        pixel_34: PixelIn,
         at_30: Entered,
         k_4: rt::Scalar<u32>,
         params_18: rt::Vec4<f32>,
@@ -4135,28 +4239,28 @@ impl<'g> Resources<'g> {
         let mut begin: rt::Scalar<f32>;
         let mut end: rt::Scalar<f32>;
         let mut local_17: rt::Scalar<bool>;
-        let mut path_17: Path;
+        let mut path_18: Path;
         let mut inside_3: rt::Vec2<f32>;
 
-        let along_17 = pixel_33.direction.length();
-        let _e9 = self.v_across_of(at_30, (pixel_33.direction / rt::Vec3::splat_from_scalar(along_17)));
+        let along_17 = pixel_34.direction.length();
+        let _e9 = self.v_across_of(at_30, (pixel_34.direction / rt::Vec3::splat_from_scalar(along_17)));
         let _e10 = self.v_traced_scale_m();
-        let _e11 = self.v_plane_normal(pixel_33);
-        let _e12 = self.v_plane_distance(pixel_33, _e11);
+        let _e11 = self.v_plane_normal(pixel_34);
+        let _e12 = self.v_plane_distance(pixel_34, _e11);
         let distance_1 = (_e12 * along_17);
         let whole_1 = (at_30.span.y() - at_30.span.x());
         let first_3 = (at_30.span.x() + (whole_1 * (k_4.cast_elem_as_f32() / params_18.z())));
-        let last_2 = (at_30.span.x() + (whole_1 * ((k_4 + rt::Scalar(1u32)).cast_elem_as_f32() / params_18.z())));
-        let long_2 = (last_2 - first_3);
+        let last_3 = (at_30.span.x() + (whole_1 * ((k_4 + rt::Scalar(1u32)).cast_elem_as_f32() / params_18.z())));
+        let long_2 = (last_3 - first_3);
         let _e38 = self.v_across_depth(_e9, first_3);
         begin = (at_30.quadric.w() - (_e38 / _e10));
         if rt::Scalar::into_branch_condition(k_4.elementwise_eq(rt::Scalar(0u32))) {
             let _e44 = begin;
             begin = _e44.min(rt::Scalar(1f32));
         }
-        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_3 + last_2)));
+        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_3 + last_3)));
         let middle_9 = (at_30.quadric.w() - (_e52 / _e10));
-        let _e57 = self.v_across_depth(_e9, last_2);
+        let _e57 = self.v_across_depth(_e9, last_3);
         end = (at_30.quadric.w() - (_e57 / _e10));
         if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_18.z().cast_elem_as_u32())) {
             let _e68 = end;
@@ -4177,45 +4281,45 @@ impl<'g> Resources<'g> {
         let slope_7 = ((_e84 - _e85) - bend_3);
         let base_3 = (rt::Scalar(0f32) - first_3).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e98 = begin;
-        path_17 = <Path>::new((at_30.uv + (_e9.duv * first_3)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_7 / long_2), (bend_3 / (long_2 * long_2))), long_2, base_3, at_30.metric, RAY_VIEW, rt::Scalar(at_30.level), (distance_1 + first_3), (rt::Scalar(1f32) / params_18.z()));
+        path_18 = <Path>::new((at_30.uv + (_e9.duv * first_3)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_7 / long_2), (bend_3 / (long_2 * long_2))), long_2, base_3, at_30.metric, RAY_VIEW, rt::Scalar(at_30.level), (distance_1 + first_3), (rt::Scalar(1f32) / params_18.z()));
         inside_3 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_2);
         let _e117 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e117.elementwise_eq(WRAP_CLAMP)) {
-            let _e122 = path_17.uv.x();
+            let _e122 = path_18.uv.x();
             let _e125 = inside_3;
             let _e126 = self.v_inside_unit(_e122, _e9.duv.x(), _e125);
             inside_3 = _e126;
-            let _e129 = path_17.uv.y();
+            let _e129 = path_18.uv.y();
             let _e132 = inside_3;
             let _e133 = self.v_inside_unit(_e129, _e9.duv.y(), _e132);
             inside_3 = _e133;
             let _e136 = inside_3.y();
-            rt::Scalar(path_17.exit) = _e136;
-            let _e137 = path_17;
+            rt::Scalar(path_18.exit) = _e136;
+            let _e137 = path_18;
             let _e139 = inside_3.x();
             let _e140 = self.v_path_from(_e137, _e139);
-            path_17 = _e140;
+            path_18 = _e140;
         }
-        let _e142 = rt::Scalar(path_17.exit);
+        let _e142 = rt::Scalar(path_18.exit);
         if rt::Scalar::into_branch_condition((!_e142.elementwise_gt(rt::Scalar(0f32)))) {
-            rt::Scalar(path_17.exit) = rt::Scalar(0f32);
+            rt::Scalar(path_18.exit) = rt::Scalar(0f32);
         }
-        let _e148 = path_17;
+        let _e148 = path_18;
         return _e148;
     }
     pub(crate) fn surface_quadric_vertical_segment(
         &self,
-        pixel_34: PixelIn,
+        pixel_35: PixelIn,
         at_31: Entered,
         k_5: impl rt::Into<rt::Scalar<u32>>,
         params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_34, at_31, rt::into(k_5), rt::into(params_19)))
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_35, at_31, rt::into(k_5), rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_segment(
         &self,
-        pixel_34: PixelIn,
+        pixel_35: PixelIn,
         at_31: Entered,
         k_5: rt::Scalar<u32>,
         params_19: rt::Vec4<f32>,
@@ -4225,11 +4329,11 @@ impl<'g> Resources<'g> {
         let mut enter_1: rt::Scalar<f32>;
         let mut leave_5: rt::Scalar<f32>;
         let mut interval_4: rt::Vec2<f32>;
-        let mut path_18: Path;
+        let mut path_19: Path;
         let mut local_20: rt::Scalar<bool>;
 
-        let along_18 = pixel_34.direction.length();
-        let direction_6 = (pixel_34.direction / rt::Vec3::splat_from_scalar(along_18));
+        let along_18 = pixel_35.direction.length();
+        let direction_6 = (pixel_35.direction / rt::Vec3::splat_from_scalar(along_18));
         let _e9 = self.v_climb(at_31, direction_6);
         let duv_7 = _e9.xy();
         let descent_4 = (rt::Scalar(0f32) - at_31.normal.dot(direction_6));
@@ -4238,8 +4342,8 @@ impl<'g> Resources<'g> {
         let slope_8 = ((rt::Scalar(0f32) - descent_4) / _e15);
         let _e23 = self.v_quadric_at(at_31.quadric.xyz(), duv_7);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
-        let _e27 = self.v_plane_normal(pixel_34);
-        let _e28 = self.v_plane_distance(pixel_34, _e27);
+        let _e27 = self.v_plane_normal(pixel_35);
+        let _e28 = self.v_plane_distance(pixel_35, _e27);
         let distance_2 = (_e28 * along_18);
         let eye_3 = (rt::Scalar(0f32) - distance_2);
         let _e35 = self.v_bent_descent(((height_8 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
@@ -4295,32 +4399,32 @@ impl<'g> Resources<'g> {
         let _e131 = leave_5;
         let _e132 = enter_1;
         let _e137 = enter_1;
-        path_18 = <Path>::new((at_31.uv + (duv_7 * _e122)), duv_7, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_8 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_31.metric, RAY_VIEW, rt::Scalar(at_31.level), (distance_2 + _e137), rt::Scalar(1f32));
+        path_19 = <Path>::new((at_31.uv + (duv_7 * _e122)), duv_7, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_8 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_31.metric, RAY_VIEW, rt::Scalar(at_31.level), (distance_2 + _e137), rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
-            let _e147 = rt::Scalar(path_18.exit);
+            let _e147 = rt::Scalar(path_19.exit);
             local_20 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
         } else {
             local_20 = rt::Scalar(true);
         }
         let _e152 = local_20;
         if rt::Scalar::into_branch_condition(_e152) {
-            rt::Scalar(path_18.exit) = rt::Scalar(0f32);
+            rt::Scalar(path_19.exit) = rt::Scalar(0f32);
         }
-        let _e155 = path_18;
+        let _e155 = path_19;
         return _e155;
     }
     pub(crate) fn surface_segment_stage(
         &self,
-        pixel_35: PixelIn,
+        pixel_36: PixelIn,
         at_32: Entered,
         k_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_35, at_32, rt::into(k_6)))
+        rt::into(self.v_surface_segment_stage(pixel_36, at_32, rt::into(k_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_segment_stage(
         &self,
-        pixel_35: PixelIn,
+        pixel_36: PixelIn,
         at_32: Entered,
         k_6: rt::Scalar<u32>,
     ) -> Path {
@@ -4328,58 +4432,58 @@ impl<'g> Resources<'g> {
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[0usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_35, at_32, k_6, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_36, at_32, k_6, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[0usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_35, at_32, k_6, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_36, at_32, k_6, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[0usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_35, at_32, k_6, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_36, at_32, k_6, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[0usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_35, at_32, k_6, _e30);
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_36, at_32, k_6, _e30);
                 return _e31;
             }
             _ => {
                 let _e36 = self.surface_settings.choices[0usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_35, at_32, k_6, _e36);
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_36, at_32, k_6, _e36);
                 return _e37;
             }
         }
     }
     pub(crate) fn path_slope(
         &self,
-        path_19: Path,
+        path_20: Path,
         t_13: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_slope(path_19, rt::into(t_13)))
+        rt::into(self.v_path_slope(path_20, rt::into(t_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_slope(
         &self,
-        path_19: Path,
+        path_20: Path,
         t_13: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (path_19.h.y() + ((rt::Scalar(2f32) * t_13) * path_19.h.z()));
+        return (path_20.h.y() + ((rt::Scalar(2f32) * t_13) * path_20.h.z()));
     }
     pub(crate) fn flattened(
         &self,
-        path_20: Path,
+        path_21: Path,
         middle_6: impl rt::Into<rt::Scalar<f32>>,
         part_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_flattened(path_20, rt::into(middle_6), rt::into(part_2)))
+        rt::into(self.v_flattened(path_21, rt::into(middle_6), rt::into(part_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_flattened(
         &self,
-        path_20: Path,
+        path_21: Path,
         middle_6: rt::Scalar<f32>,
         part_2: rt::Scalar<f32>,
     ) -> Path {
@@ -4387,57 +4491,57 @@ impl<'g> Resources<'g> {
 
         let kept = (rt::Scalar(1f32) - part_2);
         let top_4 = (middle_6 + ((rt::Scalar(1f32) - middle_6) * kept));
-        let above_5 = (path_20.h.x() - top_4);
+        let above_5 = (path_21.h.x() - top_4);
         let begins = above_5.elementwise_gt(rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(begins) {
-            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_5, path_20.h.y(), path_20.h.z()), rt::Scalar(path_20.exit));
-            start = _e22.min(rt::Scalar(path_20.exit));
+            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_5, path_21.h.y(), path_21.h.z()), rt::Scalar(path_21.exit));
+            start = _e22.min(rt::Scalar(path_21.exit));
         }
-        let height_9 = (middle_6 + ((path_20.h.x() - middle_6) / kept)).select(rt::Scalar(1f32), begins);
+        let height_9 = (middle_6 + ((path_21.h.x() - middle_6) / kept)).select(rt::Scalar(1f32), begins);
         let _e32 = start;
-        let _e33 = self.v_path_slope(path_20, _e32);
-        let h_3 = <rt::Vec3<f32>>::from_scalars(height_9, (_e33 / kept), (path_20.h.z() / kept));
+        let _e33 = self.v_path_slope(path_21, _e32);
+        let h_3 = <rt::Vec3<f32>>::from_scalars(height_9, (_e33 / kept), (path_21.h.z() / kept));
         let _e40 = start;
-        let rest_3 = (rt::Scalar(path_20.exit) - _e40);
+        let rest_3 = (rt::Scalar(path_21.exit) - _e40);
         let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_3.x().max(rt::Scalar(0f32)), h_3.y(), h_3.z()), rest_3);
         let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_3);
         let _e53 = start;
-        let base_5 = (rt::Scalar(path_20.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let base_5 = (rt::Scalar(path_21.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e58 = start;
-        let _e59 = self.v_path_uv(path_20, _e58);
+        let _e59 = self.v_path_uv(path_21, _e58);
         let _e65 = start;
-        return <Path>::new(_e59, path_20.duv, h_3, exit_1, base_5, path_20.metric, rt::Scalar(path_20.ray), rt::Scalar(path_20.level), (rt::Scalar(path_20.start) + _e65), rt::Scalar(path_20.share));
+        return <Path>::new(_e59, path_21.duv, h_3, exit_1, base_5, path_21.metric, rt::Scalar(path_21.ray), rt::Scalar(path_21.level), (rt::Scalar(path_21.start) + _e65), rt::Scalar(path_21.share));
     }
     pub(crate) fn segment_of(
         &self,
-        pixel_36: PixelIn,
+        pixel_37: PixelIn,
         at_33: Entered,
         k_7: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_36, at_33, rt::into(k_7)))
+        rt::into(self.v_segment_of(pixel_37, at_33, rt::into(k_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_segment_of(
         &self,
-        pixel_36: PixelIn,
+        pixel_37: PixelIn,
         at_33: Entered,
         k_7: rt::Scalar<u32>,
     ) -> Path {
-        let mut path_21: Path;
+        let mut path_22: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_36, at_33, k_7);
-        path_21 = _e3;
+        let _e3 = self.v_surface_segment_stage(pixel_37, at_33, k_7);
+        path_22 = _e3;
         if rt::Scalar::into_branch_condition(rt::Scalar(at_33.fade).elementwise_gt(rt::Scalar(0f32))) {
-            let _e8 = path_21;
+            let _e8 = path_22;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
             let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_33.fade));
-            path_21 = _e13;
-            let _e16 = path_21.h.x();
+            path_22 = _e13;
+            let _e16 = path_22.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
-                rt::Scalar(path_21.exit) = rt::Scalar(0f32);
+                rt::Scalar(path_22.exit) = rt::Scalar(0f32);
             }
         }
-        let _e22 = path_21;
+        let _e22 = path_22;
         return _e22;
     }
     pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
@@ -4449,25 +4553,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn hit_on_path(
         &self,
-        path_22: Path,
+        path_23: Path,
         t_14: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
         cost_3: impl rt::Into<rt::Vec3<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_22, rt::into(t_14), rt::into(exhausted), rt::into(cost_3)))
+        rt::into(self.v_hit_on_path(path_23, rt::into(t_14), rt::into(exhausted), rt::into(cost_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_path(
         &self,
-        path_22: Path,
+        path_23: Path,
         t_14: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
         let mut local_21: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_14.elementwise_gt(rt::Scalar(path_22.exit))) {
-            let _e9 = self.v_path_height(path_22, rt::Scalar(path_22.exit));
+        if rt::Scalar::into_branch_condition(t_14.elementwise_gt(rt::Scalar(path_23.exit))) {
+            let _e9 = self.v_path_height(path_23, rt::Scalar(path_23.exit));
             local_21 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
             local_21 = rt::Scalar(false);
@@ -4477,20 +4581,20 @@ impl<'g> Resources<'g> {
             let _e14 = self.v_miss(cost_3);
             return _e14;
         }
-        let inside_6 = t_14.clamp(rt::Scalar(0f32), rt::Scalar(path_22.exit));
-        let _e19 = self.v_path_uv(path_22, inside_6);
-        let _e20 = self.v_path_height(path_22, inside_6);
+        let inside_6 = t_14.clamp(rt::Scalar(0f32), rt::Scalar(path_23.exit));
+        let _e19 = self.v_path_uv(path_23, inside_6);
+        let _e20 = self.v_path_height(path_23, inside_6);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_6, cost_3);
     }
-    pub(crate) fn starting_point(&self, path_23: Path, found: Found) -> f32 {
-        rt::into(self.v_starting_point(path_23, found))
+    pub(crate) fn starting_point(&self, path_24: Path, found: Found) -> f32 {
+        rt::into(self.v_starting_point(path_24, found))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_23: Path, found: Found) -> rt::Scalar<f32> {
+    fn v_starting_point(&self, path_24: Path, found: Found) -> rt::Scalar<f32> {
         let mut local_22: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_23.base);
+            return rt::Scalar(path_24.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
             local_22 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
@@ -4505,16 +4609,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_none(
         &self,
-        path_24: Path,
+        path_25: Path,
         found_1: Found,
         params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_24, found_1, rt::into(params_20)))
+        rt::into(self.v_refine_none(path_25, found_1, rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_none(
         &self,
-        path_24: Path,
+        path_25: Path,
         found_1: Found,
         params_20: rt::Vec4<f32>,
     ) -> Hit {
@@ -4523,22 +4627,22 @@ impl<'g> Resources<'g> {
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_1.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_24, found_1);
-        let _e16 = self.v_hit_on_path(path_24, _e14, exhausted_1, found_1.cost);
+        let _e14 = self.v_starting_point(path_25, found_1);
+        let _e16 = self.v_hit_on_path(path_25, _e14, exhausted_1, found_1.cost);
         return _e16;
     }
     pub(crate) fn refine_offset(
         &self,
-        path_25: Path,
+        path_26: Path,
         found_2: Found,
         params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_25, found_2, rt::into(params_21)))
+        rt::into(self.v_refine_offset(path_26, found_2, rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
-        path_25: Path,
+        path_26: Path,
         found_2: Found,
         params_21: rt::Vec4<f32>,
     ) -> Hit {
@@ -4548,53 +4652,53 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_2.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_25, found_2);
-        let _e9 = self.v_path_uv(path_25, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_25.level));
-        let _e12 = self.v_path_slope(path_25, _e8);
+        let _e8 = self.v_starting_point(path_26, found_2);
+        let _e9 = self.v_path_uv(path_26, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_26.level));
+        let _e12 = self.v_path_slope(path_26, _e8);
         t_15 = _e8;
         if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
-            let _e16 = self.v_path_height(path_25, _e8);
+            let _e16 = self.v_path_height(path_26, _e8);
             t_15 = (_e8 + ((_e11 - _e16) / _e12));
         }
         let _e20 = t_15;
-        let _e30 = self.v_hit_on_path(path_25, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED)), (found_2.cost + HEIGHTS_READ));
+        let _e30 = self.v_hit_on_path(path_26, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED)), (found_2.cost + HEIGHTS_READ));
         return _e30;
     }
     pub(crate) fn refine_offset_limited(
         &self,
-        path_26: Path,
+        path_27: Path,
         found_3: Found,
         params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_26, found_3, rt::into(params_22)))
+        rt::into(self.v_refine_offset_limited(path_27, found_3, rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
-        path_26: Path,
+        path_27: Path,
         found_3: Found,
         params_22: rt::Vec4<f32>,
     ) -> Hit {
-        let mut hit_6: Hit;
+        let mut hit_7: Hit;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_3.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_3.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_26, found_3);
-        let _e9 = self.v_path_uv(path_26, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_26.level));
-        let _e12 = self.v_path_height(path_26, _e8);
-        let rise_m = ((_e11 - _e12) * path_26.metric.w());
+        let _e8 = self.v_starting_point(path_27, found_3);
+        let _e9 = self.v_path_uv(path_27, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_27.level));
+        let _e12 = self.v_path_height(path_27, _e8);
+        let rise_m = ((_e11 - _e12) * path_27.metric.w());
         let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e27 = self.v_hit_on_path(path_26, (_e8 - rise_m), exhausted_2, (found_3.cost + HEIGHTS_READ));
-        hit_6 = _e27;
-        let _e30 = rt::Scalar(hit_6.found);
+        let _e27 = self.v_hit_on_path(path_27, (_e8 - rise_m), exhausted_2, (found_3.cost + HEIGHTS_READ));
+        hit_7 = _e27;
+        let _e30 = rt::Scalar(hit_7.found);
         if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
-            rt::Scalar(hit_6.height) = _e11;
+            rt::Scalar(hit_7.height) = _e11;
         }
-        let _e34 = hit_6;
+        let _e34 = hit_7;
         return _e34;
     }
     pub(crate) fn height_and_slope(
@@ -4611,9 +4715,9 @@ impl<'g> Resources<'g> {
         level_15: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_height_size(level_15);
-        let point_12 = ((uv_12 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_12);
-        let f_1 = (point_12 - _e8);
+        let point_14 = ((uv_12 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_14);
+        let f_1 = (point_14 - _e8);
         let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_15);
         let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_2 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
@@ -4623,34 +4727,34 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_z(
         &self,
-        path_27: Path,
+        path_28: Path,
         slope: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_27, rt::into(slope)))
+        rt::into(self.v_normal_z(path_28, rt::into(slope)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_z(
         &self,
-        path_27: Path,
+        path_28: Path,
         slope: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m_1 = path_27.metric;
+        let m_1 = path_28.metric;
         let area_4 = ((m_1.x() * m_1.z()) - (m_1.y() * m_1.y()));
         let squared_2 = (((((slope.x() * slope.x()) * m_1.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m_1.y())) + ((slope.y() * slope.y()) * m_1.x())) / area_4);
         return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_1.w() * m_1.w()) * squared_2)).sqrt());
     }
     pub(crate) fn refine_slope(
         &self,
-        path_28: Path,
+        path_29: Path,
         found_4: Found,
         params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_28, found_4, rt::into(params_23)))
+        rt::into(self.v_refine_slope(path_29, found_4, rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
-        path_28: Path,
+        path_29: Path,
         found_4: Found,
         params_23: rt::Vec4<f32>,
     ) -> Hit {
@@ -4660,38 +4764,38 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_4.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_28, found_4);
-        let _e9 = self.v_path_uv(path_28, _e8);
-        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_28.level));
-        let _e13 = self.v_path_height(path_28, _e8);
+        let _e8 = self.v_starting_point(path_29, found_4);
+        let _e9 = self.v_path_uv(path_29, _e8);
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_29.level));
+        let _e13 = self.v_path_height(path_29, _e8);
         let rise = (_e11.x() - _e13);
         t_16 = _e8;
         if rt::Scalar::into_branch_condition(params_23.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e19 = self.v_path_slope(path_28, _e8);
-            let closing = (_e19 - ((_e11.y() * path_28.duv.x()) + (_e11.z() * path_28.duv.y())));
+            let _e19 = self.v_path_slope(path_29, _e8);
+            let closing = (_e19 - ((_e11.y() * path_29.duv.x()) + (_e11.z() * path_29.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
                 t_16 = (_e8 + (rise / closing));
             }
         } else {
-            let _e40 = self.v_normal_z(path_28, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_16 = (_e8 - ((rise * path_28.metric.w()) * _e40));
+            let _e40 = self.v_normal_z(path_29, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_16 = (_e8 - ((rise * path_29.metric.w()) * _e40));
         }
         let _e43 = t_16;
-        let _e53 = self.v_hit_on_path(path_28, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (found_4.cost + HEIGHTS_READ));
+        let _e53 = self.v_hit_on_path(path_29, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (found_4.cost + HEIGHTS_READ));
         return _e53;
     }
     pub(crate) fn refine_slope_iterative(
         &self,
-        path_29: Path,
+        path_30: Path,
         found_5: Found,
         params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_29, found_5, rt::into(params_24)))
+        rt::into(self.v_refine_slope_iterative(path_30, found_5, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
-        path_29: Path,
+        path_30: Path,
         found_5: Found,
         params_24: rt::Vec4<f32>,
     ) -> Hit {
@@ -4703,7 +4807,7 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_5.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_29, found_5);
+        let _e8 = self.v_starting_point(path_30, found_5);
         t_17 = _e8;
         cost_4 = found_5.cost;
         'naga_break: loop {
@@ -4717,28 +4821,28 @@ impl<'g> Resources<'g> {
                     let _e17 = cost_4;
                     cost_4 = (_e17 + STEP);
                     let _e20 = t_17;
-                    let _e21 = self.v_path_uv(path_29, _e20);
-                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_29.level));
+                    let _e21 = self.v_path_uv(path_30, _e20);
+                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_30.level));
                     let _e24 = cost_4;
                     cost_4 = (_e24 + HEIGHTS_READ);
                     let _e28 = t_17;
-                    let _e29 = self.v_path_height(path_29, _e28);
+                    let _e29 = self.v_path_height(path_30, _e28);
                     let rise_1 = (_e23.x() - _e29);
                     if rt::Scalar::into_branch_condition(params_24.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e34 = t_17;
-                        let _e35 = self.v_path_slope(path_29, _e34);
-                        let closing_1 = (_e35 - ((_e23.y() * path_29.duv.x()) + (_e23.z() * path_29.duv.y())));
+                        let _e35 = self.v_path_slope(path_30, _e34);
+                        let closing_1 = (_e35 - ((_e23.y() * path_30.duv.x()) + (_e23.z() * path_30.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
                             let _e48 = t_17;
                             t_17 = (_e48 + (rise_1 / closing_1));
                         }
                     } else {
                         let _e51 = t_17;
-                        let _e58 = self.v_normal_z(path_29, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
-                        t_17 = (_e51 - ((rise_1 * path_29.metric.w()) * _e58));
+                        let _e58 = self.v_normal_z(path_30, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
+                        t_17 = (_e51 - ((rise_1 * path_30.metric.w()) * _e58));
                     }
                     let _e61 = t_17;
-                    t_17 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_29.exit));
+                    t_17 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_30.exit));
                     let _e65 = k_8;
                     k_8 = (_e65 + rt::Scalar(1f32));
                 }
@@ -4746,7 +4850,7 @@ impl<'g> Resources<'g> {
         }
         let _e68 = t_17;
         let _e75 = cost_4;
-        let _e76 = self.v_hit_on_path(path_29, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
+        let _e76 = self.v_hit_on_path(path_30, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
         return _e76;
     }
     pub(crate) fn has_interval(&self, found_6: Found) -> bool {
@@ -4780,16 +4884,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_binary(
         &self,
-        path_30: Path,
+        path_31: Path,
         found_7: Found,
         params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_30, found_7, rt::into(params_25)))
+        rt::into(self.v_refine_binary(path_31, found_7, rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
-        path_30: Path,
+        path_31: Path,
         found_7: Found,
         params_25: rt::Vec4<f32>,
     ) -> Hit {
@@ -4802,7 +4906,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_7);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_30, found_7, params_25);
+            let _e5 = self.v_refine_none(path_31, found_7, params_25);
             return _e5;
         }
         near_2 = rt::Scalar(found_7.near);
@@ -4810,7 +4914,7 @@ impl<'g> Resources<'g> {
         cost_5 = found_7.cost;
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
-            let _e19 = self.v_path_height(path_30, _e18);
+            let _e19 = self.v_path_height(path_31, _e18);
             local_26 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
             local_26 = rt::Scalar(true);
@@ -4832,7 +4936,7 @@ impl<'g> Resources<'g> {
                     let middle_10 = (rt::Scalar(0.5f32) * (_e33 + _e34));
                     let _e38 = cost_5;
                     cost_5 = (_e38 + HEIGHTS_READ);
-                    let _e41 = self.v_path_gap(path_30, middle_10);
+                    let _e41 = self.v_path_gap(path_31, middle_10);
                     if rt::Scalar::into_branch_condition(_e41.elementwise_le(rt::Scalar(0f32))) {
                         far_2 = middle_10;
                         crossed = rt::Scalar(true);
@@ -4853,21 +4957,21 @@ impl<'g> Resources<'g> {
         let _e52 = near_2;
         let _e53 = far_2;
         let _e58 = cost_5;
-        let _e59 = self.v_hit_on_path(path_30, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
+        let _e59 = self.v_hit_on_path(path_31, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
         return _e59;
     }
     pub(crate) fn refine_secant(
         &self,
-        path_31: Path,
+        path_32: Path,
         found_8: Found,
         params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_31, found_8, rt::into(params_26)))
+        rt::into(self.v_refine_secant(path_32, found_8, rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
-        path_31: Path,
+        path_32: Path,
         found_8: Found,
         params_26: rt::Vec4<f32>,
     ) -> Hit {
@@ -4881,7 +4985,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_31, found_8, params_26);
+            let _e5 = self.v_refine_none(path_32, found_8, params_26);
             return _e5;
         }
         near_3 = rt::Scalar(found_8.near);
@@ -4891,10 +4995,10 @@ impl<'g> Resources<'g> {
         cost_6 = found_8.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_3;
-            let _e20 = self.v_path_gap(path_31, _e19);
+            let _e20 = self.v_path_gap(path_32, _e19);
             near_gap_1 = _e20;
             let _e21 = far_3;
-            let _e22 = self.v_path_gap(path_31, _e21);
+            let _e22 = self.v_path_gap(path_32, _e21);
             far_gap_1 = _e22;
             let _e23 = cost_6;
             cost_6 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -4931,7 +5035,7 @@ impl<'g> Resources<'g> {
                     let _e57 = k_10;
                     if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_26.x())) {
                         let _e60 = t_18;
-                        let _e61 = self.v_path_gap(path_31, _e60);
+                        let _e61 = self.v_path_gap(path_32, _e60);
                         let _e62 = cost_6;
                         cost_6 = (_e62 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_le(rt::Scalar(0f32))) {
@@ -4951,21 +5055,21 @@ impl<'g> Resources<'g> {
         }
         let _e72 = t_18;
         let _e74 = cost_6;
-        let _e75 = self.v_hit_on_path(path_31, _e72, rt::Scalar(0u32), _e74);
+        let _e75 = self.v_hit_on_path(path_32, _e72, rt::Scalar(0u32), _e74);
         return _e75;
     }
     pub(crate) fn refine_true_secant(
         &self,
-        path_32: Path,
+        path_33: Path,
         found_9: Found,
         params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_32, found_9, rt::into(params_27)))
+        rt::into(self.v_refine_true_secant(path_33, found_9, rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
-        path_32: Path,
+        path_33: Path,
         found_9: Found,
         params_27: rt::Vec4<f32>,
     ) -> Hit {
@@ -4978,7 +5082,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_32, found_9, params_27);
+            let _e5 = self.v_refine_none(path_33, found_9, params_27);
             return _e5;
         }
         before = rt::Scalar(found_9.near);
@@ -4988,10 +5092,10 @@ impl<'g> Resources<'g> {
         cost_7 = found_9.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before;
-            let _e20 = self.v_path_gap(path_32, _e19);
+            let _e20 = self.v_path_gap(path_33, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_32, _e21);
+            let _e22 = self.v_path_gap(path_33, _e21);
             last_gap = _e22;
             let _e23 = cost_7;
             cost_7 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -5030,7 +5134,7 @@ impl<'g> Resources<'g> {
                     last = t_34;
                     let _e59 = k_11;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_27.x())) {
-                        let _e62 = self.v_path_gap(path_32, t_34);
+                        let _e62 = self.v_path_gap(path_33, t_34);
                         last_gap = _e62;
                         let _e63 = cost_7;
                         cost_7 = (_e63 + HEIGHTS_READ);
@@ -5042,21 +5146,21 @@ impl<'g> Resources<'g> {
         }
         let _e69 = last;
         let _e71 = cost_7;
-        let _e72 = self.v_hit_on_path(path_32, _e69, rt::Scalar(0u32), _e71);
+        let _e72 = self.v_hit_on_path(path_33, _e69, rt::Scalar(0u32), _e71);
         return _e72;
     }
     pub(crate) fn refine_patch(
         &self,
-        path_33: Path,
+        path_34: Path,
         found_10: Found,
         params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_33, found_10, rt::into(params_28)))
+        rt::into(self.v_refine_patch(path_34, found_10, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
-        path_33: Path,
+        path_34: Path,
         found_10: Found,
         params_28: rt::Vec4<f32>,
     ) -> Hit {
@@ -5070,14 +5174,14 @@ impl<'g> Resources<'g> {
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_33, rt::Scalar(found_10.near), rt::Scalar(1u32), found_10.cost);
+            let _e14 = self.v_hit_on_path(path_34, rt::Scalar(found_10.near), rt::Scalar(1u32), found_10.cost);
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_33, rt::Scalar(found_10.near), rt::Scalar(0u32), found_10.cost);
+            let _e21 = self.v_hit_on_path(path_34, rt::Scalar(found_10.near), rt::Scalar(0u32), found_10.cost);
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_33);
+        let _e22 = self.v_grid_of(path_34);
         t_19 = rt::Scalar(found_10.near);
         let _e27 = t_19;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
@@ -5102,20 +5206,20 @@ impl<'g> Resources<'g> {
                     let span_6 = (end_2 - _e52).max(rt::Scalar(0f32));
                     let _e56 = cell_7;
                     let _e57 = t_19;
-                    let _e58 = self.v_cell_gap(path_33, _e22, _e56, _e57);
+                    let _e58 = self.v_cell_gap(path_34, _e22, _e56, _e57);
                     let _e59 = cost_8;
                     cost_8 = (_e59 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e58.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e65 = t_19;
                         let _e67 = cost_8;
-                        let _e68 = self.v_hit_on_path(path_33, _e65, rt::Scalar(0u32), _e67);
+                        let _e68 = self.v_hit_on_path(path_34, _e65, rt::Scalar(0u32), _e67);
                         return _e68;
                     }
                     let _e69 = self.v_first_root(_e58, span_6);
                     if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e72 = t_19;
                         let _e75 = cost_8;
-                        let _e76 = self.v_hit_on_path(path_33, (_e72 + _e69), rt::Scalar(0u32), _e75);
+                        let _e76 = self.v_hit_on_path(path_34, (_e72 + _e69), rt::Scalar(0u32), _e75);
                         return _e76;
                     }
                     if rt::Scalar::into_branch_condition(end_2.elementwise_ge(rt::Scalar(found_10.far))) {
@@ -5127,7 +5231,7 @@ impl<'g> Resources<'g> {
                         let _e89 = local_27;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
-                            let _e93 = self.v_hit_on_path(path_33, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
+                            let _e93 = self.v_hit_on_path(path_34, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
                             return _e93;
                         }
                         let _e94 = cost_8;
@@ -5144,136 +5248,136 @@ impl<'g> Resources<'g> {
         }
         let _e100 = t_19;
         let _e102 = cost_8;
-        let _e103 = self.v_hit_on_path(path_33, _e100, rt::Scalar(1u32), _e102);
+        let _e103 = self.v_hit_on_path(path_34, _e100, rt::Scalar(1u32), _e102);
         return _e103;
     }
     pub(crate) fn refine_half_texel(
         &self,
-        path_34: Path,
+        path_35: Path,
         found_11: Found,
         params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_34, found_11, rt::into(params_29)))
+        rt::into(self.v_refine_half_texel(path_35, found_11, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
-        path_34: Path,
+        path_35: Path,
         found_11: Found,
         params_29: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_3: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_34, found_11, params_29);
+            let _e6 = self.v_refine_none(path_35, found_11, params_29);
             return _e6;
         }
-        let _e9 = self.v_height_size(rt::Scalar(path_34.level));
-        let speed_1 = (path_34.duv * _e9).length();
-        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_34.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_34, found_11, params_29);
+        let _e9 = self.v_height_size(rt::Scalar(path_35.level));
+        let speed_1 = (path_35.duv * _e9).length();
+        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_35.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e17 = self.v_refine_none(path_35, found_11, params_29);
             return _e17;
         }
-        let half = (rt::Scalar(0.5f32) / speed_1);
-        let backward = (rt::Scalar(found_11.far) - half).max(rt::Scalar(0f32));
-        let forward_2 = (rt::Scalar(found_11.far) + half).min(rt::Scalar(path_34.exit));
-        let _e28 = self.v_path_gap(path_34, backward);
+        let half_1 = (rt::Scalar(0.5f32) / speed_1);
+        let backward = (rt::Scalar(found_11.far) - half_1).max(rt::Scalar(0f32));
+        let forward_2 = (rt::Scalar(found_11.far) + half_1).min(rt::Scalar(path_35.exit));
+        let _e28 = self.v_path_gap(path_35, backward);
         let before_1 = _e28.abs();
-        let _e30 = self.v_path_gap(path_34, forward_2);
+        let _e30 = self.v_path_gap(path_35, forward_2);
         let behind_1 = _e30.abs();
         if rt::Scalar::into_branch_condition((before_1 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
             part_3 = (before_1 / (before_1 + behind_1));
         }
         let cost_22 = ((found_11.cost + HEIGHTS_READ) + HEIGHTS_READ);
         let _e45 = part_3;
-        let _e49 = self.v_hit_on_path(path_34, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_22);
+        let _e49 = self.v_hit_on_path(path_35, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_22);
         return _e49;
     }
-    pub(crate) fn refine_stage(&self, path_35: Path, found_12: Found) -> Hit {
-        rt::into(self.v_refine_stage(path_35, found_12))
+    pub(crate) fn refine_stage(&self, path_36: Path, found_12: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_36, found_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_35: Path, found_12: Found) -> Hit {
+    fn v_refine_stage(&self, path_36: Path, found_12: Found) -> Hit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_refine_none(path_35, found_12, _e11);
+                let _e12 = self.v_refine_none(path_36, found_12, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_refine_offset(path_35, found_12, _e17);
+                let _e18 = self.v_refine_offset(path_36, found_12, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_refine_offset_limited(path_35, found_12, _e23);
+                let _e24 = self.v_refine_offset_limited(path_36, found_12, _e23);
                 return _e24;
             }
             3u32 => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_refine_slope(path_35, found_12, _e29);
+                let _e30 = self.v_refine_slope(path_36, found_12, _e29);
                 return _e30;
             }
             4u32 => {
                 let _e35 = self.surface_settings.choices[3usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_35, found_12, _e35);
+                let _e36 = self.v_refine_slope_iterative(path_36, found_12, _e35);
                 return _e36;
             }
             5u32 => {
                 let _e41 = self.surface_settings.choices[3usize].params;
-                let _e42 = self.v_refine_binary(path_35, found_12, _e41);
+                let _e42 = self.v_refine_binary(path_36, found_12, _e41);
                 return _e42;
             }
             6u32 => {
                 let _e47 = self.surface_settings.choices[3usize].params;
-                let _e48 = self.v_refine_secant(path_35, found_12, _e47);
+                let _e48 = self.v_refine_secant(path_36, found_12, _e47);
                 return _e48;
             }
             7u32 => {
                 let _e53 = self.surface_settings.choices[3usize].params;
-                let _e54 = self.v_refine_true_secant(path_35, found_12, _e53);
+                let _e54 = self.v_refine_true_secant(path_36, found_12, _e53);
                 return _e54;
             }
             8u32 => {
                 let _e59 = self.surface_settings.choices[3usize].params;
-                let _e60 = self.v_refine_patch(path_35, found_12, _e59);
+                let _e60 = self.v_refine_patch(path_36, found_12, _e59);
                 return _e60;
             }
             _ => {
                 let _e65 = self.surface_settings.choices[3usize].params;
-                let _e66 = self.v_refine_half_texel(path_35, found_12, _e65);
+                let _e66 = self.v_refine_half_texel(path_36, found_12, _e65);
                 return _e66;
             }
         }
     }
     pub(crate) fn search_none(
         &self,
-        path_36: Path,
+        path_37: Path,
         params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_36, rt::into(params_30)))
+        rt::into(self.v_search_none(path_37, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_none(
         &self,
-        path_36: Path,
+        path_37: Path,
         params_30: rt::Vec4<f32>,
     ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
-        path_37: Path,
+        path_38: Path,
         params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_37, rt::into(params_31)))
+        rt::into(self.v_search_linear(path_38, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
-        path_37: Path,
+        path_38: Path,
         params_31: rt::Vec4<f32>,
     ) -> Found {
         let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -5281,9 +5385,9 @@ impl<'g> Resources<'g> {
         let mut cost_9: rt::Vec3<u32> = HEIGHTS_READ;
         let mut k_12: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_5 = (path_37.h.y().abs() * path_37.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max(((params_31.x() * params_31.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_37.share)).ceil());
-        let _e24 = self.v_path_gap(path_37, rt::Scalar(0f32));
+        let cosine_5 = (path_38.h.y().abs() * path_38.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max(((params_31.x() * params_31.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_38.share)).ceil());
+        let _e24 = self.v_path_gap(path_38, rt::Scalar(0f32));
         near_gap_2 = _e24;
         let _e28 = near_gap_2;
         if rt::Scalar::into_branch_condition(_e28.elementwise_lt(rt::Scalar(0f32))) {
@@ -5303,8 +5407,8 @@ impl<'g> Resources<'g> {
                     let _e42 = cost_9;
                     cost_9 = (_e42 + STEP);
                     let _e46 = k_12;
-                    let t_35 = (rt::Scalar(path_37.exit) * (_e46 / steps));
-                    let _e49 = self.v_path_gap(path_37, t_35);
+                    let t_35 = (rt::Scalar(path_38.exit) * (_e46 / steps));
+                    let _e49 = self.v_path_gap(path_38, t_35);
                     let _e50 = cost_9;
                     cost_9 = (_e50 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e49.elementwise_le(rt::Scalar(0f32))) {
@@ -5388,22 +5492,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cells(
         &self,
-        path_38: Path,
+        path_39: Path,
         params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_38, rt::into(params_32)))
+        rt::into(self.v_search_cells(path_39, rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
-        path_38: Path,
+        path_39: Path,
         params_32: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_8: rt::Vec2<f32>;
         let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_11: rt::Vec3<u32> = NO_COST;
 
-        let _e2 = self.v_grid_of(path_38);
+        let _e2 = self.v_grid_of(path_39);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_8 = _e4;
         let limit_1 = params_32.x().cast_elem_as_u32();
@@ -5419,10 +5523,10 @@ impl<'g> Resources<'g> {
                     cost_11 = (_e15 + STEP);
                     let _e18 = cell_8;
                     let _e19 = self.v_cell_leave(_e2, _e18);
-                    let end_3 = _e19.x().min(_e19.y()).min(rt::Scalar(path_38.exit));
+                    let end_3 = _e19.x().min(_e19.y()).min(rt::Scalar(path_39.exit));
                     let _e25 = cell_8;
                     let _e26 = t_21;
-                    let _e27 = self.v_cell_gap(path_38, _e2, _e25, _e26);
+                    let _e27 = self.v_cell_gap(path_39, _e2, _e25, _e26);
                     let _e28 = cost_11;
                     cost_11 = (_e28 + HEIGHTS_READ);
                     let _e31 = t_21;
@@ -5434,10 +5538,10 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e41.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e41;
                     }
-                    if rt::Scalar::into_branch_condition(end_3.elementwise_ge(rt::Scalar(path_38.exit))) {
+                    if rt::Scalar::into_branch_condition(end_3.elementwise_ge(rt::Scalar(path_39.exit))) {
                         let _e48 = t_21;
                         let _e52 = cost_11;
-                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_38.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
+                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_39.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
                     }
                     let _e54 = cell_8;
                     let _e55 = self.v_cell_next(_e2, _e54, _e19);
@@ -5449,7 +5553,7 @@ impl<'g> Resources<'g> {
         }
         let _e59 = t_21;
         let _e61 = cost_11;
-        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
+        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
     }
     pub(crate) fn image_of(
         &self,
@@ -5495,22 +5599,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn frustum_slope(
         &self,
-        path_39: Path,
+        path_40: Path,
         cell_10: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_39, rt::into(cell_10), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_40, rt::into(cell_10), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frustum_slope(
         &self,
-        path_39: Path,
+        path_40: Path,
         cell_10: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
         let mut local_30: rt::Scalar<bool>;
 
-        let _e4 = self.v_height_texels(rt::Scalar(path_39.level));
+        let _e4 = self.v_height_texels(rt::Scalar(path_40.level));
         let _e7 = self.v_image_of(cell_10.x(), _e4.x());
         let _e10 = self.v_image_of(cell_10.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
@@ -5522,25 +5626,25 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
-        let _e29 = self.v_search_texel(path_39, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_39.level).cast_elem_as_i32());
+        let _e29 = self.v_search_texel(path_40, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_40.level).cast_elem_as_i32());
         let right_1 = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
         let down = forward_1.y().elementwise_eq(_e10.y().elementwise_eq(rt::Scalar(0i32)));
         return _e29.w().select(_e29.z(), right_1).select(_e29.y().select(_e29.x(), right_1), down);
     }
     pub(crate) fn map_read(
         &self,
-        path_40: Path,
+        path_41: Path,
         texels_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_map_read(path_40, rt::into(texels_3)))
+        rt::into(self.v_map_read(path_41, rt::into(texels_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_map_read(
         &self,
-        path_40: Path,
+        path_41: Path,
         texels_3: rt::Scalar<u32>,
     ) -> rt::Vec3<u32> {
-        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_40.ray).elementwise_eq(RAY_SHADOW));
+        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_41.ray).elementwise_eq(RAY_SHADOW));
         let _e14 = rt::Scalar(self.surface_settings.maps[rt::Scalar::into_array_index(slot)].texel_bytes);
         return <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), (texels_3 * _e14));
     }
@@ -5582,15 +5686,15 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_frustum(
         &self,
-        path_41: Path,
+        path_42: Path,
         params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_41, rt::into(params_33)))
+        rt::into(self.v_search_frustum(path_42, rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
-        path_41: Path,
+        path_42: Path,
         params_33: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_11: rt::Vec2<f32>;
@@ -5600,7 +5704,7 @@ impl<'g> Resources<'g> {
         let mut slope_2: rt::Scalar<f32>;
         let mut local_31: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_41);
+        let _e2 = self.v_grid_of(path_42);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_11 = _e9;
@@ -5618,23 +5722,23 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_12.x();
                     let first_4 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_11;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_41.level));
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_42.level));
                     let _e31 = cost_12;
                     cost_12 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_11;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_4 = _e35.x().min(_e35.y()).min(rt::Scalar(path_41.exit));
+                    let end_4 = _e35.x().min(_e35.y()).min(rt::Scalar(path_42.exit));
                     let _e41 = t_22;
                     let span_8 = (end_4 - _e41).max(rt::Scalar(0f32));
                     let top_6 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
                     let _e52 = t_22;
-                    let _e53 = self.v_path_height(path_41, _e52);
+                    let _e53 = self.v_path_height(path_42, _e52);
                     let _e55 = t_22;
-                    let _e56 = self.v_path_slope(path_41, _e55);
-                    let above_6 = <rt::Vec3<f32>>::from_scalars((_e53 - top_6), _e56, path_41.h.z());
+                    let _e56 = self.v_path_slope(path_42, _e55);
+                    let above_6 = <rt::Vec3<f32>>::from_scalars((_e53 - top_6), _e56, path_42.h.z());
                     let _e63 = t_22;
                     let _e67 = t_22;
-                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_41.h.x().abs() + (_e63 * (path_41.h.y().abs() + (_e67 * path_41.h.z().abs())))));
+                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_42.h.x().abs() + (_e63 * (path_42.h.y().abs() + (_e67 * path_42.h.z().abs())))));
                     let _e77 = t_22;
                     next_1 = _e77.max(end_4);
                     slope_2 = rt::Scalar(-1f32);
@@ -5647,21 +5751,21 @@ impl<'g> Resources<'g> {
                     }
                     let _e90 = local_31;
                     if rt::Scalar::into_branch_condition(_e90) {
-                        if rt::Scalar::into_branch_condition(end_4.elementwise_lt(rt::Scalar(path_41.exit))) {
+                        if rt::Scalar::into_branch_condition(end_4.elementwise_lt(rt::Scalar(path_42.exit))) {
                             let _e93 = cell_11;
-                            let _e95 = self.v_frustum_slope(path_41, _e93.cast_elem_as_i32(), forward_3);
+                            let _e95 = self.v_frustum_slope(path_42, _e93.cast_elem_as_i32(), forward_3);
                             slope_2 = _e95;
                             let _e96 = slope_2;
                             if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
                                 let _e99 = cost_12;
-                                let _e101 = self.v_map_read(path_41, rt::Scalar(1u32));
+                                let _e101 = self.v_map_read(path_42, rt::Scalar(1u32));
                                 cost_12 = (_e99 + _e101);
                             }
                         }
                     } else {
                         let _e103 = cell_11;
                         let _e104 = t_22;
-                        let _e105 = self.v_gap_to(path_41, _e2, _e103, _e30, _e104);
+                        let _e105 = self.v_gap_to(path_42, _e2, _e103, _e30, _e104);
                         let _e106 = t_22;
                         let _e107 = cost_12;
                         let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_4, _e107);
@@ -5673,14 +5777,14 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_11;
                         let _e119 = t_22;
-                        let at_78 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_2 = at_78.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_78), forward_3);
+                        let at_86 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_2 = at_86.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_86), forward_3);
                         let _e131 = t_22;
                         let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_2;
                         let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_4));
                         let _e145 = t_22;
-                        let rest_4 = (rt::Scalar(path_41.exit) - _e145);
+                        let rest_4 = (rt::Scalar(path_42.exit) - _e145);
                         let _e147 = slope_2;
                         let _e152 = self.v_stays_above(above_6, _e147, left_2.x(), _e2.step.x(), lost_1.x(), rest_4);
                         let _e153 = slope_2;
@@ -5690,10 +5794,10 @@ impl<'g> Resources<'g> {
                         next_1 = _e159.max((_e160 + _e152.min(_e158)));
                     }
                     let _e164 = next_1;
-                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_41.exit))) {
+                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_42.exit))) {
                         let _e168 = t_22;
                         let _e170 = cost_12;
-                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
+                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_42.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
                     }
                     let _e174 = slope_2;
                     if rt::Scalar::into_branch_condition(_e174.elementwise_ge(rt::Scalar(0f32))) {
@@ -5713,7 +5817,7 @@ impl<'g> Resources<'g> {
         }
         let _e184 = t_22;
         let _e186 = cost_12;
-        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
+        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_42.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
     pub(crate) fn nearest_corner(&self, at_34: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_nearest_corner(rt::into(at_34)))
@@ -5724,19 +5828,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn stays_inside(
         &self,
-        path_42: Path,
+        path_43: Path,
         grid_6: Grid,
         offset_1: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_3: impl rt::Into<rt::Scalar<f32>>,
         t_23: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_42, grid_6, rt::into(offset_1), rt::into(apex), rt::into(slope_3), rt::into(t_23)))
+        rt::into(self.v_stays_inside(path_43, grid_6, rt::into(offset_1), rt::into(apex), rt::into(slope_3), rt::into(t_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
         &self,
-        path_42: Path,
+        path_43: Path,
         grid_6: Grid,
         offset_1: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
@@ -5747,12 +5851,12 @@ impl<'g> Resources<'g> {
         let mut local_32: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_5 = (rt::Scalar(path_42.exit) - t_23);
-        let _e8 = self.v_path_height(path_42, t_23);
+        let rest_5 = (rt::Scalar(path_43.exit) - t_23);
+        let _e8 = self.v_path_height(path_43, t_23);
         let height_10 = (_e8 - apex);
-        let terms = (path_42.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_42.exit)) * path_42.h.z().abs()));
-        let _e21 = self.v_path_slope(path_42, t_23);
-        let rise_3 = ((_e21 + (path_42.h.z().min(rt::Scalar(0f32)) * rest_5)) - (rt::Scalar(0.0000009536743f32) * terms));
+        let terms = (path_43.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_43.exit)) * path_43.h.z().abs()));
+        let _e21 = self.v_path_slope(path_43, t_23);
+        let rise_3 = ((_e21 + (path_43.h.z().min(rt::Scalar(0f32)) * rest_5)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_5;
         if rt::Scalar::into_branch_condition(rise_3.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
@@ -5760,12 +5864,12 @@ impl<'g> Resources<'g> {
         }
         let _e39 = most;
         let end_5 = (t_23 + _e39);
-        let _e52 = self.v_height_size(rt::Scalar(path_42.level));
+        let _e52 = self.v_height_size(rt::Scalar(path_43.level));
         let far_5 = (((grid_6.origin.abs() + (grid_6.step.abs() * end_5)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
-        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_42.h.x().abs() + (end_5 * (path_42.h.y().abs() + (end_5 * path_42.h.z().abs())))));
+        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_43.h.x().abs() + (end_5 * (path_43.h.y().abs() + (end_5 * path_43.h.z().abs())))));
         let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_3) * (far_5.x() + far_5.y())));
         let gap_2 = (height_10 - (rt::Scalar(2f32) * lost_2));
-        let _e85 = self.v_height_size(rt::Scalar(path_42.level));
+        let _e85 = self.v_height_size(rt::Scalar(path_43.level));
         let aside_4 = (((grid_6.origin - offset_1) + (grid_6.step * t_23)) / _e85);
         let c_8 = (((slope_3 * aside_4.length()) - gap_2) * ((slope_3 * aside_4.length()) + gap_2));
         if rt::Scalar::into_branch_condition((!gap_2.elementwise_le(rt::Scalar(0f32)))) {
@@ -5777,8 +5881,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_9 = (((slope_3 * slope_3) * aside_4.dot(path_42.duv)) - (gap_2 * rise_3));
-        let a_10 = (((slope_3 * slope_3) * path_42.duv.dot(path_42.duv)) - (rise_3 * rise_3));
+        let b_9 = (((slope_3 * slope_3) * aside_4.dot(path_43.duv)) - (gap_2 * rise_3));
+        let a_10 = (((slope_3 * slope_3) * path_43.duv.dot(path_43.duv)) - (rise_3 * rise_3));
         let discriminant_2 = ((b_9 * b_9) - (a_10 * c_8));
         if rt::Scalar::into_branch_condition(discriminant_2.elementwise_ge(rt::Scalar(0f32))) {
             let root_3 = discriminant_2.sqrt();
@@ -5795,7 +5899,7 @@ impl<'g> Resources<'g> {
         leave_6 = _e135.min(_e136);
         let _e139 = leave_6;
         let _e145 = leave_6;
-        if rt::Scalar::into_branch_condition(((slope_3 * (aside_4 + (path_42.duv * _e139)).length()) + lost_2).elementwise_le((height_10 + (rise_3 * _e145)))) {
+        if rt::Scalar::into_branch_condition(((slope_3 * (aside_4 + (path_43.duv * _e139)).length()) + lost_2).elementwise_le((height_10 + (rise_3 * _e145)))) {
             let _e149 = leave_6;
             return _e149;
         }
@@ -5803,15 +5907,15 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cone(
         &self,
-        path_43: Path,
+        path_44: Path,
         params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_43, rt::into(params_34)))
+        rt::into(self.v_search_cone(path_44, rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
-        path_43: Path,
+        path_44: Path,
         params_34: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_12: rt::Vec2<f32>;
@@ -5819,7 +5923,7 @@ impl<'g> Resources<'g> {
         let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_43);
+        let _e2 = self.v_grid_of(path_44);
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_12 = _e9;
@@ -5837,34 +5941,34 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_13.x();
                     let first_5 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_12;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_43.level));
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_44.level));
                     let _e31 = cost_13;
                     cost_13 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_12;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_43.exit));
+                    let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_44.exit));
                     let _e41 = t_24;
                     let span_9 = (end_6 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_12;
                     let _e49 = t_24;
-                    let at_79 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_79);
+                    let at_87 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_87);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_24;
                     next_2 = _e54;
                     let _e56 = t_24;
-                    let _e57 = self.v_path_height(path_43, _e56);
+                    let _e57 = self.v_path_height(path_44, _e56);
                     if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
                         let _e59 = cell_12;
-                        let texel_7 = (_e59 + _e52);
-                        let _e61 = self.v_cone_slope(path_43, texel_7);
+                        let texel_8 = (_e59 + _e52);
+                        let _e61 = self.v_cone_slope(path_44, texel_8);
                         let _e62 = cost_13;
-                        let _e64 = self.v_map_read(path_43, rt::Scalar(1u32));
+                        let _e64 = self.v_map_read(path_44, rt::Scalar(1u32));
                         cost_13 = (_e62 + _e64);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
                             let _e68 = t_24;
                             let _e69 = t_24;
-                            let _e70 = self.v_stays_inside(path_43, _e2, texel_7, _e53, _e61, _e69);
+                            let _e70 = self.v_stays_inside(path_44, _e2, texel_8, _e53, _e61, _e69);
                             next_2 = (_e68 + _e70);
                         }
                     }
@@ -5872,7 +5976,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_6)) {
                         let _e74 = cell_12;
                         let _e75 = t_24;
-                        let _e76 = self.v_gap_to(path_43, _e2, _e74, _e30, _e75);
+                        let _e76 = self.v_gap_to(path_44, _e2, _e74, _e30, _e75);
                         let _e77 = t_24;
                         let _e78 = cost_13;
                         let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_5, _e78);
@@ -5883,10 +5987,10 @@ impl<'g> Resources<'g> {
                         next_2 = _e83.max(end_6);
                     }
                     let _e85 = next_2;
-                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_43.exit))) {
+                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_44.exit))) {
                         let _e89 = t_24;
                         let _e91 = cost_13;
-                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
+                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
                     }
                     let _e95 = cell_12;
                     let _e96 = next_2;
@@ -5899,7 +6003,7 @@ impl<'g> Resources<'g> {
         }
         let _e100 = t_24;
         let _e102 = cost_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
+        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
     }
     pub(crate) fn node_extent(
         &self,
@@ -5967,15 +6071,15 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid(
         &self,
-        path_44: Path,
+        path_45: Path,
         params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_44, rt::into(params_35)))
+        rt::into(self.v_search_pyramid(path_45, rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
-        path_44: Path,
+        path_45: Path,
         params_35: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -5989,9 +6093,9 @@ impl<'g> Resources<'g> {
         let mut local_36: rt::Scalar<bool>;
         let mut local_37: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_44);
-        let _e4 = self.v_height_texels(rt::Scalar(path_44.level));
-        let long_3 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_44.exit));
+        let _e2 = self.v_grid_of(path_45);
+        let _e4 = self.v_height_texels(rt::Scalar(path_45.level));
+        let long_3 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_45.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = top;
@@ -6027,10 +6131,10 @@ impl<'g> Resources<'g> {
                     let _e59 = self.v_image_of(_e57, _e4.x());
                     let _e61 = cell_14.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_9 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let place_12 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
                     let _e67 = level_17;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over_1 = <rt::Vec2<i32>>::from_scalars((place_9.x() >> above_level), (place_9.y() >> above_level));
+                    let over_1 = <rt::Vec2<i32>>::from_scalars((place_12.x() >> above_level), (place_12.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
@@ -6065,20 +6169,20 @@ impl<'g> Resources<'g> {
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
-                    let end_7 = _e117.min(_e122).min(rt::Scalar(path_44.exit));
+                    let end_7 = _e117.min(_e122).min(rt::Scalar(path_45.exit));
                     let _e126 = t_25;
                     let span_10 = (end_7 - _e126).max(rt::Scalar(0f32));
                     let low_2 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
-                    let last_3 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
+                    let last_4 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
                     let _e140 = level_17;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
                         let _e143 = cost_14;
                         cost_14 = (_e143 + HEIGHTS_READ);
                         let _e146 = cell_14;
                         let _e148 = cell_14;
-                        let _e150 = self.v_height_cell(_e148, rt::Scalar(path_44.level));
+                        let _e150 = self.v_height_cell(_e148, rt::Scalar(path_45.level));
                         let _e151 = t_25;
-                        let _e152 = self.v_gap_to(path_44, _e2, _e146.cast_elem_as_f32(), _e150, _e151);
+                        let _e152 = self.v_gap_to(path_45, _e2, _e146.cast_elem_as_f32(), _e150, _e151);
                         let _e153 = t_25;
                         let _e154 = t_25;
                         let _e157 = cost_14;
@@ -6088,22 +6192,22 @@ impl<'g> Resources<'g> {
                         }
                     } else {
                         let _e162 = cost_14;
-                        let _e164 = self.v_map_read(path_44, rt::Scalar(1u32));
+                        let _e164 = self.v_map_read(path_45, rt::Scalar(1u32));
                         cost_14 = (_e162 + _e164);
                         let _e167 = level_17;
                         let _e170 = level_17;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_9.x() >> _e167), (place_9.y() >> _e170));
+                        let node = <rt::Vec2<i32>>::from_scalars((place_12.x() >> _e167), (place_12.y() >> _e170));
                         let _e174 = level_17;
-                        let _e180 = self.v_search_texel(path_44, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_44.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let _e180 = self.v_search_texel(path_45, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_45.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
                         let _e182 = t_25;
                         let furthest = (_e182 + span_10);
-                        let rounded = (path_44.h.x().abs() + (furthest * (path_44.h.y().abs() + (furthest * path_44.h.z().abs()))));
+                        let rounded = (path_45.h.x().abs() + (furthest * (path_45.h.y().abs() + (furthest * path_45.h.z().abs()))));
                         let _e197 = t_25;
-                        let _e198 = self.v_path_height(path_44, _e197);
+                        let _e198 = self.v_path_height(path_45, _e197);
                         let _e203 = t_25;
-                        let _e204 = self.v_path_slope(path_44, _e203);
-                        let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_44.h.z());
+                        let _e204 = self.v_path_slope(path_45, _e203);
+                        let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_45.h.z());
                         if rt::Scalar::into_branch_condition((!gap_3.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e214 = self.v_least_at(gap_3, span_10);
                             let _e215 = self.v_quadratic(gap_3, _e214);
@@ -6120,20 +6224,20 @@ impl<'g> Resources<'g> {
                             }
                             let _e229 = t_25;
                             let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
-                            cell_14 = _e232.cast_elem_as_i32().clamp(low_2, last_3);
+                            cell_14 = _e232.cast_elem_as_i32().clamp(low_2, last_4);
                             let _e235 = level_17;
                             level_17 = (_e235 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_7.elementwise_ge(rt::Scalar(path_44.exit))) {
+                    if rt::Scalar::into_branch_condition(end_7.elementwise_ge(rt::Scalar(path_45.exit))) {
                         let _e244 = t_25;
                         let _e246 = cost_14;
-                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
+                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
                     }
                     let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_7)));
-                    cell_14 = _e254.cast_elem_as_i32().clamp(low_2, last_3);
+                    cell_14 = _e254.cast_elem_as_i32().clamp(low_2, last_4);
                     if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_7)) {
                         cell_14.set_x((low_2.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
@@ -6142,7 +6246,7 @@ impl<'g> Resources<'g> {
                     }
                     let _e280 = level_17;
                     let _e285 = level_17;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_9.x() >> (_e280 + rt::Scalar(1u32))), (place_9.y() >> (_e285 + rt::Scalar(1u32))));
+                    parent = <rt::Vec2<i32>>::from_scalars((place_12.x() >> (_e280 + rt::Scalar(1u32))), (place_12.y() >> (_e285 + rt::Scalar(1u32))));
                     let _e290 = t_25;
                     t_25 = _e290.max(end_7);
                 }
@@ -6150,7 +6254,7 @@ impl<'g> Resources<'g> {
         }
         let _e293 = t_25;
         let _e295 = cost_14;
-        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
+        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
     }
     pub(crate) fn texel_extent(
         &self,
@@ -6171,7 +6275,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_wrap_index(texel_2, n_5);
         let first_7 = ((_e3 >> level_18) << level_18);
-        let last_4 = (first_7 + (rt::Scalar(1i32) << level_18)).min(n_5);
+        let last_5 = (first_7 + (rt::Scalar(1i32) << level_18)).min(n_5);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
             local_38 = _e16.elementwise_eq(WRAP_REPEAT);
@@ -6180,30 +6284,30 @@ impl<'g> Resources<'g> {
         }
         let _e20 = local_38;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_7), ((texel_2 - _e3) + last_4));
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_7), ((texel_2 - _e3) + last_5));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
             let period_2 = (rt::Scalar(2i32) * n_5);
             let folded_2 = (((texel_2 % period_2) + period_2) % period_2);
             if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_5)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_7), ((texel_2 - _e3) + last_4));
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_7), ((texel_2 - _e3) + last_5));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_4) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_7) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_5) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_7) + rt::Scalar(1i32)));
         }
         return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
     }
     pub(crate) fn search_pyramid_texels(
         &self,
-        path_45: Path,
+        path_46: Path,
         params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_45, rt::into(params_36)))
+        rt::into(self.v_search_pyramid_texels(path_46, rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
-        path_45: Path,
+        path_46: Path,
         params_36: rt::Vec4<f32>,
     ) -> Found {
         let mut level_19: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -6214,11 +6318,11 @@ impl<'g> Resources<'g> {
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e3 = self.v_height_texels(rt::Scalar(path_45.level));
-        let _e6 = self.v_height_size(rt::Scalar(path_45.level));
-        let origin_5 = (path_45.uv * _e6);
-        let _e10 = self.v_height_size(rt::Scalar(path_45.level));
-        let step_3 = (path_45.duv * _e10);
+        let _e3 = self.v_height_texels(rt::Scalar(path_46.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_46.level));
+        let origin_5 = (path_46.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_46.level));
+        let step_3 = (path_46.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = level_19;
@@ -6237,7 +6341,7 @@ impl<'g> Resources<'g> {
         let limit_5 = params_36.x().cast_elem_as_u32();
         let _e35 = level_19;
         finest_1 = params_36.y().cast_elem_as_u32().min(_e35);
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_45.ray).elementwise_eq(RAY_SHADOW)) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_46.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
         'naga_break: loop {
@@ -6254,23 +6358,23 @@ impl<'g> Resources<'g> {
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_10 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_13 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
                     let _e59 = level_19;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_15;
                         cost_15 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_10, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_13, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
                         let _e70 = level_19;
                         let _e73 = level_19;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_10.x() >> _e70), (place_10.y() >> _e73));
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_13.x() >> _e70), (place_13.y() >> _e73));
                         let _e76 = cost_15;
-                        let _e78 = self.v_map_read(path_45, rt::Scalar(1u32));
+                        let _e78 = self.v_map_read(path_46, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
                         let _e81 = level_19;
-                        let _e85 = self.v_search_texel(path_45, node_1, rt::Scalar(0i32), (_e81.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let _e85 = self.v_search_texel(path_46, node_1, rt::Scalar(0i32), (_e81.cast_elem_as_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
@@ -6283,13 +6387,13 @@ impl<'g> Resources<'g> {
                     let _e102 = self.v_leaves_extent(origin_5.y(), step_3.y(), _e96);
                     let leave_7 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
                     let _e109 = t_26;
-                    let end_8 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_45.exit)).max(_e109);
+                    let end_8 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_46.exit)).max(_e109);
                     let _e111 = t_26;
-                    let _e112 = self.v_path_height(path_45, _e111);
+                    let _e112 = self.v_path_height(path_46, _e111);
                     let _e113 = highest;
                     let _e115 = t_26;
-                    let _e116 = self.v_path_slope(path_45, _e115);
-                    let gap_4 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_45.h.z());
+                    let _e116 = self.v_path_slope(path_46, _e115);
+                    let gap_4 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_46.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
                         let _e125 = t_26;
@@ -6297,7 +6401,7 @@ impl<'g> Resources<'g> {
                         sinks = _e127;
                     }
                     let low_3 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
-                    let last_5 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
+                    let last_6 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e141 = t_26;
@@ -6314,15 +6418,15 @@ impl<'g> Resources<'g> {
                         level_19 = (_e154 - rt::Scalar(1u32));
                         let _e157 = t_26;
                         let _e160 = self.v_cell_of((origin_5 + (step_3 * _e157)));
-                        texel_3 = _e160.cast_elem_as_i32().clamp(low_3, last_5);
+                        texel_3 = _e160.cast_elem_as_i32().clamp(low_3, last_6);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_8.elementwise_ge(rt::Scalar(path_45.exit))) {
+                        if rt::Scalar::into_branch_condition(end_8.elementwise_ge(rt::Scalar(path_46.exit))) {
                             let _e166 = t_26;
                             let _e168 = cost_15;
-                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
+                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
                         let _e174 = self.v_cell_of((origin_5 + (step_3 * end_8)));
-                        texel_3 = _e174.cast_elem_as_i32().clamp(low_3, last_5);
+                        texel_3 = _e174.cast_elem_as_i32().clamp(low_3, last_6);
                         if rt::Scalar::into_branch_condition(leave_7.x().elementwise_le(end_8)) {
                             texel_3.set_x((low_3.x() - rt::Scalar(1i32)).select(_e91.y(), step_3.x().elementwise_gt(rt::Scalar(0f32))));
                         }
@@ -6336,7 +6440,7 @@ impl<'g> Resources<'g> {
         }
         let _e200 = t_26;
         let _e202 = cost_15;
-        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
+        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
     }
     pub(crate) fn leaves_window(
         &self,
@@ -6361,15 +6465,15 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_dilation_erosion(
         &self,
-        path_46: Path,
+        path_47: Path,
         params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_46, rt::into(params_37)))
+        rt::into(self.v_search_dilation_erosion(path_47, rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
-        path_46: Path,
+        path_47: Path,
         params_37: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_16: rt::Vec2<f32>;
@@ -6383,8 +6487,8 @@ impl<'g> Resources<'g> {
         let mut local_41: rt::Scalar<bool>;
         let mut local_42: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_46);
-        let _e4 = self.v_height_texels(rt::Scalar(path_46.level));
+        let _e2 = self.v_grid_of(path_47);
+        let _e4 = self.v_height_texels(rt::Scalar(path_47.level));
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_16 = _e11;
@@ -6401,7 +6505,7 @@ impl<'g> Resources<'g> {
                     cost_16 = (_e24 + STEP);
                     let _e27 = cell_16;
                     let _e28 = self.v_cell_leave(_e2, _e27);
-                    let end_9 = _e28.x().min(_e28.y()).min(rt::Scalar(path_46.exit));
+                    let end_9 = _e28.x().min(_e28.y()).min(rt::Scalar(path_47.exit));
                     let _e34 = t_27;
                     let span_11 = (end_9 - _e34).max(rt::Scalar(0f32));
                     let _e38 = t_27;
@@ -6420,22 +6524,22 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e72 = self.v_search_texel(path_46, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_46.level).cast_elem_as_i32());
+                        let _e72 = self.v_search_texel(path_47, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_47.level).cast_elem_as_i32());
                         let _e73 = cost_16;
-                        let _e75 = self.v_map_read(path_46, rt::Scalar(1u32));
+                        let _e75 = self.v_map_read(path_47, rt::Scalar(1u32));
                         cost_16 = (_e73 + _e75);
                         let _e77 = cell_16;
                         let _e79 = self.v_leaves_window(_e2, _e77, params_37.z());
                         let _e82 = t_27;
-                        let reach = (_e79.min(rt::Scalar(path_46.exit)) - _e82).max(rt::Scalar(0f32));
+                        let reach = (_e79.min(rt::Scalar(path_47.exit)) - _e82).max(rt::Scalar(0f32));
                         let _e86 = t_27;
                         let furthest_1 = (_e86 + reach);
-                        let rounded_1 = (path_46.h.x().abs() + (furthest_1 * (path_46.h.y().abs() + (furthest_1 * path_46.h.z().abs()))));
+                        let rounded_1 = (path_47.h.x().abs() + (furthest_1 * (path_47.h.y().abs() + (furthest_1 * path_47.h.z().abs()))));
                         let _e101 = t_27;
-                        let _e102 = self.v_path_height(path_46, _e101);
+                        let _e102 = self.v_path_height(path_47, _e101);
                         let _e108 = t_27;
-                        let _e109 = self.v_path_slope(path_46, _e108);
-                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_46.h.z());
+                        let _e109 = self.v_path_slope(path_47, _e108);
+                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_47.h.z());
                         if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
                             let _e116 = t_27;
                             safe_ = _e116;
@@ -6458,7 +6562,7 @@ impl<'g> Resources<'g> {
                         }
                         let _e134 = local_40;
                         if rt::Scalar::into_branch_condition(_e134) {
-                            let _e137 = self.v_path_height(path_46, end_9);
+                            let _e137 = self.v_path_height(path_47, end_9);
                             local_41 = _e137.elementwise_lt(_e72.x());
                         } else {
                             local_41 = rt::Scalar(false);
@@ -6467,7 +6571,7 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
-                            let _e144 = self.v_bracket_between(path_46, _e142, end_9, _e143);
+                            let _e144 = self.v_bracket_between(path_47, _e142, end_9, _e143);
                             return _e144;
                         }
                     }
@@ -6485,10 +6589,10 @@ impl<'g> Resources<'g> {
                             let _e156 = cost_16;
                             cost_16 = (_e156 + HEIGHTS_READ);
                             let _e159 = cell_16;
-                            let _e162 = self.v_height_cell(_e159.cast_elem_as_i32(), rt::Scalar(path_46.level));
+                            let _e162 = self.v_height_cell(_e159.cast_elem_as_i32(), rt::Scalar(path_47.level));
                             let _e163 = cell_16;
                             let _e164 = t_27;
-                            let _e165 = self.v_gap_to(path_46, _e2, _e163, _e162, _e164);
+                            let _e165 = self.v_gap_to(path_47, _e2, _e163, _e162, _e164);
                             let _e166 = t_27;
                             let _e167 = t_27;
                             let _e170 = cost_16;
@@ -6501,10 +6605,10 @@ impl<'g> Resources<'g> {
                         next_3 = _e175.max(end_9);
                     }
                     let _e177 = next_3;
-                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_46.exit))) {
+                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_47.exit))) {
                         let _e181 = t_27;
                         let _e183 = cost_16;
-                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
+                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
                     }
                     let _e187 = cell_16;
                     let _e188 = next_3;
@@ -6517,19 +6621,19 @@ impl<'g> Resources<'g> {
         }
         let _e192 = t_27;
         let _e194 = cost_16;
-        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
+        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
     }
     pub(crate) fn search_sphere(
         &self,
-        path_47: Path,
+        path_48: Path,
         params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_47, rt::into(params_38)))
+        rt::into(self.v_search_sphere(path_48, rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
-        path_47: Path,
+        path_48: Path,
         params_38: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_17: rt::Vec2<f32>;
@@ -6538,15 +6642,15 @@ impl<'g> Resources<'g> {
         let mut next_4: rt::Scalar<f32>;
         let mut local_43: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_47);
+        let _e2 = self.v_grid_of(path_48);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_47, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_47, rt::Scalar(path_47.exit));
+        let _e9 = self.v_path_slope(path_48, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_48, rt::Scalar(path_48.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let fastest = <rt::Vec3<f32>>::new_21(path_47.duv, climb_1).length();
+        let fastest = <rt::Vec3<f32>>::new_21(path_48.duv, climb_1).length();
         let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_6 = (path_47.uv.abs() + (path_47.duv.abs() * rt::Scalar(path_47.exit)));
-        let height_terms = (path_47.h.x().abs() + (rt::Scalar(path_47.exit) * (path_47.h.y().abs() + (rt::Scalar(path_47.exit) * path_47.h.z().abs()))));
+        let far_6 = (path_48.uv.abs() + (path_48.duv.abs() * rt::Scalar(path_48.exit)));
+        let height_terms = (path_48.h.x().abs() + (rt::Scalar(path_48.exit) * (path_48.h.y().abs() + (rt::Scalar(path_48.exit) * path_48.h.z().abs()))));
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_6.x() + far_6.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_17 = _e52;
@@ -6563,18 +6667,18 @@ impl<'g> Resources<'g> {
                     cost_17 = (_e63 + STEP);
                     let _e66 = cell_17;
                     let _e67 = self.v_cell_leave(_e2, _e66);
-                    let end_10 = _e67.x().min(_e67.y()).min(rt::Scalar(path_47.exit));
+                    let end_10 = _e67.x().min(_e67.y()).min(rt::Scalar(path_48.exit));
                     let _e73 = t_28;
                     let span_12 = (end_10 - _e73).max(rt::Scalar(0f32));
                     let _e77 = t_28;
-                    let _e78 = self.v_path_uv(path_47, _e77);
+                    let _e78 = self.v_path_uv(path_48, _e77);
                     let _e79 = t_28;
-                    let _e80 = self.v_path_height(path_47, _e79);
-                    let _e82 = self.v_distance_at(path_47, _e78, _e80, params_38.z());
+                    let _e80 = self.v_path_height(path_48, _e79);
+                    let _e82 = self.v_distance_at(path_48, _e78, _e80, params_38.z());
                     let free_1 = (_e82 - lost_3);
                     let _e84 = cost_17;
-                    let _e86 = self.v_map_read(path_47, rt::Scalar(4u32));
-                    let _e89 = self.v_map_read(path_47, rt::Scalar(4u32));
+                    let _e86 = self.v_map_read(path_48, rt::Scalar(4u32));
+                    let _e89 = self.v_map_read(path_48, rt::Scalar(4u32));
                     cost_17 = ((_e84 + _e86) + _e89);
                     let _e91 = t_28;
                     next_4 = _e91;
@@ -6585,10 +6689,10 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(params_38.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_4;
                         let _e102 = t_28;
-                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_47.exit))))) {
+                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_48.exit))))) {
                             let _e110 = t_28;
                             let _e112 = cost_17;
-                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
+                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
                         }
                     } else {
                         let _e116 = next_4;
@@ -6604,9 +6708,9 @@ impl<'g> Resources<'g> {
                             cost_17 = (_e126 + HEIGHTS_READ);
                             let _e129 = cell_17;
                             let _e130 = cell_17;
-                            let _e133 = self.v_height_cell(_e130.cast_elem_as_i32(), rt::Scalar(path_47.level));
+                            let _e133 = self.v_height_cell(_e130.cast_elem_as_i32(), rt::Scalar(path_48.level));
                             let _e134 = t_28;
-                            let _e135 = self.v_gap_to(path_47, _e2, _e129, _e133, _e134);
+                            let _e135 = self.v_gap_to(path_48, _e2, _e129, _e133, _e134);
                             let _e136 = t_28;
                             let _e137 = t_28;
                             let _e140 = cost_17;
@@ -6619,10 +6723,10 @@ impl<'g> Resources<'g> {
                         }
                     }
                     let _e147 = next_4;
-                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_47.exit))) {
+                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_48.exit))) {
                         let _e151 = t_28;
                         let _e153 = cost_17;
-                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
+                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
                     }
                     let _e157 = cell_17;
                     let _e158 = next_4;
@@ -6635,19 +6739,19 @@ impl<'g> Resources<'g> {
         }
         let _e162 = t_28;
         let _e164 = cost_17;
-        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
+        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
     }
     pub(crate) fn search_cone_moved(
         &self,
-        path_48: Path,
+        path_49: Path,
         params_39: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_48, rt::into(params_39)))
+        rt::into(self.v_search_cone_moved(path_49, rt::into(params_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
-        path_48: Path,
+        path_49: Path,
         params_39: rt::Vec4<f32>,
     ) -> Found {
         let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -6657,7 +6761,7 @@ impl<'g> Resources<'g> {
         let mut k_13: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut local_44: rt::Scalar<bool>;
 
-        let aside_5 = path_48.duv.length();
+        let aside_5 = path_49.duv.length();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_13;
@@ -6669,7 +6773,7 @@ impl<'g> Resources<'g> {
                     let _e17 = cost_18;
                     cost_18 = (_e17 + STEP);
                     let _e20 = t_29;
-                    let _e21 = self.v_path_gap(path_48, _e20);
+                    let _e21 = self.v_path_gap(path_49, _e20);
                     let _e22 = cost_18;
                     cost_18 = (_e22 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
@@ -6694,37 +6798,37 @@ impl<'g> Resources<'g> {
                     near_5 = _e47;
                     near_gap_3 = _e21;
                     let _e48 = t_29;
-                    let _e49 = self.v_path_uv(path_48, _e48);
-                    let _e51 = self.v_search_texel_between(path_48, _e49, rt::Scalar(0i32));
+                    let _e49 = self.v_path_uv(path_49, _e48);
+                    let _e51 = self.v_search_texel_between(path_49, _e49, rt::Scalar(0i32));
                     let _e53 = self.v_slope_of(_e51.x());
                     let _e54 = cost_18;
-                    let _e56 = self.v_map_read(path_48, rt::Scalar(4u32));
+                    let _e56 = self.v_map_read(path_49, rt::Scalar(4u32));
                     cost_18 = (_e54 + _e56);
                     if rt::Scalar::into_branch_condition(_e53.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
                     let _e61 = t_29;
-                    let rest_6 = (rt::Scalar(path_48.exit) - _e61);
+                    let rest_6 = (rt::Scalar(path_49.exit) - _e61);
                     let _e63 = t_29;
-                    let _e64 = self.v_path_slope(path_48, _e63);
-                    let rise_4 = (_e64 + (path_48.h.z().min(rt::Scalar(0f32)) * rest_6));
-                    let terms_1 = (path_48.h.x().abs() + (rt::Scalar(path_48.exit) * (path_48.h.y().abs() + (rt::Scalar(path_48.exit) * path_48.h.z().abs()))));
-                    let far_7 = (((path_48.uv.abs() + (path_48.duv.abs() * rt::Scalar(path_48.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
+                    let _e64 = self.v_path_slope(path_49, _e63);
+                    let rise_4 = (_e64 + (path_49.h.z().min(rt::Scalar(0f32)) * rest_6));
+                    let terms_1 = (path_49.h.x().abs() + (rt::Scalar(path_49.exit) * (path_49.h.y().abs() + (rt::Scalar(path_49.exit) * path_49.h.z().abs()))));
+                    let far_7 = (((path_49.uv.abs() + (path_49.duv.abs() * rt::Scalar(path_49.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
                     let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_7.x()) + far_7.y()));
                     let nearing = ((_e53 * aside_5) - rise_4);
                     let closing_3 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
                         let _e112 = t_29;
                         let _e114 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
+                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                     }
                     let _e118 = t_29;
                     t_29 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
                     let _e124 = t_29;
-                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_48.exit))) {
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_49.exit))) {
                         let _e128 = near_5;
                         let _e130 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
                     let _e134 = k_13;
                     k_13 = (_e134 + rt::Scalar(1f32));
@@ -6733,21 +6837,21 @@ impl<'g> Resources<'g> {
         }
         let _e138 = t_29;
         let _e140 = t_29;
-        let _e141 = self.v_path_height(path_48, _e140);
+        let _e141 = self.v_path_height(path_49, _e140);
         let _e142 = cost_18;
-        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_48.exit), _e141, rt::Scalar(0f32), _e142);
+        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_49.exit), _e141, rt::Scalar(0f32), _e142);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
-        path_49: Path,
+        path_50: Path,
         params_40: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_49, rt::into(params_40)))
+        rt::into(self.v_search_relaxed_cone(path_50, rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
-        path_49: Path,
+        path_50: Path,
         params_40: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_18: rt::Vec2<f32>;
@@ -6761,13 +6865,13 @@ impl<'g> Resources<'g> {
         let mut next_5: rt::Scalar<f32>;
         let mut local_46: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_49);
+        let _e2 = self.v_grid_of(path_50);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_6 = path_49.duv.length();
-        let _e11 = self.v_path_slope(path_49, rt::Scalar(0f32));
-        let terms_2 = (path_49.h.x().abs() + (rt::Scalar(path_49.exit) * path_49.h.y().abs()));
-        let _e33 = self.v_height_size(rt::Scalar(path_49.level));
-        let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_49.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let aside_6 = path_50.duv.length();
+        let _e11 = self.v_path_slope(path_50, rt::Scalar(0f32));
+        let terms_2 = (path_50.h.x().abs() + (rt::Scalar(path_50.exit) * path_50.h.y().abs()));
+        let _e33 = self.v_height_size(rt::Scalar(path_50.level));
+        let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_50.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_18 = _e36;
         let limit_8 = params_40.x().cast_elem_as_u32();
@@ -6783,14 +6887,14 @@ impl<'g> Resources<'g> {
                     cost_19 = (_e51 + STEP);
                     let _e54 = cell_18;
                     let _e55 = self.v_cell_leave(_e2, _e54);
-                    let end_11 = _e55.x().min(_e55.y()).min(rt::Scalar(path_49.exit));
+                    let end_11 = _e55.x().min(_e55.y()).min(rt::Scalar(path_50.exit));
                     let _e61 = t_30;
                     let span_13 = (end_11 - _e61).max(rt::Scalar(0f32));
                     let _e65 = cell_18;
                     let _e66 = cell_18;
-                    let _e69 = self.v_height_cell(_e66.cast_elem_as_i32(), rt::Scalar(path_49.level));
+                    let _e69 = self.v_height_cell(_e66.cast_elem_as_i32(), rt::Scalar(path_50.level));
                     let _e70 = t_30;
-                    let _e71 = self.v_gap_to(path_49, _e2, _e65, _e69, _e70);
+                    let _e71 = self.v_gap_to(path_50, _e2, _e65, _e69, _e70);
                     let _e72 = cost_19;
                     cost_19 = (_e72 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e71.x().elementwise_le(rt::Scalar(0f32))) {
@@ -6808,7 +6912,7 @@ impl<'g> Resources<'g> {
                             let _e89 = t_30;
                             let _e90 = near_gap_4;
                             let _e92 = cost_19;
-                            let _e93 = self.v_entered_once(path_49, _e2, _e88, _e89, _e90, _e71.x(), _e92);
+                            let _e93 = self.v_entered_once(path_50, _e2, _e88, _e89, _e90, _e71.x(), _e92);
                             return _e93;
                         }
                         let _e94 = t_30;
@@ -6833,10 +6937,10 @@ impl<'g> Resources<'g> {
                         gap = rt::Scalar(_e112.far_gap);
                     }
                     let _e119 = start_1;
-                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_49.exit))) {
+                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_50.exit))) {
                         let _e123 = t_30;
                         let _e125 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
+                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
                     }
                     let _e129 = start_1;
                     near_6 = _e129;
@@ -6846,9 +6950,9 @@ impl<'g> Resources<'g> {
                     let _e133 = cell_18;
                     let _e136 = start_1;
                     let _e139 = self.v_nearest_corner(((_e2.origin - _e133) + (_e2.step * _e136)));
-                    let _e141 = self.v_cone_slope(path_49, (_e131 + _e139));
+                    let _e141 = self.v_cone_slope(path_50, (_e131 + _e139));
                     let _e142 = cost_19;
-                    let _e144 = self.v_map_read(path_49, rt::Scalar(1u32));
+                    let _e144 = self.v_map_read(path_50, rt::Scalar(1u32));
                     cost_19 = (_e142 + _e144);
                     let _e146 = start_1;
                     next_5 = _e146;
@@ -6866,7 +6970,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(params_40.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
                         let _e178 = t_30;
-                        local_46 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_49.exit))));
+                        local_46 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_50.exit))));
                     } else {
                         local_46 = rt::Scalar(false);
                     }
@@ -6875,23 +6979,23 @@ impl<'g> Resources<'g> {
                         let _e188 = t_30;
                         let _e190 = gap;
                         let _e191 = cost_19;
-                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_49.exit), _e190, rt::Scalar(0f32), _e191);
+                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_50.exit), _e190, rt::Scalar(0f32), _e191);
                     }
                     let _e194 = next_5;
-                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_49.exit))) {
-                        let _e198 = self.v_path_gap(path_49, rt::Scalar(path_49.exit));
+                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_50.exit))) {
+                        let _e198 = self.v_path_gap(path_50, rt::Scalar(path_50.exit));
                         let _e199 = cost_19;
                         cost_19 = (_e199 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e198.elementwise_le(rt::Scalar(0f32))) {
                             let _e204 = start_1;
                             let _e206 = gap;
                             let _e207 = cost_19;
-                            let _e208 = self.v_entered_once(path_49, _e2, _e204, rt::Scalar(path_49.exit), _e206, _e198, _e207);
+                            let _e208 = self.v_entered_once(path_50, _e2, _e204, rt::Scalar(path_50.exit), _e206, _e198, _e207);
                             return _e208;
                         }
                         let _e210 = start_1;
                         let _e212 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
+                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
                     }
                     let _e216 = cell_18;
                     let _e217 = next_5;
@@ -6904,19 +7008,19 @@ impl<'g> Resources<'g> {
         }
         let _e221 = t_30;
         let _e223 = cost_19;
-        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
+        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
-        path_50: Path,
+        path_51: Path,
         params_41: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_50, rt::into(params_41)))
+        rt::into(self.v_search_relaxed_cone_resting(path_51, rt::into(params_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
-        path_50: Path,
+        path_51: Path,
         params_41: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_19: rt::Vec2<f32>;
@@ -6927,7 +7031,7 @@ impl<'g> Resources<'g> {
         let mut local_47: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_50);
+        let _e2 = self.v_grid_of(path_51);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_19 = _e9;
@@ -6943,17 +7047,17 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_20;
                     cost_20 = (_e24 + STEP);
                     let _e27 = cell_19;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_50.level));
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_51.level));
                     let _e31 = cost_20;
                     cost_20 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_19;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_12 = _e35.x().min(_e35.y()).min(rt::Scalar(path_50.exit));
+                    let end_12 = _e35.x().min(_e35.y()).min(rt::Scalar(path_51.exit));
                     let _e41 = t_31;
                     let span_14 = (end_12 - _e41).max(rt::Scalar(0f32));
                     let _e45 = cell_19;
                     let _e46 = t_31;
-                    let _e47 = self.v_gap_to(path_50, _e2, _e45, _e30, _e46);
+                    let _e47 = self.v_gap_to(path_51, _e2, _e45, _e30, _e46);
                     if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_7;
                         let _e52 = t_31;
@@ -6969,7 +7073,7 @@ impl<'g> Resources<'g> {
                             let _e62 = t_31;
                             let _e63 = near_gap_5;
                             let _e65 = cost_20;
-                            let _e66 = self.v_entered_once(path_50, _e2, _e61, _e62, _e63, _e47.x(), _e65);
+                            let _e66 = self.v_entered_once(path_51, _e2, _e61, _e62, _e63, _e47.x(), _e65);
                             return _e66;
                         }
                         let _e67 = t_31;
@@ -6987,10 +7091,10 @@ impl<'g> Resources<'g> {
                     }
                     let _e82 = t_31;
                     let start_2 = _e82.max(end_12);
-                    if rt::Scalar::into_branch_condition(start_2.elementwise_ge(rt::Scalar(path_50.exit))) {
+                    if rt::Scalar::into_branch_condition(start_2.elementwise_ge(rt::Scalar(path_51.exit))) {
                         let _e87 = t_31;
                         let _e89 = cost_20;
-                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_51.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
                     near_7 = start_2;
                     near_gap_5 = rt::Scalar(_e78.far_gap);
@@ -6998,32 +7102,32 @@ impl<'g> Resources<'g> {
                     let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_2)));
                     let _e101 = self.v_corner_height(_e30, _e100);
                     next_6 = start_2;
-                    let _e103 = self.v_path_height(path_50, start_2);
+                    let _e103 = self.v_path_height(path_51, start_2);
                     if rt::Scalar::into_branch_condition(_e103.elementwise_gt(_e101)) {
                         let _e105 = cell_19;
-                        let texel_8 = (_e105 + _e100);
-                        let _e107 = self.v_cone_slope(path_50, texel_8);
+                        let texel_9 = (_e105 + _e100);
+                        let _e107 = self.v_cone_slope(path_51, texel_9);
                         let _e108 = cost_20;
-                        let _e110 = self.v_map_read(path_50, rt::Scalar(1u32));
+                        let _e110 = self.v_map_read(path_51, rt::Scalar(1u32));
                         cost_20 = (_e108 + _e110);
                         if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e114 = self.v_stays_inside(path_50, _e2, texel_8, _e101, _e107, start_2);
+                            let _e114 = self.v_stays_inside(path_51, _e2, texel_9, _e101, _e107, start_2);
                             next_6 = (start_2 + _e114);
                         }
                     }
                     let _e116 = next_6;
-                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_50.exit))) {
-                        let _e120 = self.v_path_gap(path_50, rt::Scalar(path_50.exit));
+                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_51.exit))) {
+                        let _e120 = self.v_path_gap(path_51, rt::Scalar(path_51.exit));
                         let _e121 = cost_20;
                         cost_20 = (_e121 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
                             let _e127 = near_gap_5;
                             let _e128 = cost_20;
-                            let _e129 = self.v_entered_once(path_50, _e2, start_2, rt::Scalar(path_50.exit), _e127, _e120, _e128);
+                            let _e129 = self.v_entered_once(path_51, _e2, start_2, rt::Scalar(path_51.exit), _e127, _e120, _e128);
                             return _e129;
                         }
                         let _e132 = cost_20;
-                        return <Found>::new(FOUND_MISS, start_2, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
+                        return <Found>::new(FOUND_MISS, start_2, rt::Scalar(path_51.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
                     }
                     let _e136 = cell_19;
                     let _e137 = next_6;
@@ -7036,145 +7140,145 @@ impl<'g> Resources<'g> {
         }
         let _e141 = t_31;
         let _e143 = cost_20;
-        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
+        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_51.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
     }
-    pub(crate) fn search_stage(&self, path_51: Path) -> Found {
-        rt::into(self.v_search_stage(path_51))
+    pub(crate) fn search_stage(&self, path_52: Path) -> Found {
+        rt::into(self.v_search_stage(path_52))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_51: Path) -> Found {
+    fn v_search_stage(&self, path_52: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[2usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[2usize].params;
-                let _e11 = self.v_search_none(path_51, _e10);
+                let _e11 = self.v_search_none(path_52, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[2usize].params;
-                let _e17 = self.v_search_linear(path_51, _e16);
+                let _e17 = self.v_search_linear(path_52, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[2usize].params;
-                let _e23 = self.v_search_cells(path_51, _e22);
+                let _e23 = self.v_search_cells(path_52, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[2usize].params;
-                let _e29 = self.v_search_frustum(path_51, _e28);
+                let _e29 = self.v_search_frustum(path_52, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[2usize].params;
-                let _e35 = self.v_search_cone(path_51, _e34);
+                let _e35 = self.v_search_cone(path_52, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[2usize].params;
-                let _e41 = self.v_search_pyramid(path_51, _e40);
+                let _e41 = self.v_search_pyramid(path_52, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[2usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_51, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_52, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[2usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_51, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_52, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[2usize].params;
-                let _e59 = self.v_search_sphere(path_51, _e58);
+                let _e59 = self.v_search_sphere(path_52, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[2usize].params;
-                let _e65 = self.v_search_cone_moved(path_51, _e64);
+                let _e65 = self.v_search_cone_moved(path_52, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[2usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_51, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_52, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[2usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_51, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_52, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn trace(&self, path_52: Path) -> Hit {
-        rt::into(self.v_trace(path_52))
+    pub(crate) fn trace(&self, path_53: Path) -> Hit {
+        rt::into(self.v_trace(path_53))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_trace(&self, path_52: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_52);
-        let _e2 = self.v_refine_stage(path_52, _e1);
+    fn v_trace(&self, path_53: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_53);
+        let _e2 = self.v_refine_stage(path_53, _e1);
         return _e2;
     }
     pub(crate) fn surface_plane_polish(
         &self,
-        pixel_37: PixelIn,
+        pixel_38: PixelIn,
         at_35: Entered,
-        path_53: Path,
-        hit_7: Hit,
+        path_54: Path,
+        hit_8: Hit,
         params_42: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_37, at_35, path_53, hit_7, rt::into(params_42)))
+        rt::into(self.v_surface_plane_polish(pixel_38, at_35, path_54, hit_8, rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_polish(
         &self,
-        pixel_37: PixelIn,
+        pixel_38: PixelIn,
         at_35: Entered,
-        path_53: Path,
-        hit_7: Hit,
+        path_54: Path,
+        hit_8: Hit,
         params_42: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_7;
+        return hit_8;
     }
     pub(crate) fn surface_prism_polish(
         &self,
-        pixel_38: PixelIn,
+        pixel_39: PixelIn,
         at_36: Entered,
-        path_54: Path,
-        hit_8: Hit,
+        path_55: Path,
+        hit_9: Hit,
         params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_38, at_36, path_54, hit_8, rt::into(params_43)))
+        rt::into(self.v_surface_prism_polish(pixel_39, at_36, path_55, hit_9, rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_polish(
         &self,
-        pixel_38: PixelIn,
+        pixel_39: PixelIn,
         at_36: Entered,
-        path_54: Path,
-        hit_8: Hit,
+        path_55: Path,
+        hit_9: Hit,
         params_43: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_32: rt::Scalar<f32>;
         let mut point_4: ShellPoint;
         let mut step_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_38.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            return hit_8;
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_39.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            return hit_9;
         }
-        let along_19 = pixel_38.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_38, along_19);
-        let _e12 = self.v_prism_of(pixel_38, along_19, _e11, params_43);
-        let _e14 = self.v_path_gap(path_54, rt::Scalar(hit_8.t));
-        let _e15 = self.v_grid_of(path_54);
+        let along_19 = pixel_39.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_39, along_19);
+        let _e12 = self.v_prism_of(pixel_39, along_19, _e11, params_43);
+        let _e14 = self.v_path_gap(path_55, rt::Scalar(hit_9.t));
+        let _e15 = self.v_grid_of(path_55);
         let texels_4 = _e15.step.abs();
-        let most_5 = ((rt::Scalar(2f32) * params_43.x()) / texels_4.x().max(texels_4.y()).max((path_54.h.y().abs() / rt::Scalar(0.0625f32))));
-        t_32 = rt::Scalar(hit_8.t);
+        let most_5 = ((rt::Scalar(2f32) * params_43.x()) / texels_4.x().max(texels_4.y()).max((path_55.h.y().abs() / rt::Scalar(0.0625f32))));
+        t_32 = rt::Scalar(hit_9.t);
         let _e34 = t_32;
         let _e38 = t_32;
-        let _e39 = self.v_path_height(path_54, _e38);
-        let _e40 = self.v_shell_point(_e12, (along_19 * ((rt::Scalar(path_54.start) + _e34) - _e11)), _e39);
+        let _e39 = self.v_path_height(path_55, _e38);
+        let _e40 = self.v_shell_point(_e12, (along_19 * ((rt::Scalar(path_55.start) + _e34) - _e11)), _e39);
         point_4 = _e40;
         'naga_break: loop {
             'naga_continue: {
@@ -7188,146 +7292,145 @@ impl<'g> Resources<'g> {
                     step_2 = (_e47 + rt::Scalar(1u32));
                     let _e51 = rt::Scalar(point_4.height);
                     let _e53 = point_4.weights;
-                    let _e54 = self.v_uv_of(pixel_38, _e53);
-                    let _e56 = self.v_height_at(_e54, rt::Scalar(path_54.level));
+                    let _e54 = self.v_uv_of(pixel_39, _e53);
+                    let _e56 = self.v_height_at(_e54, rt::Scalar(path_55.level));
                     let gap_6 = ((_e51 - _e56) - _e14);
                     let _e61 = t_32;
                     let _e64 = self.v_cell_of((_e15.origin + (_e15.step * _e61)));
                     let _e65 = t_32;
-                    let _e66 = self.v_cell_gap(path_54, _e15, _e64, _e65);
+                    let _e66 = self.v_cell_gap(path_55, _e15, _e64, _e65);
                     let change_5 = _e66.y();
                     if rt::Scalar::into_branch_condition(change_5.elementwise_lt(rt::Scalar(0f32))) {
                         let _e70 = t_32;
-                        t_32 = (_e70 - (gap_6 / change_5)).clamp((rt::Scalar(hit_8.t) - most_5), (rt::Scalar(hit_8.t) + most_5));
+                        t_32 = (_e70 - (gap_6 / change_5)).clamp((rt::Scalar(hit_9.t) - most_5), (rt::Scalar(hit_9.t) + most_5));
                     }
                     let _e79 = t_32;
                     let _e83 = t_32;
-                    let _e84 = self.v_path_height(path_54, _e83);
-                    let _e85 = self.v_shell_point(_e12, (along_19 * ((rt::Scalar(path_54.start) + _e79) - _e11)), _e84);
+                    let _e84 = self.v_path_height(path_55, _e83);
+                    let _e85 = self.v_shell_point(_e12, (along_19 * ((rt::Scalar(path_55.start) + _e79) - _e11)), _e84);
                     point_4 = _e85;
                 }
             }
         }
         let _e89 = point_4.weights;
-        let _e90 = self.v_uv_of(pixel_38, _e89);
+        let _e90 = self.v_uv_of(pixel_39, _e89);
         let _e92 = rt::Scalar(point_4.height);
         let _e93 = t_32;
-        return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_8.exhausted), _e90, _e92, _e93, hit_8.cost);
+        return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_9.exhausted), _e90, _e92, _e93, hit_9.cost);
     }
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
-        pixel_39: PixelIn,
+        pixel_40: PixelIn,
         at_37: Entered,
-        path_55: Path,
-        hit_9: Hit,
+        path_56: Path,
+        hit_10: Hit,
         params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_39, at_37, path_55, hit_9, rt::into(params_44)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_40, at_37, path_56, hit_10, rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_polish(
         &self,
-        pixel_39: PixelIn,
+        pixel_40: PixelIn,
         at_37: Entered,
-        path_55: Path,
-        hit_9: Hit,
+        path_56: Path,
+        hit_10: Hit,
         params_44: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_9;
+        return hit_10;
     }
     pub(crate) fn surface_quadric_vertical_polish(
         &self,
-        pixel_40: PixelIn,
+        pixel_41: PixelIn,
         at_38: Entered,
-        path_56: Path,
-        hit_10: Hit,
+        path_57: Path,
+        hit_11: Hit,
         params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_40, at_38, path_56, hit_10, rt::into(params_45)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_41, at_38, path_57, hit_11, rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_polish(
         &self,
-        pixel_40: PixelIn,
+        pixel_41: PixelIn,
         at_38: Entered,
-        path_56: Path,
-        hit_10: Hit,
+        path_57: Path,
+        hit_11: Hit,
         params_45: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_10;
+        return hit_11;
     }
     pub(crate) fn surface_tetrahedra_polish(
         &self,
-        pixel_41: PixelIn,
+        pixel_42: PixelIn,
         at_39: Entered,
-        path_57: Path,
-        hit_11: Hit,
+        path_58: Path,
+        hit_12: Hit,
         params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_41, at_39, path_57, hit_11, rt::into(params_46)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_42, at_39, path_58, hit_12, rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_polish(
         &self,
-        pixel_41: PixelIn,
+        pixel_42: PixelIn,
         at_39: Entered,
-        path_57: Path,
-        hit_11: Hit,
+        path_58: Path,
+        hit_12: Hit,
         params_46: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_11;
+        return hit_12;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_42: PixelIn, at_40: Entered, path_58: Path, hit_12: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_42, at_40, path_58, hit_12))
+    pub(crate) fn surface_polish_stage(&self, pixel_43: PixelIn, at_40: Entered, path_59: Path, hit_13: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_43, at_40, path_59, hit_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_42: PixelIn, at_40: Entered, path_58: Path, hit_12: Hit) -> Hit {
+    fn v_surface_polish_stage(&self, pixel_43: PixelIn, at_40: Entered, path_59: Path, hit_13: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[0usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_42, at_40, path_58, hit_12, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_43, at_40, path_59, hit_13, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[0usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_42, at_40, path_58, hit_12, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_43, at_40, path_59, hit_13, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[0usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_42, at_40, path_58, hit_12, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_43, at_40, path_59, hit_13, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[0usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_42, at_40, path_58, hit_12, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_43, at_40, path_59, hit_13, _e31);
                 return _e32;
             }
             _ => {
                 let _e37 = self.surface_settings.choices[0usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_42, at_40, path_58, hit_12, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_43, at_40, path_59, hit_13, _e37);
                 return _e38;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_43: PixelIn, at_41: Entered, path_59: Path, hit_13: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_43, at_41, path_59, hit_13))
+    pub(crate) fn polish_hit(&self, pixel_44: PixelIn, at_41: Entered, path_60: Path, hit_14: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_44, at_41, path_60, hit_14))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_polish_hit(&self, pixel_43: PixelIn, at_41: Entered, path_59: Path, hit_13: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_43, at_41, path_59, hit_13);
+    fn v_polish_hit(&self, pixel_44: PixelIn, at_41: Entered, path_60: Path, hit_14: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_44, at_41, path_60, hit_14);
         return _e4;
     }
-    pub(crate) fn key_of(&self, pixel_44: PixelIn, path_60: Path, hit_14: Hit) -> f32 {
-        rt::into(self.v_key_of(pixel_44, path_60, hit_14))
+    pub(crate) fn key_of(&self, depth_5: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_key_of(rt::into(depth_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_key_of(&self, pixel_44: PixelIn, path_60: Path, hit_14: Hit) -> rt::Scalar<f32> {
-        let depth_5 = ((rt::Scalar(path_60.start) + rt::Scalar(hit_14.t)) / pixel_44.direction.length());
-        let _e11 = rt::Scalar(self.frame.near);
-        let _e14 = rt::Scalar(self.frame.near);
-        return (_e11 / (_e14 + depth_5.max(rt::Scalar(0f32))));
+    fn v_key_of(&self, depth_5: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let _e3 = rt::Scalar(self.frame.near);
+        let _e6 = rt::Scalar(self.frame.near);
+        return (_e3 / (_e6 + depth_5.max(rt::Scalar(0f32))));
     }
     pub(crate) fn first_hit(&self, pixel_45: PixelIn, at_42: Entered) -> FirstHit {
         rt::into(self.v_first_hit(pixel_45, at_42))
@@ -7364,18 +7467,27 @@ impl<'g> Resources<'g> {
                             let _e28 = hit_15;
                             let _e29 = k_14;
                             let _e30 = hit_15;
-                            let _e31 = self.v_key_of(pixel_45, _e10, _e30);
-                            return <FirstHit>::new(_e28, _e29, _e31);
+                            let _e31 = self.v_depth_on_ray(pixel_45, _e10, _e30);
+                            let _e32 = self.v_key_of(_e31);
+                            return <FirstHit>::new(_e28, _e29, _e32);
                         }
                     }
-                    let _e33 = k_14;
-                    k_14 = (_e33 + rt::Scalar(1u32));
+                    let _e34 = k_14;
+                    k_14 = (_e34 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e36 = cost_21;
-        let _e37 = self.v_miss(_e36);
-        return <FirstHit>::new(_e37, rt::Scalar(0u32), rt::Scalar(0f32));
+        let _e37 = cost_21;
+        let _e38 = self.v_miss(_e37);
+        return <FirstHit>::new(_e38, rt::Scalar(0u32), rt::Scalar(0f32));
+    }
+    pub(crate) fn footprint_m(&self, at_43: Entered) -> f32 {
+        rt::into(self.v_footprint_m(at_43))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_footprint_m(&self, at_43: Entered) -> rt::Scalar<f32> {
+        let _e7 = self.v_height_size(rt::Scalar(0u32));
+        return ((rt::Scalar(at_43.footprint) * at_43.metric.x().sqrt()) / _e7.x());
     }
     pub(crate) fn near_uv(&self, uv_13: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_near_uv(rt::into(uv_13)))
@@ -7392,16 +7504,16 @@ impl<'g> Resources<'g> {
         }
         return uv_13;
     }
-    pub(crate) fn from_hit(&self, at_43: Entered, hit_16: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_43, hit_16, light_1))
+    pub(crate) fn from_hit(&self, at_44: Entered, hit_16: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_44, hit_16, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_from_hit(&self, at_43: Entered, hit_16: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_43, light_1.direction);
+    fn v_from_hit(&self, at_44: Entered, hit_16: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_44, light_1.direction);
         let _e6 = self.v_near_uv(hit_16.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_43.level));
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_44.level));
         let h_4 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_4, rt::Scalar(0f32), rt::Scalar(0f32), at_43.metric, RAY_SHADOW, rt::Scalar(at_43.level), rt::Scalar(0f32), rt::Scalar(1f32));
+        return <Path>::new(_e6, _e4.xy(), h_4, rt::Scalar(0f32), rt::Scalar(0f32), at_44.metric, RAY_SHADOW, rt::Scalar(at_44.level), rt::Scalar(0f32), rt::Scalar(1f32));
     }
     pub(crate) fn way_out(&self, path_61: Path, light_2: Toward) -> f32 {
         rt::into(self.v_way_out(path_61, light_2))
@@ -7426,14 +7538,14 @@ impl<'g> Resources<'g> {
         let _e34 = way;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_44: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_44, hit_17, light_3))
+    pub(crate) fn light_ray(&self, at_45: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_45, hit_17, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_44: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
+    fn v_light_ray(&self, at_45: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
         let mut local_48: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_44, hit_17, light_3);
+        let _e3 = self.v_from_hit(at_45, hit_17, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -7535,12 +7647,12 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn free_way(&self, at_45: Entered, hit_18: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_45, hit_18, light_4))
+    pub(crate) fn free_way(&self, at_46: Entered, hit_18: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_46, hit_18, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_free_way(&self, at_45: Entered, hit_18: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_45, hit_18, light_4);
+    fn v_free_way(&self, at_46: Entered, hit_18: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_46, hit_18, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -7556,6 +7668,283 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_table(&self, levels: Levels) -> rt::Scalar<bool> {
         return rt::Scalar(levels.fine).elementwise_ge(SEEN_FIRST_LEVEL);
+    }
+    pub(crate) fn holds_filter(
+        &self,
+        view_6: LightView,
+        place_6: impl rt::Into<rt::Vec3<f32>>,
+        half: impl rt::Into<rt::Scalar<f32>>,
+    ) -> bool {
+        rt::into(self.v_holds_filter(view_6, rt::into(place_6), rt::into(half)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_holds_filter(
+        &self,
+        view_6: LightView,
+        place_6: rt::Vec3<f32>,
+        half: rt::Scalar<f32>,
+    ) -> rt::Scalar<bool> {
+        let mut local_49: rt::Scalar<bool>;
+        let mut local_50: rt::Scalar<bool>;
+
+        let least_1 = (place_6.x().min(place_6.y()) - half);
+        let most_6 = (place_6.x().max(place_6.y()) + half);
+        if rt::Scalar::into_branch_condition(place_6.z().elementwise_gt(rt::Scalar(0f32))) {
+            local_49 = least_1.elementwise_ge(rt::Scalar(0f32));
+        } else {
+            local_49 = rt::Scalar(false);
+        }
+        let _e19 = local_49;
+        if rt::Scalar::into_branch_condition(_e19) {
+            local_50 = most_6.elementwise_le(rt::Scalar(view_6.size).cast_elem_as_f32());
+        } else {
+            local_50 = rt::Scalar(false);
+        }
+        let _e26 = local_50;
+        return _e26;
+    }
+    pub(crate) fn light_place(
+        &self,
+        view_7: LightView,
+        point_5: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_light_place(view_7, rt::into(point_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_light_place(
+        &self,
+        view_7: LightView,
+        point_5: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let at_88 = <rt::Vec4<f32>>::new_31(point_5, rt::Scalar(1f32));
+        let depth_7 = view_7.depth.dot(at_88);
+        let over_2 = rt::Scalar(1f32).select(depth_7, rt::Scalar(view_7.from_point).elementwise_eq(rt::Scalar(1u32)));
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_7.column.dot(at_88), view_7.row.dot(at_88)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
+    }
+    pub(crate) fn patch_normal(
+        &self,
+        at_47: Entered,
+        uv_14: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_patch_normal(at_47, rt::into(uv_14)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_patch_normal(
+        &self,
+        at_47: Entered,
+        uv_14: rt::Vec2<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e3 = self.v_height_and_slope(uv_14, rt::Scalar(at_47.level));
+        let _e9 = rt::Scalar(self.surface_settings.scale_m);
+        let along_u_2 = (at_47.tangent + (at_47.normal * (_e3.y() * _e9)));
+        let _e18 = rt::Scalar(self.surface_settings.scale_m);
+        let along_v_2 = (at_47.bitangent + (at_47.normal * (_e3.z() * _e18)));
+        let across_4 = along_v_2.cross(along_u_2).normalize();
+        return (across_4 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_4.dot(at_47.normal).elementwise_ge(rt::Scalar(0f32))));
+    }
+    pub(crate) fn plane_depth(
+        &self,
+        view_8: LightView,
+        point_6: impl rt::Into<rt::Vec3<f32>>,
+        normal_11: impl rt::Into<rt::Vec3<f32>>,
+        texel_4: impl rt::Into<rt::Vec2<f32>>,
+    ) -> f32 {
+        rt::into(self.v_plane_depth(view_8, rt::into(point_6), rt::into(normal_11), rt::into(texel_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_plane_depth(
+        &self,
+        view_8: LightView,
+        point_6: rt::Vec3<f32>,
+        normal_11: rt::Vec3<f32>,
+        texel_4: rt::Vec2<f32>,
+    ) -> rt::Scalar<f32> {
+        let corner_6 = ((view_8.corner.xyz() + (view_8.across.xyz() * texel_4.x())) + (view_8.along.xyz() * texel_4.y()));
+        if rt::Scalar::into_branch_condition(rt::Scalar(view_8.from_point).elementwise_eq(rt::Scalar(1u32))) {
+            return (normal_11.dot((point_6 - view_8.eye.xyz())) / normal_11.dot(corner_6));
+        }
+        return (normal_11.dot((point_6 - corner_6)) / normal_11.dot(view_8.depth.xyz()));
+    }
+    pub(crate) fn light_texel(
+        &self,
+        place_7: impl rt::Into<rt::Vec2<i32>>,
+        view_9: impl rt::Into<rt::Scalar<i32>>,
+    ) -> f32 {
+        rt::into(self.v_light_texel(rt::into(place_7), rt::into(view_9)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_light_texel(
+        &self,
+        place_7: rt::Vec2<i32>,
+        view_9: rt::Scalar<i32>,
+    ) -> rt::Scalar<f32> {
+        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_7, rt::Scalar::into_inner(view_9), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        return _e4.x();
+    }
+    pub(crate) fn row_sees(
+        &self,
+        at_48: InView,
+        row: impl rt::Into<rt::Scalar<f32>>,
+        last_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_row_sees(at_48, rt::into(row), rt::into(last_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_row_sees(
+        &self,
+        at_48: InView,
+        row: rt::Scalar<f32>,
+        last_1: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut column: rt::Scalar<f32>;
+
+        let view_16 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_48.number))];
+        column = at_48.low.x().floor();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e14 = column;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_le(last_1)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e18 = column;
+                    let _e24 = column;
+                    let wide_2 = (at_48.high.x().min((_e18 + rt::Scalar(1f32))) - at_48.low.x().max(_e24));
+                    let _e27 = column;
+                    let place_14 = <rt::Vec2<f32>>::from_scalars(_e27, row);
+                    let _e35 = self.v_plane_depth(view_16, at_48.point, at_48.normal, (place_14 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_8 = _e35.clamp(rt::Scalar(at_48.least_depth), rt::Scalar(at_48.most_depth));
+                    let key = (rt::Scalar(view_16.near) / (rt::Scalar(view_16.near) + depth_8.max(rt::Scalar(0f32))));
+                    let _e48 = self.v_light_texel(place_14.cast_elem_as_i32(), rt::Scalar(at_48.number).cast_elem_as_i32());
+                    if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
+                        let _e51 = sees;
+                        sees = (_e51 + wide_2);
+                    }
+                    let _e53 = column;
+                    column = (_e53 + rt::Scalar(1f32));
+                }
+            }
+        }
+        let _e56 = sees;
+        return _e56;
+    }
+    pub(crate) fn seen_part(
+        &self,
+        number_3: impl rt::Into<rt::Scalar<u32>>,
+        at_49: Entered,
+        normal_12: impl rt::Into<rt::Vec3<f32>>,
+        place_8: impl rt::Into<rt::Vec3<f32>>,
+        filter_width: impl rt::Into<rt::Scalar<f32>>,
+        bias: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_seen_part(rt::into(number_3), at_49, rt::into(normal_12), rt::into(place_8), rt::into(filter_width), rt::into(bias)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_seen_part(
+        &self,
+        number_3: rt::Scalar<u32>,
+        at_49: Entered,
+        normal_12: rt::Vec3<f32>,
+        place_8: rt::Vec3<f32>,
+        filter_width: rt::Scalar<f32>,
+        bias: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut seen: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut row_1: rt::Scalar<f32>;
+
+        let view_17 = self.frame.light_views[rt::Scalar::into_array_index(number_3)];
+        let texel_m = (rt::Scalar(view_17.texel_m) * rt::Scalar(1f32).select(place_8.z(), rt::Scalar(view_17.from_point).elementwise_eq(rt::Scalar(1u32))));
+        let _e19 = self.v_footprint_m(at_49);
+        let point_15 = (at_49.point + (normal_12 * (bias * texel_m.max(_e19))));
+        let reach_1 = (rt::Scalar(16f32) * texel_m);
+        let low_4 = (place_8.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
+        let high_1 = (low_4 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
+        let last_7 = high_1.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_17.size).cast_elem_as_f32(), rt::Scalar(view_17.size).cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
+        let in_view = <InView>::new(number_3, point_15, normal_12, low_4, high_1, (place_8.z() - reach_1), (place_8.z() + reach_1));
+        row_1 = low_4.y().floor();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e55 = row_1;
+                if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_7.y())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e59 = row_1;
+                    let _e64 = row_1;
+                    let tall = (high_1.y().min((_e59 + rt::Scalar(1f32))) - low_4.y().max(_e64));
+                    let _e67 = seen;
+                    let _e68 = row_1;
+                    let _e70 = self.v_row_sees(in_view, _e68, last_7.x());
+                    seen = (_e67 + (_e70 * tall));
+                    let _e73 = row_1;
+                    row_1 = (_e73 + rt::Scalar(1f32));
+                }
+            }
+        }
+        let _e76 = seen;
+        return (_e76 / (filter_width * filter_width)).min(rt::Scalar(1f32));
+    }
+    pub(crate) fn light_seen(
+        &self,
+        at_50: Entered,
+        uv_15: impl rt::Into<rt::Vec2<f32>>,
+        number_4: impl rt::Into<rt::Scalar<u32>>,
+        toward: impl rt::Into<rt::Vec3<f32>>,
+        filter_texels: impl rt::Into<rt::Scalar<f32>>,
+        bias_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_light_seen(at_50, rt::into(uv_15), rt::into(number_4), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_light_seen(
+        &self,
+        at_50: Entered,
+        uv_15: rt::Vec2<f32>,
+        number_4: rt::Scalar<u32>,
+        toward: rt::Vec3<f32>,
+        filter_texels: rt::Scalar<f32>,
+        bias_1: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut k_15: rt::Scalar<u32>;
+
+        let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_4)];
+        if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
+            return rt::Scalar(1f32);
+        }
+        let _e14 = self.v_patch_normal(at_50, uv_15);
+        if rt::Scalar::into_branch_condition((!_e14.dot(toward).elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(0f32);
+        }
+        let width_4 = filter_texels.max(rt::Scalar(0.001f32));
+        k_15 = rt::Scalar(light_17.first_view);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e24 = k_15;
+                if rt::Scalar::into_branch_condition(_e24.elementwise_lt((rt::Scalar(light_17.first_view) + rt::Scalar(light_17.views)))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e31 = k_15;
+                    let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
+                    let _e35 = self.v_light_place(_e33, at_50.point);
+                    let _e38 = k_15;
+                    let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
+                    let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_4));
+                    if rt::Scalar::into_branch_condition(_e43) {
+                        let _e44 = k_15;
+                        let _e45 = self.v_seen_part(_e44, at_50, _e14, _e35, width_4, bias_1);
+                        return _e45;
+                    }
+                    let _e46 = k_15;
+                    k_15 = (_e46 + rt::Scalar(1u32));
+                }
+            }
+        }
+        return rt::Scalar(1f32);
     }
     pub(crate) fn mean_of_five(
         &self,
@@ -7590,66 +7979,66 @@ impl<'g> Resources<'g> {
         let none = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         return <SeenTable>::new(none, none, none);
     }
-    pub(crate) fn one_seen(&self, normal_11: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
-        rt::into(self.v_one_seen(rt::into(normal_11)))
+    pub(crate) fn one_seen(&self, normal_13: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
+        rt::into(self.v_one_seen(rt::into(normal_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_one_seen(&self, normal_11: rt::Vec3<f32>) -> SeenNormals {
+    fn v_one_seen(&self, normal_13: rt::Vec3<f32>) -> SeenNormals {
         let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let none_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let parts = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let _e13 = self.v_no_table();
-        return <SeenNormals>::new(normal_11, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts, rt::Scalar(0f32), _e13);
+        return <SeenNormals>::new(normal_13, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts, rt::Scalar(0f32), _e13);
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_46: Entered,
+        at_51: Entered,
         v: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_46, rt::into(v)))
+        rt::into(self.v_to_tangent_space(at_51, rt::into(v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_to_tangent_space(
         &self,
-        at_46: Entered,
+        at_51: Entered,
         v: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_2 = at_46.tangent.normalize();
-        let along_v_2 = at_46.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_2.dot(v), (-along_v_2.dot(v)), at_46.normal.dot(v));
+        let along_u_3 = at_51.tangent.normalize();
+        let along_v_3 = at_51.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v), (-along_v_3.dot(v)), at_51.normal.dot(v));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_47: Entered,
-        uv_14: impl rt::Into<rt::Vec2<f32>>,
+        at_52: Entered,
+        uv_16: impl rt::Into<rt::Vec2<f32>>,
         level_20: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_47, rt::into(uv_14), rt::into(level_20)))
+        rt::into(self.v_normals_of_level(at_52, rt::into(uv_16), rt::into(level_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_47: Entered,
-        uv_14: rt::Vec2<f32>,
+        at_52: Entered,
+        uv_16: rt::Vec2<f32>,
         level_20: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_20.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_47, uv_14);
-            let _e6 = self.v_to_tangent_space(at_47, _e5);
+            let _e5 = self.v_finest_normal(at_52, uv_16);
+            let _e6 = self.v_to_tangent_space(at_52, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_14, rt::Scalar(0i32), level_20);
-            let _e16 = self.v_normal_at(uv_14, rt::Scalar(1i32), level_20);
+            let _e14 = self.v_normal_at(uv_16, rt::Scalar(0i32), level_20);
+            let _e16 = self.v_normal_at(uv_16, rt::Scalar(1i32), level_20);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_2 = ((tile.x() * at_47.tangent.normalize().dot(at_47.tangent)) / at_47.tangent.dot(at_47.tangent));
-        let y_1 = ((tile.y() * at_47.bitangent.normalize().dot(at_47.bitangent)) / at_47.bitangent.dot(at_47.bitangent));
-        let _e44 = self.v_normal_at(uv_14, rt::Scalar(0i32), (level_20 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_14, rt::Scalar(1i32), (level_20 - rt::Scalar(1u32)));
+        let x_2 = ((tile.x() * at_52.tangent.normalize().dot(at_52.tangent)) / at_52.tangent.dot(at_52.tangent));
+        let y_1 = ((tile.y() * at_52.bitangent.normalize().dot(at_52.bitangent)) / at_52.bitangent.dot(at_52.bitangent));
+        let _e44 = self.v_normal_at(uv_16, rt::Scalar(0i32), (level_20 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_16, rt::Scalar(1i32), (level_20 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_2), (_e44.y() * y_1), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
         let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_2) * x_2), ((_e48.y() * x_2) * y_1), ((_e48.z() * y_1) * y_1)) * longer_1);
@@ -7664,18 +8053,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_48: Entered,
+        at_53: Entered,
         normals: Normals,
-        view_6: impl rt::Into<rt::Vec3<f32>>,
+        view_10: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_48, normals, rt::into(view_6)))
+        rt::into(self.v_seen_normals(at_53, normals, rt::into(view_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_48: Entered,
+        at_53: Entered,
         normals: Normals,
-        view_6: rt::Vec3<f32>,
+        view_10: rt::Vec3<f32>,
     ) -> SeenNormals {
         let first_8 = normals.first;
         let second_2 = normals.second;
@@ -7689,55 +8078,55 @@ impl<'g> Resources<'g> {
         let d_1 = (spread - (b_10 * b_10)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
         let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_2.x(), second_2.y(), first_8.x())) - (first_8.xyz() * slope_10.x()));
         let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_2.y(), second_2.z(), first_8.y())) - (first_8.xyz() * slope_10.y()));
-        let most_6 = ((a_11 * a_11) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_20 = (with_x / rt::Vec3::splat_from_scalar(a_11.max((with_x.length() / most_6))));
+        let most_7 = ((a_11 * a_11) + spread).sqrt().min(rt::Scalar(1f32));
+        let along_20 = (with_x / rt::Vec3::splat_from_scalar(a_11.max((with_x.length() / most_7))));
         let rest_7 = (with_y - (along_20 * b_10));
-        let across_4 = (rest_7 / rt::Vec3::splat_from_scalar(d_1.max((rest_7.length() / most_6))));
-        let _e77 = self.v_to_tangent_space(at_48, view_6);
+        let across_5 = (rest_7 / rt::Vec3::splat_from_scalar(d_1.max((rest_7.length() / most_7))));
+        let _e77 = self.v_to_tangent_space(at_53, view_10);
         let middle_11 = (_e77.z() - _e77.xy().dot(slope_10));
         let _e91 = self.v_facing_four(middle_11, (-((_e77.x() * a_11) + (_e77.y() * b_10))), (-(_e77.y() * d_1)));
         let one = middle_11.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one, _e94);
         let all = _e95.max(rt::Scalar(0.001f32));
-        let aside_7 = ((along_20 * ((_e91.x() - _e91.y()) / all)) + (across_4 * ((_e91.z() - _e91.w()) / all)));
-        let _e113 = self.v_from_tangent_space(at_48, (first_8.xyz() + (aside_7 * rt::Scalar(0.28867513f32))));
+        let aside_7 = ((along_20 * ((_e91.x() - _e91.y()) / all)) + (across_5 * ((_e91.z() - _e91.w()) / all)));
+        let _e113 = self.v_from_tangent_space(at_53, (first_8.xyz() + (aside_7 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_8.xyz(), along_20, across_4, slope_10, <rt::Vec2<f32>>::from_scalars(a_11, b_10), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_8.xyz(), along_20, across_5, slope_10, <rt::Vec2<f32>>::from_scalars(a_11, b_10), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_49: Entered) -> f32 {
-        rt::into(self.v_table_part(at_49))
+    pub(crate) fn table_part(&self, at_54: Entered) -> f32 {
+        rt::into(self.v_table_part(at_54))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_table_part(&self, at_49: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_54: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_49.fade) * ((rt::Scalar(at_49.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_54.fade) * ((rt::Scalar(at_54.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_50: Entered,
-        seen: SeenNormals,
+        at_55: Entered,
+        seen_1: SeenNormals,
         table: SeenTable,
         part_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_50, seen, table, rt::into(part_4)))
+        rt::into(self.v_with_table(at_55, seen_1, table, rt::into(part_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_with_table(
         &self,
-        at_50: Entered,
-        seen: SeenNormals,
+        at_55: Entered,
+        seen_1: SeenNormals,
         table: SeenTable,
         part_4: rt::Scalar<f32>,
     ) -> SeenNormals {
         let mut told: SeenNormals;
 
-        told = seen;
-        let before_2 = (seen.normal * rt::Scalar(seen.length));
-        let _e9 = self.v_from_tangent_space(at_50, table.mean);
+        told = seen_1;
+        let before_2 = (seen_1.normal * rt::Scalar(seen_1.length));
+        let _e9 = self.v_from_tangent_space(at_55, table.mean);
         let mean_4 = (before_2 + ((_e9 - before_2) * part_4));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
@@ -7795,46 +8184,46 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_texel(
         &self,
-        uv_15: impl rt::Into<rt::Vec2<f32>>,
+        uv_17: impl rt::Into<rt::Vec2<f32>>,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
         level_21: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_15), rt::into(azimuth), rt::into(elevation), rt::into(level_21)))
+        rt::into(self.v_seen_texel(rt::into(uv_17), rt::into(azimuth), rt::into(elevation), rt::into(level_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_texel(
         &self,
-        uv_15: rt::Vec2<f32>,
+        uv_17: rt::Vec2<f32>,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
         level_21: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_8 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_15, layer_8, level_21);
-        let _e12 = self.v_detail_texel_between(uv_15, (layer_8 + rt::Scalar(1i32)), level_21);
+        let _e9 = self.v_detail_texel_between(uv_17, layer_8, level_21);
+        let _e12 = self.v_detail_texel_between(uv_17, (layer_8 + rt::Scalar(1i32)), level_21);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
         &self,
-        uv_16: impl rt::Into<rt::Vec2<f32>>,
+        uv_18: impl rt::Into<rt::Vec2<f32>>,
         azimuth_1: impl rt::Into<rt::Scalar<i32>>,
         elevation_1: impl rt::Into<rt::Scalar<i32>>,
         levels_1: Levels,
     ) -> SeenTexel {
-        rt::into(self.v_seen_in_levels(rt::into(uv_16), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
+        rt::into(self.v_seen_in_levels(rt::into(uv_18), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_in_levels(
         &self,
-        uv_16: rt::Vec2<f32>,
+        uv_18: rt::Vec2<f32>,
         azimuth_1: rt::Scalar<i32>,
         elevation_1: rt::Scalar<i32>,
         levels_1: Levels,
     ) -> SeenTexel {
-        let _e5 = self.v_seen_texel(uv_16, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
+        let _e5 = self.v_seen_texel(uv_18, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
         if rt::Scalar::into_branch_condition(rt::Scalar(levels_1.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e12 = self.v_seen_texel(uv_16, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
+            let _e12 = self.v_seen_texel(uv_18, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
             let _e14 = self.v_seen_between(_e5, _e12, rt::Scalar(levels_1.part));
             return _e14;
         }
@@ -7842,22 +8231,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_51: Entered,
-        uv_17: impl rt::Into<rt::Vec2<f32>>,
-        view_7: impl rt::Into<rt::Vec3<f32>>,
+        at_56: Entered,
+        uv_19: impl rt::Into<rt::Vec2<f32>>,
+        view_11: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_51, rt::into(uv_17), rt::into(view_7), levels_2))
+        rt::into(self.v_table_of(at_56, rt::into(uv_19), rt::into(view_11), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_51: Entered,
-        uv_17: rt::Vec2<f32>,
-        view_7: rt::Vec3<f32>,
+        at_56: Entered,
+        uv_19: rt::Vec2<f32>,
+        view_11: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_51, view_7);
+        let _e4 = self.v_climb(at_56, view_11);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_5 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
@@ -7869,16 +8258,16 @@ impl<'g> Resources<'g> {
         let a1_ = ((a0_ + rt::Scalar(1i32)) % rt::Scalar(8i32));
         let e0_ = elevation_3.floor().cast_elem_as_i32();
         let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
-        let across_5 = (azimuth_3 - azimuth_3.floor());
-        let _e48 = self.v_seen_in_levels(uv_17, a0_, e0_, levels_2);
-        let _e49 = self.v_seen_in_levels(uv_17, a1_, e0_, levels_2);
-        let _e50 = self.v_seen_between(_e48, _e49, across_5);
-        let _e51 = self.v_seen_in_levels(uv_17, a0_, e1_1, levels_2);
-        let _e52 = self.v_seen_in_levels(uv_17, a1_, e1_1, levels_2);
-        let _e53 = self.v_seen_between(_e51, _e52, across_5);
+        let across_6 = (azimuth_3 - azimuth_3.floor());
+        let _e48 = self.v_seen_in_levels(uv_19, a0_, e0_, levels_2);
+        let _e49 = self.v_seen_in_levels(uv_19, a1_, e0_, levels_2);
+        let _e50 = self.v_seen_between(_e48, _e49, across_6);
+        let _e51 = self.v_seen_in_levels(uv_19, a0_, e1_1, levels_2);
+        let _e52 = self.v_seen_in_levels(uv_19, a1_, e1_1, levels_2);
+        let _e53 = self.v_seen_between(_e51, _e52, across_6);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_5 = ((tile_1.x() * at_51.tangent.normalize().dot(at_51.tangent)) / at_51.tangent.dot(at_51.tangent));
-        let y_4 = ((tile_1.y() * at_51.bitangent.normalize().dot(at_51.bitangent)) / at_51.bitangent.dot(at_51.bitangent));
+        let x_5 = ((tile_1.x() * at_56.tangent.normalize().dot(at_56.tangent)) / at_56.tangent.dot(at_56.tangent));
+        let y_4 = ((tile_1.y() * at_56.bitangent.normalize().dot(at_56.bitangent)) / at_56.bitangent.dot(at_56.bitangent));
         let mean_5 = _e56.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_5), (mean_5.y() * y_4), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
@@ -7887,46 +8276,46 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_52: Entered,
-        uv_18: impl rt::Into<rt::Vec2<f32>>,
-        view_8: impl rt::Into<rt::Vec3<f32>>,
+        at_57: Entered,
+        uv_20: impl rt::Into<rt::Vec2<f32>>,
+        view_12: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_52, rt::into(uv_18), rt::into(view_8)))
+        rt::into(self.v_mesostructure_normals(at_57, rt::into(uv_20), rt::into(view_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_52: Entered,
-        uv_18: rt::Vec2<f32>,
-        view_8: rt::Vec3<f32>,
+        at_57: Entered,
+        uv_20: rt::Vec2<f32>,
+        view_12: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_49: rt::Scalar<bool>;
+        let mut local_51: rt::Scalar<bool>;
         let mut first_1: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
-        let upright_3 = at_52.normal.dot(view_8);
+        let upright_3 = at_57.normal.dot(view_12);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_4 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_52.fade)));
+        let width_5 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_57.fade)));
         let _e15 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_5 = ((rt::Scalar(at_52.footprint) * _e15) * width_4);
+        let texels_5 = ((rt::Scalar(at_57.footprint) * _e15) * width_5);
         let _e20 = rt::Scalar(self.surface_settings.normal_levels);
         let _e21 = self.v_levels_of(texels_5, _e20);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_49 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
+            local_51 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_49 = rt::Scalar(false);
+            local_51 = rt::Scalar(false);
         }
-        let _e32 = local_49;
+        let _e32 = local_51;
         if rt::Scalar::into_branch_condition(_e32) {
-            let _e33 = self.v_finest_normal(at_52, uv_18);
+            let _e33 = self.v_finest_normal(at_57, uv_20);
             let _e34 = self.v_one_seen(_e33);
             return _e34;
         }
-        let _e36 = self.v_normals_of_level(at_52, uv_18, rt::Scalar(_e21.fine));
+        let _e36 = self.v_normals_of_level(at_57, uv_20, rt::Scalar(_e21.fine));
         first_1 = _e36.first;
         second = _e36.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e47 = self.v_normals_of_level(at_52, uv_18, (rt::Scalar(_e21.fine) + rt::Scalar(1u32)));
+            let _e47 = self.v_normals_of_level(at_57, uv_20, (rt::Scalar(_e21.fine) + rt::Scalar(1u32)));
             let _e48 = first_1;
             let _e50 = first_1;
             first_1 = (_e48 + ((_e47.first - _e50) * rt::Scalar(_e21.part)));
@@ -7936,15 +8325,15 @@ impl<'g> Resources<'g> {
         }
         let _e62 = first_1;
         let _e63 = second;
-        let _e65 = self.v_seen_normals(at_52, <Normals>::new(_e62, _e63), view_8);
-        let _e66 = self.v_table_part(at_52);
+        let _e65 = self.v_seen_normals(at_57, <Normals>::new(_e62, _e63), view_12);
+        let _e66 = self.v_table_part(at_57);
         if rt::Scalar::into_branch_condition(_e66.elementwise_gt(rt::Scalar(0f32))) {
             let _e72 = rt::Scalar(self.surface_settings.height_levels);
-            let _e73 = self.v_levels_of(rt::Scalar(at_52.footprint), _e72);
+            let _e73 = self.v_levels_of(rt::Scalar(at_57.footprint), _e72);
             let _e74 = self.v_has_table(_e73);
             if rt::Scalar::into_branch_condition(_e74) {
-                let _e75 = self.v_table_of(at_52, uv_18, view_8, _e73);
-                let _e76 = self.v_with_table(at_52, _e65, _e75, _e66);
+                let _e75 = self.v_table_of(at_57, uv_20, view_12, _e73);
+                let _e76 = self.v_with_table(at_57, _e65, _e75, _e66);
                 return _e76;
             }
         }
@@ -7952,37 +8341,37 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_53: Entered,
+        at_58: Entered,
         hit_19: Hit,
         light_5: Toward,
         params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_53, hit_19, light_5, rt::into(params_47)))
+        rt::into(self.v_shadow_ray(at_58, hit_19, light_5, rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_ray(
         &self,
-        at_53: Entered,
+        at_58: Entered,
         hit_19: Hit,
         light_5: Toward,
         params_47: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_53, hit_19, light_5);
+        let _e4 = self.v_free_way(at_58, hit_19, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_54: Entered,
+        at_59: Entered,
         hit_20: Hit,
         light_6: Toward,
         params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_54, hit_20, light_6, rt::into(params_48)))
+        rt::into(self.v_shadow_none(at_59, hit_20, light_6, rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_none(
         &self,
-        at_54: Entered,
+        at_59: Entered,
         hit_20: Hit,
         light_6: Toward,
         params_48: rt::Vec4<f32>,
@@ -7991,22 +8380,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_55: Entered,
+        at_60: Entered,
         hit_21: Hit,
         light_7: Toward,
         params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_55, hit_21, light_7, rt::into(params_49)))
+        rt::into(self.v_shadow_entry(at_60, hit_21, light_7, rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_55: Entered,
+        at_60: Entered,
         hit_21: Hit,
         light_7: Toward,
         params_49: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_55, hit_21, light_7);
+        let _e4 = self.v_from_hit(at_60, hit_21, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -8051,9 +8440,9 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seed_of(&self, hit_22: Hit) -> rt::Scalar<u32> {
-        let place_11 = ((hit_22.uv - hit_22.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
-        let _e10 = self.v_mixed(place_11.y());
-        let _e12 = self.v_mixed((place_11.x() ^ _e10));
+        let place_15 = ((hit_22.uv - hit_22.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
+        let _e10 = self.v_mixed(place_15.y());
+        let _e12 = self.v_mixed((place_15.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn unit_of(&self, bits: impl rt::Into<rt::Scalar<u32>>) -> f32 {
@@ -8070,8 +8459,8 @@ impl<'g> Resources<'g> {
     fn v_quarter_sine(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let x_6 = (turn_1 * rt::Scalar(6.2831855f32));
         let s_2 = (x_6 * x_6);
-        let last_6 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
-        return (x_6 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_6)))))));
+        let last_8 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
+        return (x_6 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_8)))))));
     }
     pub(crate) fn sine_of(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_sine_of(rt::into(turn_2)))
@@ -8095,115 +8484,115 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: impl rt::Into<rt::Scalar<u32>>,
-        k_15: impl rt::Into<rt::Scalar<u32>>,
+        k_16: impl rt::Into<rt::Scalar<u32>>,
         count_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_15), rt::into(count_1)))
+        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_16), rt::into(count_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_point_of_disc(
         &self,
         light_8: Toward,
         seed_1: rt::Scalar<u32>,
-        k_15: rt::Scalar<u32>,
+        k_16: rt::Scalar<u32>,
         count_1: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_1 + k_15) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_1 + k_16) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_15.cast_elem_as_f32() + _e9) / count_1.cast_elem_as_f32());
+        let ring = ((k_16.cast_elem_as_f32() + _e9) / count_1.cast_elem_as_f32());
         let _e16 = self.v_unit_of(seed_1);
-        let _e18 = self.v_turned(((k_15.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_12 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
+        let _e18 = self.v_turned(((k_16.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let place_16 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
         let up_1 = light_8.direction.cross(right_2);
-        let toward_6 = ((light_8.direction + (right_2 * place_12.x())) + (up_1 * place_12.y()));
+        let toward_6 = ((light_8.direction + (right_2 * place_16.x())) + (up_1 * place_16.y()));
         let along_21 = toward_6.length();
-        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_21)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_21), rt::Scalar(0f32));
+        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_21)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_21), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_56: Entered,
+        at_61: Entered,
         hit_23: Hit,
         light_9: Toward,
         params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_56, hit_23, light_9, rt::into(params_50)))
+        rt::into(self.v_shadow_soft(at_61, hit_23, light_9, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_56: Entered,
+        at_61: Entered,
         hit_23: Hit,
         light_9: Toward,
         params_50: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_16: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_17: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_3 = params_50.x().cast_elem_as_u32();
+        let count_4 = params_50.x().cast_elem_as_u32();
         let _e6 = self.v_seed_of(hit_23);
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_16;
-                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_3)) {
+                let _e11 = k_17;
+                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_4)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
-                    let _e14 = k_16;
-                    let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_3);
-                    let _e16 = self.v_free_way(at_56, hit_23, _e15);
+                    let _e14 = k_17;
+                    let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_4);
+                    let _e16 = self.v_free_way(at_61, hit_23, _e15);
                     free = (_e13 + _e16);
-                    let _e18 = k_16;
-                    k_16 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_17;
+                    k_17 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
         let _e21 = free;
-        return (_e21 / count_3.cast_elem_as_f32());
+        return (_e21 / count_4.cast_elem_as_f32());
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_57: Entered,
+        at_62: Entered,
         hit_24: Hit,
         light_10: Toward,
         params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_57, hit_24, light_10, rt::into(params_51)))
+        rt::into(self.v_shadow_heuristic(at_62, hit_24, light_10, rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_57: Entered,
+        at_62: Entered,
         hit_24: Hit,
         light_10: Toward,
         params_51: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_17: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_18: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_57, hit_24, light_10);
+        let _e4 = self.v_from_hit(at_62, hit_24, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let _e11 = self.v_way_out(_e4, light_10);
         'naga_break: loop {
             'naga_continue: {
-                let _e16 = k_17;
+                let _e16 = k_18;
                 if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_51.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = k_17;
+                    let _e19 = k_18;
                     let part_8 = (_e19 / params_51.x());
                     let _e22 = most_1;
                     let _e24 = self.v_path_gap(_e4, (part_8 * _e11));
                     most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_8)));
-                    let _e31 = k_17;
-                    k_17 = (_e31 + rt::Scalar(1f32));
+                    let _e31 = k_18;
+                    k_18 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
@@ -8212,46 +8601,46 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_texel(
         &self,
-        place_6: impl rt::Into<rt::Vec2<i32>>,
+        place_9: impl rt::Into<rt::Vec2<i32>>,
         layer_6: impl rt::Into<rt::Scalar<i32>>,
         level_22: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_6), rt::into(layer_6), rt::into(level_22)))
+        rt::into(self.v_shadow_texel(rt::into(place_9), rt::into(layer_6), rt::into(level_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_texel(
         &self,
-        place_6: rt::Vec2<i32>,
+        place_9: rt::Vec2<i32>,
         layer_6: rt::Scalar<i32>,
         level_22: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_6, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_22));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_9, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_22));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_19: impl rt::Into<rt::Vec2<f32>>,
+        uv_21: impl rt::Into<rt::Vec2<f32>>,
         layer_7: impl rt::Into<rt::Scalar<i32>>,
         level_23: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_19), rt::into(layer_7), rt::into(level_23)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_21), rt::into(layer_7), rt::into(level_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_texel_between(
         &self,
-        uv_19: rt::Vec2<f32>,
+        uv_21: rt::Vec2<f32>,
         layer_7: rt::Scalar<i32>,
         level_23: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_23);
-        let _e4 = self.v_texels_around(uv_19, _e3);
-        let k_27 = level_23.cast_elem_as_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_27);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_27);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_27);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_27);
+        let _e4 = self.v_texels_around(uv_21, _e3);
+        let k_29 = level_23.cast_elem_as_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_29);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_29);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_29);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_29);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -8285,42 +8674,42 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_58: Entered,
+        at_63: Entered,
         hit_25: Hit,
         light_11: Toward,
         params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_58, hit_25, light_11, rt::into(params_52)))
+        rt::into(self.v_shadow_horizon(at_63, hit_25, light_11, rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_58: Entered,
+        at_63: Entered,
         hit_25: Hit,
         light_11: Toward,
         params_52: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_58, light_11.direction);
+        let _e5 = self.v_climb(at_63, light_11.direction);
         let map_1 = self.surface_settings.maps[3usize];
         let along_22 = (_e5.xy() * map_1.tile_m);
         let _e13 = self.v_turn_of(along_22);
         let azimuth_4 = (_e13 * params_52.x());
         let first_9 = azimuth_4.floor();
-        let count_4 = params_52.x().cast_elem_as_i32();
-        let before_3 = (first_9.cast_elem_as_i32() % count_4);
+        let count_5 = params_52.x().cast_elem_as_i32();
+        let before_3 = (first_9.cast_elem_as_i32() % count_5);
         let part_9 = (azimuth_4 - first_9);
-        let _e24 = self.v_shadow_texel_between(hit_25.uv, before_3, rt::Scalar(at_58.level));
-        let low_4 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_25.uv, ((before_3 + rt::Scalar(1i32)) % count_4), rt::Scalar(at_58.level));
-        let sine_1 = (low_4 + ((_e31.x() - low_4) * part_9));
+        let _e24 = self.v_shadow_texel_between(hit_25.uv, before_3, rt::Scalar(at_63.level));
+        let low_5 = _e24.x();
+        let _e31 = self.v_shadow_texel_between(hit_25.uv, ((before_3 + rt::Scalar(1i32)) % count_5), rt::Scalar(at_63.level));
+        let sine_1 = (low_5 + ((_e31.x() - low_5) * part_9));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
         let far_9 = (squared_4 * along_22.dot(along_22)).sqrt();
-        let _e48 = self.v_from_hit(at_58, hit_25, light_11);
+        let _e48 = self.v_from_hit(at_63, hit_25, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_8 = (_e49 * _e52);
         let horizon = far_9.max(near_8);
-        let up_2 = at_58.normal.dot(light_11.direction);
+        let up_2 = at_63.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_2.elementwise_gt(horizon));
         }
@@ -8334,44 +8723,44 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn open_part(
         &self,
-        at_59: Entered,
+        at_64: Entered,
         hit_26: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_59, hit_26, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_64, hit_26, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_open_part(
         &self,
-        at_59: Entered,
+        at_64: Entered,
         hit_26: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_26.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_59.level));
+        let _e9 = self.v_shadow_texel_between(hit_26.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_64.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_60: Entered,
+        at_65: Entered,
         hit_27: Hit,
         light_12: Toward,
         params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_60, hit_27, light_12, rt::into(params_53)))
+        rt::into(self.v_shadow_visibility(at_65, hit_27, light_12, rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_60: Entered,
+        at_65: Entered,
         hit_27: Hit,
         light_12: Toward,
         params_53: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_60, light_12.direction);
+        let _e5 = self.v_climb(at_65, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -8387,7 +8776,7 @@ impl<'g> Resources<'g> {
         let elevation_4 = ((squared_5 * params_53.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_53.y() - rt::Scalar(1f32)));
         if rt::Scalar::into_branch_condition(params_53.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_12 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
-            let _e56 = self.v_open_part(at_60, hit_27, a_12, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
+            let _e56 = self.v_open_part(at_65, hit_27, a_12, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().cast_elem_as_i32() % azimuths);
@@ -8396,71 +8785,120 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_60, hit_27, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_60, hit_27, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_65, hit_27, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_65, hit_27, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_60, hit_27, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_65, hit_27, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_60, hit_27, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_65, hit_27, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
-    pub(crate) fn shadow_stage(&self, at_61: Entered, hit_28: Hit, light_13: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_61, hit_28, light_13))
+    pub(crate) fn shadow_map(
+        &self,
+        at_66: Entered,
+        hit_28: Hit,
+        light_13: Toward,
+        params_54: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_map(at_66, hit_28, light_13, rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_61: Entered, hit_28: Hit, light_13: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_map(
+        &self,
+        at_66: Entered,
+        hit_28: Hit,
+        light_13: Toward,
+        params_54: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e9 = self.v_light_seen(at_66, hit_28.uv, rt::Scalar(light_13.number), light_13.direction, params_54.z(), params_54.w());
+        return _e9;
+    }
+    pub(crate) fn shadow_scene(
+        &self,
+        at_67: Entered,
+        hit_29: Hit,
+        light_14: Toward,
+        params_55: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_scene(at_67, hit_29, light_14, rt::into(params_55)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_scene(
+        &self,
+        at_67: Entered,
+        hit_29: Hit,
+        light_14: Toward,
+        params_55: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        return rt::Scalar(1f32);
+    }
+    pub(crate) fn shadow_stage(&self, at_68: Entered, hit_30: Hit, light_15: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_68, hit_30, light_15))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_stage(&self, at_68: Entered, hit_30: Hit, light_15: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[5usize].params;
-                let _e13 = self.v_shadow_ray(at_61, hit_28, light_13, _e12);
+                let _e13 = self.v_shadow_ray(at_68, hit_30, light_15, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[5usize].params;
-                let _e19 = self.v_shadow_none(at_61, hit_28, light_13, _e18);
+                let _e19 = self.v_shadow_none(at_68, hit_30, light_15, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[5usize].params;
-                let _e25 = self.v_shadow_entry(at_61, hit_28, light_13, _e24);
+                let _e25 = self.v_shadow_entry(at_68, hit_30, light_15, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[5usize].params;
-                let _e31 = self.v_shadow_soft(at_61, hit_28, light_13, _e30);
+                let _e31 = self.v_shadow_soft(at_68, hit_30, light_15, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[5usize].params;
-                let _e37 = self.v_shadow_heuristic(at_61, hit_28, light_13, _e36);
+                let _e37 = self.v_shadow_heuristic(at_68, hit_30, light_15, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[5usize].params;
-                let _e43 = self.v_shadow_horizon(at_61, hit_28, light_13, _e42);
+                let _e43 = self.v_shadow_horizon(at_68, hit_30, light_15, _e42);
                 return _e43;
             }
-            _ => {
+            6u32 => {
                 let _e48 = self.surface_settings.choices[5usize].params;
-                let _e49 = self.v_shadow_visibility(at_61, hit_28, light_13, _e48);
+                let _e49 = self.v_shadow_visibility(at_68, hit_30, light_15, _e48);
                 return _e49;
+            }
+            7u32 => {
+                let _e54 = self.surface_settings.choices[5usize].params;
+                let _e55 = self.v_shadow_map(at_68, hit_30, light_15, _e54);
+                return _e55;
+            }
+            _ => {
+                let _e60 = self.surface_settings.choices[5usize].params;
+                let _e61 = self.v_shadow_scene(at_68, hit_30, light_15, _e60);
+                return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_46: PixelIn, at_62: Entered, hit_29: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_46, at_62, hit_29))
+    pub(crate) fn mirrored_light(&self, pixel_46: PixelIn, at_69: Entered, hit_31: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_46, at_69, hit_31))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_mirrored_light(&self, pixel_46: PixelIn, at_62: Entered, hit_29: Hit) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_29.found).elementwise_eq(rt::Scalar(0u32))) {
+    fn v_mirrored_light(&self, pixel_46: PixelIn, at_69: Entered, hit_31: Hit) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_31.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
         let down_2 = pixel_46.direction.normalize();
-        let up_3 = (down_2 - (at_62.normal * (rt::Scalar(2f32) * down_2.dot(at_62.normal))));
-        let _e23 = self.v_shadow_stage(at_62, hit_29, <Toward>::new(up_3, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
-        return _e23;
+        let up_3 = (down_2 - (at_69.normal * (rt::Scalar(2f32) * down_2.dot(at_69.normal))));
+        let _e24 = self.v_shadow_stage(at_69, hit_31, <Toward>::new(up_3, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
+        return _e24;
     }
     pub(crate) fn pixel_direction(&self, pixel_47: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_pixel_direction(rt::into(pixel_47)))
@@ -8489,9 +8927,9 @@ impl<'g> Resources<'g> {
         c_4: Corner,
         shell_3: Shell,
         side_2: impl rt::Into<rt::Scalar<f32>>,
-        point_5: impl rt::Into<rt::Vec2<f32>>,
+        point_7: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_4, b_4, c_4, shell_3, rt::into(side_2), rt::into(point_5)))
+        rt::into(self.v_pixel_of(a_4, b_4, c_4, shell_3, rt::into(side_2), rt::into(point_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_pixel_of(
@@ -8501,99 +8939,99 @@ impl<'g> Resources<'g> {
         c_4: Corner,
         shell_3: Shell,
         side_2: rt::Scalar<f32>,
-        point_5: rt::Vec2<f32>,
+        point_7: rt::Vec2<f32>,
     ) -> PixelIn {
-        let _e6 = self.v_pixel_eye(point_5);
-        let _e7 = self.v_pixel_direction(point_5);
+        let _e6 = self.v_pixel_eye(point_7);
+        let _e7 = self.v_pixel_direction(point_7);
         return <PixelIn>::new(_e6, _e7, side_2, a_4, b_4, c_4, shell_3);
     }
     pub(crate) fn surface_plane_place(
         &self,
         pixel_49: PixelIn,
-        at_63: Entered,
+        at_70: Entered,
         path_63: Path,
-        hit_30: Hit,
-        params_54: impl rt::Into<rt::Vec4<f32>>,
+        hit_32: Hit,
+        params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_49, at_63, path_63, hit_30, rt::into(params_54)))
+        rt::into(self.v_surface_plane_place(pixel_49, at_70, path_63, hit_32, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_place(
         &self,
         pixel_49: PixelIn,
-        at_63: Entered,
+        at_70: Entered,
         path_63: Path,
-        hit_30: Hit,
-        params_54: rt::Vec4<f32>,
+        hit_32: Hit,
+        params_56: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_8 = (hit_30.uv - at_63.uv);
+        let aside_8 = (hit_32.uv - at_70.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_30.uv, rt::Scalar(at_63.level));
+        let _e16 = self.v_height_at(hit_32.uv, rt::Scalar(at_70.level));
         let height_12 = (_e10 + (_e13 * _e16));
-        placed = at_63;
-        placed.point = (((at_63.point + (at_63.tangent * aside_8.x())) + (at_63.bitangent * aside_8.y())) + (at_63.normal * height_12));
-        placed.uv = hit_30.uv;
+        placed = at_70;
+        placed.point = (((at_70.point + (at_70.tangent * aside_8.x())) + (at_70.bitangent * aside_8.y())) + (at_70.normal * height_12));
+        placed.uv = hit_32.uv;
         let _e35 = placed;
         return _e35;
     }
     pub(crate) fn placed_at(
         &self,
         pixel_50: PixelIn,
-        at_64: Entered,
+        at_71: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
-        point_6: impl rt::Into<rt::Vec3<f32>>,
-        uv_20: impl rt::Into<rt::Vec2<f32>>,
+        point_8: impl rt::Into<rt::Vec3<f32>>,
+        uv_22: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_50, at_64, rt::into(weights_4), rt::into(point_6), rt::into(uv_20)))
+        rt::into(self.v_placed_at(pixel_50, at_71, rt::into(weights_4), rt::into(point_8), rt::into(uv_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_placed_at(
         &self,
         pixel_50: PixelIn,
-        at_64: Entered,
+        at_71: Entered,
         weights_4: rt::Vec3<f32>,
-        point_6: rt::Vec3<f32>,
-        uv_20: rt::Vec2<f32>,
+        point_8: rt::Vec3<f32>,
+        uv_22: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_50, weights_4, point_6, uv_20, at_64.facing);
+        let _e6 = self.v_frame_at(pixel_50, weights_4, point_8, uv_22, at_71.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_64.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_64.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_64.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_71.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_71.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_71.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_tetrahedra_place(
         &self,
         pixel_51: PixelIn,
-        at_65: Entered,
+        at_72: Entered,
         path_64: Path,
-        hit_31: Hit,
-        params_55: impl rt::Into<rt::Vec4<f32>>,
+        hit_33: Hit,
+        params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_51, at_65, path_64, hit_31, rt::into(params_55)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_51, at_72, path_64, hit_33, rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
         pixel_51: PixelIn,
-        at_65: Entered,
+        at_72: Entered,
         path_64: Path,
-        hit_31: Hit,
-        params_55: rt::Vec4<f32>,
+        hit_33: Hit,
+        params_57: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside: rt::Scalar<f32>;
-        let mut number_3: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut number_5: rt::Scalar<u32> = rt::Scalar(1u32);
 
         let along_24 = pixel_51.direction.normalize();
         let _e7 = self.v_middle_of(pixel_51, along_24);
-        let t_36 = ((rt::Scalar(path_64.start) + rt::Scalar(hit_31.t)) - _e7);
+        let t_36 = ((rt::Scalar(path_64.start) + rt::Scalar(hit_33.t)) - _e7);
         let _e13 = self.v_tetrahedron(pixel_51, along_24, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
@@ -8601,13 +9039,13 @@ impl<'g> Resources<'g> {
         beside = (_e17 - t_36).max((t_36 - _e21));
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = number_3;
+                let _e27 = number_5;
                 if rt::Scalar::into_branch_condition(_e27.elementwise_lt(rt::Scalar(3u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = number_3;
+                    let _e30 = number_5;
                     let _e31 = self.v_tetrahedron(pixel_51, along_24, _e7, _e30);
                     let aside_9 = (_e31.inside.x() - t_36).max((t_36 - _e31.inside.y()));
                     let _e39 = beside;
@@ -8615,85 +9053,85 @@ impl<'g> Resources<'g> {
                         nearest = _e31;
                         beside = aside_9;
                     }
-                    let _e41 = number_3;
-                    number_3 = (_e41 + rt::Scalar(1u32));
+                    let _e41 = number_5;
+                    number_5 = (_e41 + rt::Scalar(1u32));
                 }
             }
         }
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
         let weights_5 = (_e45 + (_e47 * t_36));
-        let point_13 = (pixel_51.origin + (along_24 * (rt::Scalar(path_64.start) + rt::Scalar(hit_31.t))));
-        let _e58 = self.v_placed_at(pixel_51, at_65, weights_5.xyz(), point_13, hit_31.uv);
+        let point_16 = (pixel_51.origin + (along_24 * (rt::Scalar(path_64.start) + rt::Scalar(hit_33.t))));
+        let _e58 = self.v_placed_at(pixel_51, at_72, weights_5.xyz(), point_16, hit_33.uv);
         return _e58;
     }
     pub(crate) fn surface_prism_place(
         &self,
         pixel_52: PixelIn,
-        at_66: Entered,
+        at_73: Entered,
         path_65: Path,
-        hit_32: Hit,
-        params_56: impl rt::Into<rt::Vec4<f32>>,
+        hit_34: Hit,
+        params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_52, at_66, path_65, hit_32, rt::into(params_56)))
+        rt::into(self.v_surface_prism_place(pixel_52, at_73, path_65, hit_34, rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_place(
         &self,
         pixel_52: PixelIn,
-        at_66: Entered,
+        at_73: Entered,
         path_65: Path,
-        hit_32: Hit,
-        params_56: rt::Vec4<f32>,
+        hit_34: Hit,
+        params_58: rt::Vec4<f32>,
     ) -> Entered {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_52.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e9 = self.v_surface_tetrahedra_place(pixel_52, at_66, path_65, hit_32, params_56);
+            let _e9 = self.v_surface_tetrahedra_place(pixel_52, at_73, path_65, hit_34, params_58);
             return _e9;
         }
         let along_25 = pixel_52.direction.normalize();
         let _e12 = self.v_middle_of(pixel_52, along_25);
-        let _e13 = self.v_prism_of(pixel_52, along_25, _e12, params_56);
-        let s_4 = ((rt::Scalar(path_65.start) + rt::Scalar(hit_32.t)) - _e12);
-        let _e20 = self.v_shell_point(_e13, (along_25 * s_4), rt::Scalar(hit_32.height));
+        let _e13 = self.v_prism_of(pixel_52, along_25, _e12, params_58);
+        let s_4 = ((rt::Scalar(path_65.start) + rt::Scalar(hit_34.t)) - _e12);
+        let _e20 = self.v_shell_point(_e13, (along_25 * s_4), rt::Scalar(hit_34.height));
         let weights_6 = _e20.weights;
-        let _e29 = self.v_placed_at(pixel_52, at_66, weights_6, (pixel_52.origin + (along_25 * (rt::Scalar(path_65.start) + rt::Scalar(hit_32.t)))), hit_32.uv);
+        let _e29 = self.v_placed_at(pixel_52, at_73, weights_6, (pixel_52.origin + (along_25 * (rt::Scalar(path_65.start) + rt::Scalar(hit_34.t)))), hit_34.uv);
         return _e29;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_67: Entered,
+        at_74: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_67, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_74, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_frame(
         &self,
-        at_67: Entered,
+        at_74: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_50: rt::Scalar<bool>;
+        let mut local_52: rt::Scalar<bool>;
 
-        placed_2 = at_67;
-        let _e5 = self.v_quadric_slope(at_67.quadric.xyz(), aside);
+        placed_2 = at_74;
+        let _e5 = self.v_quadric_slope(at_74.quadric.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_50 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_52 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_50 = rt::Scalar(false);
+            local_52 = rt::Scalar(false);
         }
-        let _e15 = local_50;
+        let _e15 = local_52;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_2 = at_67.metric;
+        let m_2 = at_74.metric;
         let area_5 = ((m_2.x() * m_2.z()) - (m_2.y() * m_2.y()));
         let along_t = (((_e5.x() * m_2.z()) - (_e5.y() * m_2.y())) / area_5);
         let along_b = (((_e5.y() * m_2.x()) - (_e5.x() * m_2.y())) / area_5);
-        placed_2.tangent = (at_67.tangent + (at_67.normal * _e5.x()));
-        placed_2.bitangent = (at_67.bitangent + (at_67.normal * _e5.y()));
-        placed_2.normal = ((at_67.normal - (at_67.tangent * along_t)) - (at_67.bitangent * along_b)).normalize();
+        placed_2.tangent = (at_74.tangent + (at_74.normal * _e5.x()));
+        placed_2.bitangent = (at_74.bitangent + (at_74.normal * _e5.y()));
+        placed_2.normal = ((at_74.normal - (at_74.tangent * along_t)) - (at_74.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_1 = _e63.dot(_e65);
@@ -8710,98 +9148,98 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
         pixel_53: PixelIn,
-        at_68: Entered,
+        at_75: Entered,
         path_66: Path,
-        hit_33: Hit,
-        params_57: impl rt::Into<rt::Vec4<f32>>,
+        hit_35: Hit,
+        params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_53, at_68, path_66, hit_33, rt::into(params_57)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_53, at_75, path_66, hit_35, rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_place(
         &self,
         pixel_53: PixelIn,
-        at_68: Entered,
+        at_75: Entered,
         path_66: Path,
-        hit_33: Hit,
-        params_57: rt::Vec4<f32>,
+        hit_35: Hit,
+        params_59: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_68, (hit_33.uv - at_68.uv));
+        let _e8 = self.v_quadric_frame(at_75, (hit_35.uv - at_75.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_53.origin + (pixel_53.direction.normalize() * (rt::Scalar(path_66.start) + rt::Scalar(hit_33.t))));
-        placed_3.uv = hit_33.uv;
+        placed_3.point = (pixel_53.origin + (pixel_53.direction.normalize() * (rt::Scalar(path_66.start) + rt::Scalar(hit_35.t))));
+        placed_3.uv = hit_35.uv;
         let _e21 = placed_3;
         return _e21;
     }
     pub(crate) fn surface_quadric_vertical_place(
         &self,
         pixel_54: PixelIn,
-        at_69: Entered,
+        at_76: Entered,
         path_67: Path,
-        hit_34: Hit,
-        params_58: impl rt::Into<rt::Vec4<f32>>,
+        hit_36: Hit,
+        params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_54, at_69, path_67, hit_34, rt::into(params_58)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_54, at_76, path_67, hit_36, rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
         pixel_54: PixelIn,
-        at_69: Entered,
+        at_76: Entered,
         path_67: Path,
-        hit_34: Hit,
-        params_58: rt::Vec4<f32>,
+        hit_36: Hit,
+        params_60: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_10 = (hit_34.uv - at_69.uv);
+        let aside_10 = (hit_36.uv - at_76.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_34.uv, rt::Scalar(at_69.level));
+        let _e16 = self.v_height_at(hit_36.uv, rt::Scalar(at_76.level));
         let height_13 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_69.quadric.xyz(), aside_10);
-        let lifted_2 = (((_e19 - at_69.quadric.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_69, aside_10);
+        let _e27 = self.v_quadric_at(at_76.quadric.xyz(), aside_10);
+        let lifted_2 = (((_e19 - at_76.quadric.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_76, aside_10);
         placed_4 = _e29;
-        placed_4.point = (((at_69.point + (at_69.tangent * aside_10.x())) + (at_69.bitangent * aside_10.y())) + (at_69.normal * (height_13 + lifted_2)));
-        placed_4.uv = hit_34.uv;
+        placed_4.point = (((at_76.point + (at_76.tangent * aside_10.x())) + (at_76.bitangent * aside_10.y())) + (at_76.normal * (height_13 + lifted_2)));
+        placed_4.uv = hit_36.uv;
         let _e47 = placed_4;
         return _e47;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_55: PixelIn, at_70: Entered, path_68: Path, hit_35: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_55, at_70, path_68, hit_35))
+    pub(crate) fn surface_place_stage(&self, pixel_55: PixelIn, at_77: Entered, path_68: Path, hit_37: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_55, at_77, path_68, hit_37))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_55: PixelIn, at_70: Entered, path_68: Path, hit_35: Hit) -> Entered {
+    fn v_surface_place_stage(&self, pixel_55: PixelIn, at_77: Entered, path_68: Path, hit_37: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[0usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_55, at_70, path_68, hit_35, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_55, at_77, path_68, hit_37, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[0usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_55, at_70, path_68, hit_35, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_55, at_77, path_68, hit_37, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[0usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_55, at_70, path_68, hit_35, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_55, at_77, path_68, hit_37, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[0usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_55, at_70, path_68, hit_35, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_55, at_77, path_68, hit_37, _e31);
                 return _e32;
             }
             _ => {
                 let _e37 = self.surface_settings.choices[0usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_55, at_70, path_68, hit_35, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_55, at_77, path_68, hit_37, _e37);
                 return _e38;
             }
         }
@@ -8809,79 +9247,102 @@ impl<'g> Resources<'g> {
     pub(crate) fn place_hit(
         &self,
         pixel_56: PixelIn,
-        at_71: Entered,
+        at_78: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
-        hit_36: Hit,
+        hit_38: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_56, at_71, rt::into(segment), hit_36))
+        rt::into(self.v_place_hit(pixel_56, at_78, rt::into(segment), hit_38))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_place_hit(
         &self,
         pixel_56: PixelIn,
-        at_71: Entered,
+        at_78: Entered,
         segment: rt::Scalar<u32>,
-        hit_36: Hit,
+        hit_38: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_56, at_71, segment);
-        let _e5 = self.v_surface_place_stage(pixel_56, at_71, _e4, hit_36);
-        return _e5;
+        let mut placed_5: Entered;
+
+        let _e4 = self.v_segment_of(pixel_56, at_78, segment);
+        let _e5 = self.v_surface_place_stage(pixel_56, at_78, _e4, hit_38);
+        placed_5 = _e5;
+        let _e8 = self.v_depth_on_ray(pixel_56, _e4, hit_38);
+        rt::Scalar(placed_5.depth) = _e8;
+        let _e9 = placed_5;
+        return _e9;
     }
     pub(crate) fn toward_light(
         &self,
-        light_14: Light,
+        number_6: impl rt::Into<rt::Scalar<u32>>,
         position: impl rt::Into<rt::Vec3<f32>>,
     ) -> Toward {
-        rt::into(self.v_toward_light(light_14, rt::into(position)))
+        rt::into(self.v_toward_light(rt::into(number_6), rt::into(position)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_toward_light(
         &self,
-        light_14: Light,
+        number_6: rt::Scalar<u32>,
         position: rt::Vec3<f32>,
     ) -> Toward {
-        if rt::Scalar::into_branch_condition(light_14.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_7 = (light_14.place.xyz() - position);
+        let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_6)];
+        if rt::Scalar::into_branch_condition(light_18.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
+            let toward_7 = (light_18.place.xyz() - position);
             let squared_6 = toward_7.dot(toward_7);
             let distance_3 = squared_6.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_6.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_7.normalize(), falloff, distance_3, (light_14.color.w() / distance_3));
+            return <Toward>::new(toward_7.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_6);
         }
-        return <Toward>::new(light_14.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_14.color.w());
+        return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_6);
+    }
+    pub(crate) fn point_of_light(
+        &self,
+        at_79: Entered,
+        hit_39: Hit,
+        number_7: impl rt::Into<rt::Scalar<u32>>,
+        k_19: impl rt::Into<rt::Scalar<u32>>,
+        count_2: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Toward {
+        rt::into(self.v_point_of_light(at_79, hit_39, rt::into(number_7), rt::into(k_19), rt::into(count_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_point_of_light(
+        &self,
+        at_79: Entered,
+        hit_39: Hit,
+        number_7: rt::Scalar<u32>,
+        k_19: rt::Scalar<u32>,
+        count_2: rt::Scalar<u32>,
+    ) -> Toward {
+        let _e6 = self.v_toward_light(number_7, at_79.point);
+        if rt::Scalar::into_branch_condition(count_2.elementwise_gt(rt::Scalar(0u32))) {
+            let _e9 = self.v_seed_of(hit_39);
+            let _e10 = self.v_point_of_disc(_e6, _e9, k_19, count_2);
+            return _e10;
+        }
+        return _e6;
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_72: Entered,
-        hit_37: Hit,
-        number_4: impl rt::Into<rt::Scalar<u32>>,
-        k_18: impl rt::Into<rt::Scalar<u32>>,
-        count_2: impl rt::Into<rt::Scalar<u32>>,
+        at_80: Entered,
+        hit_40: Hit,
+        number_8: impl rt::Into<rt::Scalar<u32>>,
+        k_20: impl rt::Into<rt::Scalar<u32>>,
+        count_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_72, hit_37, rt::into(number_4), rt::into(k_18), rt::into(count_2)))
+        rt::into(self.v_ray_to_light(at_80, hit_40, rt::into(number_8), rt::into(k_20), rt::into(count_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ray_to_light(
         &self,
-        at_72: Entered,
-        hit_37: Hit,
-        number_4: rt::Scalar<u32>,
-        k_18: rt::Scalar<u32>,
-        count_2: rt::Scalar<u32>,
+        at_80: Entered,
+        hit_40: Hit,
+        number_8: rt::Scalar<u32>,
+        k_20: rt::Scalar<u32>,
+        count_3: rt::Scalar<u32>,
     ) -> LightRay {
-        let mut toward: Toward;
-
-        let _e8 = self.frame.lights[rt::Scalar::into_array_index(number_4)];
-        let _e10 = self.v_toward_light(_e8, at_72.point);
-        toward = _e10;
-        if rt::Scalar::into_branch_condition(count_2.elementwise_gt(rt::Scalar(0u32))) {
-            let _e14 = toward;
-            let _e15 = self.v_seed_of(hit_37);
-            let _e16 = self.v_point_of_disc(_e14, _e15, k_18, count_2);
-            toward = _e16;
-        }
-        let _e17 = toward;
-        let _e18 = self.v_light_ray(at_72, hit_37, _e17);
-        return _e18;
+        let _e5 = self.v_point_of_light(at_80, hit_40, number_8, k_20, count_3);
+        let _e6 = self.v_light_ray(at_80, hit_40, _e5);
+        return _e6;
     }
     pub(crate) fn table_cosine(
         &self,
@@ -8908,46 +9369,46 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_73: Entered,
-        seen_1: SeenNormals,
+        at_81: Entered,
+        seen_2: SeenNormals,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_73, seen_1, rt::into(toward_2)))
+        rt::into(self.v_seen_cosine(at_81, seen_2, rt::into(toward_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_73: Entered,
-        seen_1: SeenNormals,
+        at_81: Entered,
+        seen_2: SeenNormals,
         toward_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
         let mut cosine: rt::Scalar<f32>;
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(seen_1.differ).elementwise_eq(rt::Scalar(0u32))) {
-            return seen_1.normal.dot(toward_2).max(rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(seen_2.differ).elementwise_eq(rt::Scalar(0u32))) {
+            return seen_2.normal.dot(toward_2).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_73, toward_2);
-        let middle_12 = seen_1.middle.dot(_e10);
-        let _e17 = self.v_facing_four(middle_12, seen_1.along.dot(_e10), seen_1.across.dot(_e10));
-        let one_1 = (rt::Scalar(seen_1.middle_seen) * middle_12.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
-        let others = seen_1.others_seen.dot(_e17).min(rt::Scalar(1000000f32));
+        let _e10 = self.v_to_tangent_space(at_81, toward_2);
+        let middle_12 = seen_2.middle.dot(_e10);
+        let _e17 = self.v_facing_four(middle_12, seen_2.along.dot(_e10), seen_2.across.dot(_e10));
+        let one_1 = (rt::Scalar(seen_2.middle_seen) * middle_12.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
+        let others = seen_2.others_seen.dot(_e17).min(rt::Scalar(1000000f32));
         let _e28 = self.v_mean_of_five(one_1, others);
         cosine = _e28;
-        if rt::Scalar::into_branch_condition(rt::Scalar(seen_1.table_part).elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(seen_2.table_part).elementwise_gt(rt::Scalar(0f32))) {
             let _e33 = cosine;
-            let _e35 = self.v_table_cosine(seen_1.table, _e10);
+            let _e35 = self.v_table_cosine(seen_2.table, _e10);
             let _e36 = cosine;
-            cosine = (_e33 + ((_e35 - _e36) * rt::Scalar(seen_1.table_part)));
+            cosine = (_e33 + ((_e35 - _e36) * rt::Scalar(seen_2.table_part)));
         }
         let _e43 = rt::Scalar(self.surface_settings.has_shadows);
         if rt::Scalar::into_branch_condition(_e43.elementwise_eq(rt::Scalar(1u32))) {
-            let falls = (_e10.z() - _e10.xy().dot(seen_1.slope));
-            let _e59 = self.v_facing_four(falls, (-_e10.xy().dot(seen_1.slope_along)), (-_e10.xy().dot(seen_1.slope_across)));
+            let falls = (_e10.z() - _e10.xy().dot(seen_2.slope));
+            let _e59 = self.v_facing_four(falls, (-_e10.xy().dot(seen_2.slope_along)), (-_e10.xy().dot(seen_2.slope_across)));
             let _e62 = self.v_sum_of_four(_e59);
             let _e63 = self.v_mean_of_five(falls.max(rt::Scalar(0f32)), _e62);
             let lit = (falls.max(rt::Scalar(0f32)) / _e63.max(rt::Scalar(0.001f32)));
             let _e69 = cosine;
-            return (_e69 * (rt::Scalar(1f32) - ((rt::Scalar(1f32) - lit) * rt::Scalar(seen_1.upright))));
+            return (_e69 * (rt::Scalar(1f32) - ((rt::Scalar(1f32) - lit) * rt::Scalar(seen_2.upright))));
         }
         let _e77 = cosine;
         return _e77;
@@ -8998,26 +9459,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_blinn_phong(
         &self,
-        normal_12: impl rt::Into<rt::Vec3<f32>>,
+        normal_14: impl rt::Into<rt::Vec3<f32>>,
         mean: impl rt::Into<rt::Scalar<f32>>,
         cosine_1: impl rt::Into<rt::Scalar<f32>>,
-        view_9: impl rt::Into<rt::Vec3<f32>>,
+        view_13: impl rt::Into<rt::Vec3<f32>>,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
         color_7: impl rt::Into<rt::Vec3<f32>>,
-        params_59: impl rt::Into<rt::Vec4<f32>>,
+        params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_12), rt::into(mean), rt::into(cosine_1), rt::into(view_9), rt::into(toward_3), rt::into(color_7), rt::into(params_59)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_14), rt::into(mean), rt::into(cosine_1), rt::into(view_13), rt::into(toward_3), rt::into(color_7), rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
         &self,
-        normal_12: rt::Vec3<f32>,
+        normal_14: rt::Vec3<f32>,
         mean: rt::Scalar<f32>,
         cosine_1: rt::Scalar<f32>,
-        view_9: rt::Vec3<f32>,
+        view_13: rt::Vec3<f32>,
         toward_3: rt::Vec3<f32>,
         color_7: rt::Vec3<f32>,
-        params_59: rt::Vec4<f32>,
+        params_61: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_1: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -9028,11 +9489,11 @@ impl<'g> Resources<'g> {
             if rt::Scalar::into_branch_condition(mean.elementwise_lt(rt::Scalar(1f32))) {
                 let _e19 = rt::Scalar(self.surface_settings.shininess);
                 let sharp = _e19.cast_elem_as_f32();
-                let wide_2 = ((sharp * mean) / (mean + (sharp * (rt::Scalar(1f32) - mean)))).floor().max(rt::Scalar(1f32));
-                exponent_1 = wide_2.cast_elem_as_u32();
-                dimmed = ((wide_2 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
+                let wide_3 = ((sharp * mean) / (mean + (sharp * (rt::Scalar(1f32) - mean)))).floor().max(rt::Scalar(1f32));
+                exponent_1 = wide_3.cast_elem_as_u32();
+                dimmed = ((wide_3 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_12.dot((toward_3 + view_9).normalize()).max(rt::Scalar(0f32));
+            let lobe = normal_14.dot((toward_3 + view_13).normalize()).max(rt::Scalar(0f32));
             let _e43 = self.surface_settings.specular;
             let _e45 = exponent_1;
             let _e46 = self.v_whole_power(lobe, _e45);
@@ -9044,22 +9505,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_stage(
         &self,
-        normal_13: impl rt::Into<rt::Vec3<f32>>,
+        normal_15: impl rt::Into<rt::Vec3<f32>>,
         mean_1: impl rt::Into<rt::Scalar<f32>>,
         cosine_2: impl rt::Into<rt::Scalar<f32>>,
-        view_10: impl rt::Into<rt::Vec3<f32>>,
+        view_14: impl rt::Into<rt::Vec3<f32>>,
         toward_4: impl rt::Into<rt::Vec3<f32>>,
         color_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(normal_13), rt::into(mean_1), rt::into(cosine_2), rt::into(view_10), rt::into(toward_4), rt::into(color_8)))
+        rt::into(self.v_shade_stage(rt::into(normal_15), rt::into(mean_1), rt::into(cosine_2), rt::into(view_14), rt::into(toward_4), rt::into(color_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_stage(
         &self,
-        normal_13: rt::Vec3<f32>,
+        normal_15: rt::Vec3<f32>,
         mean_1: rt::Scalar<f32>,
         cosine_2: rt::Scalar<f32>,
-        view_10: rt::Vec3<f32>,
+        view_14: rt::Vec3<f32>,
         toward_4: rt::Vec3<f32>,
         color_8: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
@@ -9067,120 +9528,135 @@ impl<'g> Resources<'g> {
         match rt::Scalar::into_inner(_e10) {
             _ => {
                 let _e15 = self.surface_settings.choices[4usize].params;
-                let _e16 = self.v_shade_blinn_phong(normal_13, mean_1, cosine_2, view_10, toward_4, color_8, _e15);
+                let _e16 = self.v_shade_blinn_phong(normal_15, mean_1, cosine_2, view_14, toward_4, color_8, _e15);
                 return _e16;
             }
         }
     }
     pub(crate) fn reflected_light(
         &self,
-        at_74: Entered,
-        hit_38: Hit,
-        seen_2: SeenNormals,
-        view_11: impl rt::Into<rt::Vec3<f32>>,
+        at_82: Entered,
+        hit_41: Hit,
+        seen_3: SeenNormals,
+        view_15: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_74, hit_38, seen_2, rt::into(view_11), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_82, hit_41, seen_3, rt::into(view_15), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_74: Entered,
-        hit_38: Hit,
-        seen_2: SeenNormals,
-        view_11: rt::Vec3<f32>,
+        at_82: Entered,
+        hit_41: Hit,
+        seen_3: SeenNormals,
+        view_15: rt::Vec3<f32>,
         color_9: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        let mut light_15: rt::Vec3<f32>;
-        let mut k_19: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut light_16: rt::Vec3<f32>;
+        let mut k_21: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_74, hit_38, (seen_2.normal * rt::Scalar(seen_2.length)), view_11, diffuse);
-        light_15 = _e20;
+        let _e20 = self.v_ambient_stage(at_82, hit_41, (seen_3.normal * rt::Scalar(seen_3.length)), view_15, diffuse);
+        light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_19;
+                let _e24 = k_21;
                 let _e27 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt(_e27)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e31 = k_19;
-                    let _e33 = self.frame.lights[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_toward_light(_e33, at_74.point);
-                    let _e37 = self.v_seen_cosine(at_74, seen_2, _e35.direction);
-                    let _e41 = self.v_shade_stage(seen_2.normal, rt::Scalar(seen_2.length), _e37, view_11, _e35.direction, diffuse);
-                    let _e42 = light_15;
-                    let _e45 = k_19;
-                    let _e48 = self.frame.lights[rt::Scalar::into_array_index(_e45)].color;
-                    let _e52 = k_19;
-                    light_15 = (_e42 + ((_e41 * _e48.xyz()) * (rt::Scalar(_e35.falloff) * visible[rt::Scalar::into_array_index(_e52)].x())));
-                    let _e58 = k_19;
-                    k_19 = (_e58 + rt::Scalar(1u32));
+                    let _e29 = k_21;
+                    let _e31 = self.v_toward_light(_e29, at_82.point);
+                    let _e33 = self.v_seen_cosine(at_82, seen_3, _e31.direction);
+                    let _e37 = self.v_shade_stage(seen_3.normal, rt::Scalar(seen_3.length), _e33, view_15, _e31.direction, diffuse);
+                    let _e38 = light_16;
+                    let _e41 = k_21;
+                    let _e44 = self.frame.lights[rt::Scalar::into_array_index(_e41)].color;
+                    let _e48 = k_21;
+                    light_16 = (_e38 + ((_e37 * _e44.xyz()) * (rt::Scalar(_e31.falloff) * visible[rt::Scalar::into_array_index(_e48)].x())));
+                    let _e54 = k_21;
+                    k_21 = (_e54 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e61 = light_15;
-        return _e61;
+        let _e57 = light_16;
+        return _e57;
     }
-    pub(crate) fn shade_hit(&self, pixel_57: PixelIn, at_75: Entered, hit_39: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_57, at_75, hit_39, visible_1))
+    pub(crate) fn z_of(&self, depth_6: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_z_of(rt::into(depth_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_57: PixelIn, at_75: Entered, hit_39: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_39.found).elementwise_eq(rt::Scalar(0u32))) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_39.cost.x(), hit_39.cost.y(), hit_39.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32));
+    fn v_z_of(&self, depth_6: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let _e4 = self.frame.clip.y();
+        if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0f32))) {
+            let _e10 = self.frame.clip.x();
+            let _e14 = self.frame.clip.z();
+            return (_e10 + (_e14 * depth_6)).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         }
-        let _e42 = self.v_height_at(hit_39.uv, rt::Scalar(at_75.level));
-        let view_12 = (pixel_57.origin - at_75.point).normalize();
-        let _e48 = self.v_mesostructure_normals(at_75, hit_39.uv, view_12);
-        let _e51 = self.v_color_or_white(hit_39.uv, rt::Scalar(at_75.footprint));
-        let _e52 = self.v_reflected_light(at_75, hit_39, _e48, view_12, _e51, visible_1);
-        let _e58 = self.frame.forward;
-        let depth_6 = (at_75.point - pixel_57.origin).dot(_e58.xyz());
-        let _e63 = self.v_height_size(rt::Scalar(0u32));
-        let _e69 = self.v_cell_of(((hit_39.uv * _e63) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e52, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_39.exhausted), hit_39.uv, _e42, at_75.point, _e48.normal, depth_6, rt::Scalar(hit_39.t), _e69.cast_elem_as_i32(), hit_39.cost.x(), hit_39.cost.y(), hit_39.cost.z(), visible_1[0usize].x(), rt::Scalar(at_75.level));
+        let _e23 = self.frame.clip.x();
+        let _e27 = self.frame.clip.y();
+        return (_e23 + (_e27 / depth_6.max(rt::Scalar(0f32)))).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
     }
-    pub(crate) fn visible_lights(&self, at_76: Entered, hit_40: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_76, hit_40))
+    pub(crate) fn shade_hit(&self, pixel_57: PixelIn, at_83: Entered, hit_42: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_57, at_83, hit_42, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_76: Entered, hit_40: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_shade_hit(&self, pixel_57: PixelIn, at_83: Entered, hit_42: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_42.found).elementwise_eq(rt::Scalar(0u32))) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_42.cost.x(), hit_42.cost.y(), hit_42.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
+        }
+        let _e44 = self.v_height_at(hit_42.uv, rt::Scalar(at_83.level));
+        let view_18 = (pixel_57.origin - at_83.point).normalize();
+        let _e50 = self.v_mesostructure_normals(at_83, hit_42.uv, view_18);
+        let _e53 = self.v_color_or_white(hit_42.uv, rt::Scalar(at_83.footprint));
+        let _e54 = self.v_reflected_light(at_83, hit_42, _e50, view_18, _e53, visible_1);
+        let _e60 = self.frame.forward;
+        let depth_9 = (at_83.point - pixel_57.origin).dot(_e60.xyz());
+        let _e65 = self.v_height_size(rt::Scalar(0u32));
+        let _e71 = self.v_cell_of(((hit_42.uv * _e65) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e91 = self.v_z_of(rt::Scalar(at_83.depth));
+        let _e94 = rt::Scalar(self.surface_settings.number);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e54, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_42.exhausted), hit_42.uv, _e44, at_83.point, _e50.normal, depth_9, rt::Scalar(hit_42.t), _e71.cast_elem_as_i32(), hit_42.cost.x(), hit_42.cost.y(), hit_42.cost.z(), visible_1[0usize].x(), rt::Scalar(at_83.level), _e91, _e94);
+    }
+    pub(crate) fn visible_lights(&self, at_84: Entered, hit_43: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_84, hit_43))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_visible_lights(&self, at_84: Entered, hit_43: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut k_20: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_22: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_40.found).elementwise_eq(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_43.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
             return _e7;
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_20;
+                let _e10 = k_22;
                 let _e13 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e10.elementwise_lt(_e13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e17 = k_20;
-                    let _e19 = self.frame.lights[rt::Scalar::into_array_index(_e17)];
-                    let _e21 = self.v_toward_light(_e19, at_76.point);
-                    let _e22 = self.v_shadow_stage(at_76, hit_40, _e21);
-                    let _e23 = k_20;
-                    visible_2[rt::Scalar::into_array_index(_e23)] = <rt::Vec4<f32>>::from_scalars(_e22, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e29 = k_20;
-                    k_20 = (_e29 + rt::Scalar(1u32));
+                    let _e15 = k_22;
+                    let _e17 = self.v_toward_light(_e15, at_84.point);
+                    let _e18 = self.v_shadow_stage(at_84, hit_43, _e17);
+                    let _e19 = k_22;
+                    visible_2[rt::Scalar::into_array_index(_e19)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+                    let _e25 = k_22;
+                    k_22 = (_e25 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e32 = visible_2;
-        return _e32;
+        let _e28 = visible_2;
+        return _e28;
     }
     pub(crate) fn shade_pixel(&self, pixel_58: PixelIn) -> PixelOut {
         rt::into(self.v_shade_pixel(pixel_58))
@@ -9206,6 +9682,7 @@ impl<'g> Resources<'g> {
             environment_map: bound.slot(crate::MapSlot::Environment),
             frame: bound.frame,
             height_map: bound.height_map,
+            light_map: bound.slot(crate::MapSlot::Lights),
             normal_map: bound.normal_map,
             search_map: bound.slot(crate::MapSlot::Search),
             shadow_search_map: bound.slot(crate::MapSlot::ShadowSearch),

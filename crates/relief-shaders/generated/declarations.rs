@@ -55,6 +55,11 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/light", head: r#"// Lights, as a point of the surface sees them.
 "# },
+    Module { path: "shared/light_map", head: r#"// What lights see, beside a point of a surface.
+//
+// A texel holds the key of the nearest hit of its ray. The point is compared with it where the texel's ray
+// meets the plane that is tangent to the surface there: where the surface is that plane, no texel is nearer.
+"# },
     Module { path: "shared/light_ray", head: r#"// Rays from a hit toward a light, through the relief of the same surface.
 "# },
     Module { path: "shared/maps", head: r#"// The one module that reads baked maps.
@@ -329,11 +334,20 @@ pub const MODULES: &[Module] = &[
 // the texture, so that it is turned into the hit's own frame, which on a curved mesh is another everywhere.
 // What the hit's own cell hides is known, and not left to texels beside it.
 "# },
+    Module { path: "shadow/map", head: r#"// A picture of depths that the light sees: what is hidden in it gets no light.
+//
+// Williams 1978; Oliveira and Policarpo 2005, section 3.5. `params.x` and `params.y` are the size of the
+// picture and the number of cascades, which the host draws. `params.z` and `params.w` are the width of the
+// filter and the bias, in texels.
+"# },
     Module { path: "shadow/none", head: r#"// No shadows: all of a light arrives.
 "# },
     Module { path: "shadow/ray", head: r#"// A ray from the hit to the light, through the relief of the same surface.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 6.
+"# },
+    Module { path: "shadow/scene", head: r#"// Rays through all surfaces of the scene. No surface knows the others here: the host traces the rays and puts
+// the result in the place of this one.
 "# },
     Module { path: "shadow/soft", head: r#"// Rays from the hit to points of the light's disc.
 //
@@ -386,7 +400,8 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "roots/show", head: r#"// The picture for callers that show it: linear colours of the records of some rows, over the background.
 "# },
-    Module { path: "roots/trace", head: r#"// The first pass of a picture on the GPU: the base mesh is rasterised, and every fragment's ray traced.
+    Module { path: "roots/trace", head: r#"// The first pass of a picture on the GPU: the base mesh is rasterised, and every fragment's ray traced. The
+// same for depths alone: of what lights see, and before a program's own pass.
 //
 // Rays are made from the pixel and the triangle's corners, not from interpolated attributes, so that both
 // backends trace the same ray to the last bit whatever the rasteriser's precision.
@@ -473,17 +488,24 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "bindings",
+        name: "light_map",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(0) @binding(11) var light_map: texture_2d_array<f32>;"#,
+    },
+    Declaration {
+        module: "bindings",
         name: "frame",
         sampling: None,
         uses: &["Frame"],
-        text: r#"@group(0) @binding(11) var<uniform> frame: Frame;"#,
+        text: r#"@group(0) @binding(12) var<uniform> frame: Frame;"#,
     },
     Declaration {
         module: "bindings",
         name: "pass_settings",
         sampling: None,
         uses: &["PassSettings"],
-        text: r#"@group(0) @binding(12) var<uniform> pass_settings: PassSettings;"#,
+        text: r#"@group(0) @binding(13) var<uniform> pass_settings: PassSettings;"#,
     },
     Declaration {
         module: "bindings",
@@ -718,10 +740,17 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "constants",
+        name: "SLOT_LIGHTS",
+        sampling: None,
+        uses: &[],
+        text: r#"const SLOT_LIGHTS = 6u;"#,
+    },
+    Declaration {
+        module: "constants",
         name: "MAP_SLOTS",
         sampling: None,
         uses: &[],
-        text: r#"const MAP_SLOTS = 6u;"#,
+        text: r#"const MAP_SLOTS = 7u;"#,
     },
     Declaration {
         module: "constants",
@@ -729,6 +758,13 @@ pub const DECLARATIONS: &[Declaration] = &[
         sampling: None,
         uses: &[],
         text: r#"const MAX_LIGHTS = 8u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "MAX_LIGHT_VIEWS",
+        sampling: None,
+        uses: &[],
+        text: r#"const MAX_LIGHT_VIEWS = 48u;"#,
     },
     Declaration {
         module: "constants",
@@ -1469,7 +1505,7 @@ fn point_of_disc(light: Toward, seed: u32, k: u32, count: u32) -> Toward {
     let up = cross(light.direction, right);
     let toward = light.direction + right * place.x + up * place.y;
     let along = length(toward);
-    return Toward(toward / along, light.falloff, light.distance * along, 0.0);
+    return Toward(toward / along, light.falloff, light.distance * along, 0.0, light.number);
 }"#,
     },
     Declaration {
@@ -2033,16 +2069,193 @@ const NEAREST_LIGHT = 0.000001;"#,
         module: "shared/light",
         name: "toward_light",
         sampling: None,
-        uses: &["Light", "NEAREST_LIGHT", "NEVER", "Toward"],
-        text: r#"fn toward_light(light: Light, position: vec3f) -> Toward {
+        uses: &["NEAREST_LIGHT", "NEVER", "Toward", "frame"],
+        text: r#"// The light of that number, from a point.
+fn toward_light(number: u32, position: vec3f) -> Toward {
+    let light = frame.lights[number];
     if (light.place.w > 0.5) {
         let toward = light.place.xyz - position;
         let squared = dot(toward, toward);
         let distance = sqrt(squared);
         let falloff = 1.0 / max(squared, NEAREST_LIGHT);
-        return Toward(normalize(toward), falloff, distance, light.color.w / distance);
+        return Toward(normalize(toward), falloff, distance, light.color.w / distance, number);
     }
-    return Toward(normalize(light.place.xyz), 1.0, NEVER, light.color.w);
+    return Toward(normalize(light.place.xyz), 1.0, NEVER, light.color.w, number);
+}"#,
+    },
+    Declaration {
+        module: "shared/light_map",
+        name: "LEAST_FILTER",
+        sampling: None,
+        uses: &[],
+        text: r#"// The least width of a filter, in texels: that of a point.
+const LEAST_FILTER = 0.001;"#,
+    },
+    Declaration {
+        module: "shared/light_map",
+        name: "PLANE_REACH",
+        sampling: None,
+        uses: &[],
+        text: r#"// How many texels' widths a texel's ray may meet the plane before or behind the point: a plane that is seen
+// from its edge has no end.
+const PLANE_REACH = 16.0;"#,
+    },
+    Declaration {
+        module: "shared/light_map",
+        name: "patch_normal",
+        sampling: None,
+        uses: &["Entered", "height_and_slope", "surface_settings"],
+        text: r#"// The unit normal of the surface's patch at a placed hit.
+fn patch_normal(at: Entered, uv: vec2f) -> vec3f {
+    let known = height_and_slope(uv, at.level);
+    let along_u = at.tangent + at.normal * (known.y * surface_settings.scale_m);
+    let along_v = at.bitangent + at.normal * (known.z * surface_settings.scale_m);
+    let across = normalize(cross(along_v, along_u));
+    return across * select(-1.0, 1.0, dot(across, at.normal) >= 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/light_map",
+        name: "light_place",
+        sampling: None,
+        uses: &["LightView"],
+        text: r#"// Column and row of a point in texels, and its depth in metres.
+fn light_place(view: LightView, point: vec3f) -> vec3f {
+    let at = vec4f(point, 1.0);
+    let depth = dot(view.depth, at);
+    let over = select(1.0, depth, view.from_point == 1u);
+    return vec3f(vec2f(dot(view.column, at), dot(view.row, at)) / over, depth);
+}"#,
+    },
+    Declaration {
+        module: "shared/light_map",
+        name: "holds_filter",
+        sampling: None,
+        uses: &["LightView"],
+        text: r#"// Whether a view sees all of a filter around a place.
+fn holds_filter(view: LightView, place: vec3f, half: f32) -> bool {
+    let least = min(place.x, place.y) - half;
+    let most = max(place.x, place.y) + half;
+    return place.z > 0.0 && least >= 0.0 && most <= f32(view.size);
+}"#,
+    },
+    Declaration {
+        module: "shared/light_map",
+        name: "plane_depth",
+        sampling: None,
+        uses: &["LightView"],
+        text: r#"// How deep the plane of a point and a normal is on the ray of a texel.
+fn plane_depth(view: LightView, point: vec3f, normal: vec3f, texel: vec2f) -> f32 {
+    let corner = view.corner.xyz + view.across.xyz * texel.x + view.along.xyz * texel.y;
+    if (view.from_point == 1u) {
+        return dot(normal, point - view.eye.xyz) / dot(normal, corner);
+    }
+    return dot(normal, point - corner) / dot(normal, view.depth.xyz);
+}"#,
+    },
+    Declaration {
+        module: "shared/light_map",
+        name: "footprint_m",
+        sampling: None,
+        uses: &["Entered", "height_size"],
+        text: r#"// Metres that the pixel's footprint at a placed hit is wide.
+fn footprint_m(at: Entered) -> f32 {
+    return at.footprint * sqrt(at.metric.x) / height_size(0u).x;
+}"#,
+    },
+    Declaration {
+        module: "shared/light_map",
+        name: "InView",
+        sampling: None,
+        uses: &[],
+        text: r#"// A point of a surface in a light's view, and the square around it in which texels count.
+struct InView {
+    number: u32,
+    point: vec3f,
+    normal: vec3f,
+    low: vec2f,
+    high: vec2f,
+    // How deep planes may be.
+    least_depth: f32,
+    most_depth: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/light_map",
+        name: "row_sees",
+        sampling: None,
+        uses: &["InView", "frame", "light_texel", "plane_depth"],
+        text: r#"// How much of a row of texels, as a part of a texel's height, sees the point.
+fn row_sees(at: InView, row: f32, last: f32) -> f32 {
+    let view = frame.light_views[at.number];
+    var sees = 0.0;
+    var column = floor(at.low.x);
+    while (column <= last) {
+        let wide = min(at.high.x, column + 1.0) - max(at.low.x, column);
+        let place = vec2f(column, row);
+        let plane = plane_depth(view, at.point, at.normal, place + vec2f(0.5, 0.5));
+        let depth = clamp(plane, at.least_depth, at.most_depth);
+        let key = view.near / (view.near + max(depth, 0.0));
+        if (!(light_texel(vec2i(place), i32(at.number)) > key)) {
+            sees = sees + wide;
+        }
+        column = column + 1.0;
+    }
+    return sees;
+}"#,
+    },
+    Declaration {
+        module: "shared/light_map",
+        name: "seen_part",
+        sampling: None,
+        uses: &["Entered", "InView", "PLANE_REACH", "footprint_m", "frame", "row_sees"],
+        text: r#"// The part of a light's view that a placed hit is not hidden from, around its place there: by a filter of
+// that many texels, at a point that many texels' widths above the surface.
+fn seen_part(number: u32, at: Entered, normal: vec3f, place: vec3f, filter_width: f32, bias: f32) -> f32 {
+    let view = frame.light_views[number];
+    let texel_m = view.texel_m * select(1.0, place.z, view.from_point == 1u);
+    let point = at.point + normal * (bias * max(texel_m, footprint_m(at)));
+    let reach = PLANE_REACH * texel_m;
+    let low = place.xy - vec2f(0.5, 0.5) * filter_width;
+    let high = low + vec2f(filter_width, filter_width);
+    let last = min(floor(high), vec2f(f32(view.size), f32(view.size)) - vec2f(1.0, 1.0));
+    let in_view = InView(number, point, normal, low, high, place.z - reach, place.z + reach);
+    var seen = 0.0;
+    var row = floor(low.y);
+    while (row <= last.y) {
+        let tall = min(high.y, row + 1.0) - max(low.y, row);
+        seen = seen + row_sees(in_view, row, last.x) * tall;
+        row = row + 1.0;
+    }
+    return min(seen / (filter_width * filter_width), 1.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/light_map",
+        name: "light_seen",
+        sampling: None,
+        uses: &["Entered", "LEAST_FILTER", "frame", "holds_filter", "light_place", "patch_normal", "seen_part"],
+        text: r#"// The part of a light that arrives at a placed hit, by what the light sees: in the first of its views that
+// has the hit. What none has is lit.
+fn light_seen(at: Entered, uv: vec2f, number: u32, toward: vec3f, filter_texels: f32, bias: f32) -> f32 {
+    let light = frame.lights[number];
+    if (light.views == 0u) {
+        return 1.0;
+    }
+    let normal = patch_normal(at, uv);
+    if (!(dot(normal, toward) > 0.0)) {
+        return 0.0;
+    }
+    let width = max(filter_texels, LEAST_FILTER);
+    var k = light.first_view;
+    while (k < light.first_view + light.views) {
+        let place = light_place(frame.light_views[k], at.point);
+        if (holds_filter(frame.light_views[k], place, 0.5 * width)) {
+            return seen_part(k, at, normal, place, width, bias);
+        }
+        k = k + 1u;
+    }
+    return 1.0;
 }"#,
     },
     Declaration {
@@ -2247,6 +2460,16 @@ fn ambient_texel_between(uv: vec2f, level: u32) -> vec4f {
         text: r#"// A texel of the surroundings, on a face of the cube. One read.
 fn environment_texel(place: vec2i, face: i32, level: i32) -> vec4f {
     return decoded(textureLoad(environment_map, place, face, level), surface_settings.maps[SLOT_ENVIRONMENT]);
+}"#,
+    },
+    Declaration {
+        module: "shared/maps",
+        name: "light_texel",
+        sampling: None,
+        uses: &["light_map"],
+        text: r#"// What a light sees, in a view of that number: the key of what is nearest. One read.
+fn light_texel(place: vec2i, view: i32) -> f32 {
+    return textureLoad(light_map, place, view, 0).x;
 }"#,
     },
     Declaration {
@@ -2589,7 +2812,7 @@ fn trace(path: Path) -> Hit {
         module: "shared/pixel",
         name: "first_hit",
         sampling: None,
-        uses: &["Entered", "FirstHit", "NO_COST", "PixelIn", "key_of", "miss", "polish_hit", "segment_of", "trace"],
+        uses: &["Entered", "FirstHit", "NO_COST", "PixelIn", "depth_on_ray", "key_of", "miss", "polish_hit", "segment_of", "trace"],
         text: r#"// The first hit of a pixel's ray, segment after segment.
 fn first_hit(pixel: PixelIn, at: Entered) -> FirstHit {
     var cost = NO_COST;
@@ -2602,7 +2825,7 @@ fn first_hit(pixel: PixelIn, at: Entered) -> FirstHit {
             if (hit.found == 1u) {
                 hit.cost = cost;
                 hit = polish_hit(pixel, at, path, hit);
-                return FirstHit(hit, k, key_of(pixel, path, hit));
+                return FirstHit(hit, k, key_of(depth_on_ray(pixel, path, hit)));
             }
         }
         k = k + 1u;
@@ -2622,24 +2845,51 @@ fn polish_hit(pixel: PixelIn, at: Entered, path: Path, hit: Hit) -> Hit {
     },
     Declaration {
         module: "shared/pixel",
+        name: "depth_on_ray",
+        sampling: None,
+        uses: &["Hit", "Path", "PixelIn"],
+        text: r#"// How far away a hit is on its ray: metres along the view axis.
+fn depth_on_ray(pixel: PixelIn, path: Path, hit: Hit) -> f32 {
+    return (path.start + hit.t) / length(pixel.direction);
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
         name: "key_of",
         sampling: None,
-        uses: &["Hit", "Path", "PixelIn", "frame"],
+        uses: &["frame"],
         text: r#"// What orders the hits of a pixel's ray: the greater, the nearer. It has as many bits for what is far away as
 // for what is near.
-fn key_of(pixel: PixelIn, path: Path, hit: Hit) -> f32 {
-    let depth = (path.start + hit.t) / length(pixel.direction);
+fn key_of(depth: f32) -> f32 {
     return frame.near / (frame.near + max(depth, 0.0));
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "z_of",
+        sampling: None,
+        uses: &["frame"],
+        text: r#"// What a depth buffer holds for a depth. Beyond the planes of the clip space it holds what it does there.
+//
+// Oliveira and Policarpo 2005, section 3.5.
+fn z_of(depth: f32) -> f32 {
+    if (frame.clip.y == 0.0) {
+        return clamp(frame.clip.x + frame.clip.z * depth, 0.0, 1.0);
+    }
+    return clamp(frame.clip.x + frame.clip.y / max(depth, 0.0), 0.0, 1.0);
 }"#,
     },
     Declaration {
         module: "shared/pixel",
         name: "place_hit",
         sampling: None,
-        uses: &["Entered", "Hit", "PixelIn", "segment_of", "surface_place_stage"],
+        uses: &["Entered", "Hit", "PixelIn", "depth_on_ray", "segment_of", "surface_place_stage"],
         text: r#"// A hit on the displaced surface: its place in the world, and the frame there.
 fn place_hit(pixel: PixelIn, at: Entered, segment: u32, hit: Hit) -> Entered {
-    return surface_place_stage(pixel, at, segment_of(pixel, at, segment), hit);
+    let path = segment_of(pixel, at, segment);
+    var placed = surface_place_stage(pixel, at, path, hit);
+    placed.depth = depth_on_ray(pixel, path, hit);
+    return placed;
 }"#,
     },
     Declaration {
@@ -2679,7 +2929,7 @@ fn reflected_light(
     var light = ambient_stage(at, hit, seen.normal * seen.length, view, diffuse);
     var k = 0u;
     while (k < frame.light_count) {
-        let toward = toward_light(frame.lights[k], at.point);
+        let toward = toward_light(k, at.point);
         let cosine = seen_cosine(at, seen, toward.direction);
         let reflected = shade_stage(seen.normal, seen.length, cosine, view, toward.direction, diffuse);
         light = light + reflected * frame.lights[k].color.xyz * (toward.falloff * visible[k].x);
@@ -2690,17 +2940,27 @@ fn reflected_light(
     },
     Declaration {
         module: "shared/pixel",
+        name: "point_of_light",
+        sampling: None,
+        uses: &["Entered", "Hit", "Toward", "point_of_disc", "seed_of", "toward_light"],
+        text: r#"// The light of that number from a placed hit: point `k` of `count` on its disc, or its centre where `count`
+// is 0.
+fn point_of_light(at: Entered, hit: Hit, number: u32, k: u32, count: u32) -> Toward {
+    let toward = toward_light(number, at.point);
+    if (count > 0u) {
+        return point_of_disc(toward, seed_of(hit), k, count);
+    }
+    return toward;
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
         name: "ray_to_light",
         sampling: None,
-        uses: &["Entered", "Hit", "LightRay", "frame", "light_ray", "point_of_disc", "seed_of", "toward_light"],
-        text: r#"// The ray from a placed hit to the light of that number: to point `k` of `count` on its disc, or to its
-// centre where `count` is 0.
+        uses: &["Entered", "Hit", "LightRay", "light_ray", "point_of_light"],
+        text: r#"// The ray from there to it.
 fn ray_to_light(at: Entered, hit: Hit, number: u32, k: u32, count: u32) -> LightRay {
-    var toward = toward_light(frame.lights[number], at.point);
-    if (count > 0u) {
-        toward = point_of_disc(toward, seed_of(hit), k, count);
-    }
-    return light_ray(at, hit, toward);
+    return light_ray(at, hit, point_of_light(at, hit, number, k, count));
 }"#,
     },
     Declaration {
@@ -2716,7 +2976,7 @@ fn visible_lights(at: Entered, hit: Hit) -> array<vec4f, MAX_LIGHTS> {
     }
     var k = 0u;
     while (k < frame.light_count) {
-        let part = shadow_stage(at, hit, toward_light(frame.lights[k], at.point));
+        let part = shadow_stage(at, hit, toward_light(k, at.point));
         visible[k] = vec4f(part, 0.0, 0.0, 0.0);
         k = k + 1u;
     }
@@ -2737,14 +2997,14 @@ fn mirrored_light(pixel: PixelIn, at: Entered, hit: Hit) -> f32 {
     }
     let down = normalize(pixel.direction);
     let up = down - at.normal * (2.0 * dot(down, at.normal));
-    return shadow_stage(at, hit, Toward(up, 1.0, NEVER, 0.125 * abs(down.x)));
+    return shadow_stage(at, hit, Toward(up, 1.0, NEVER, 0.125 * abs(down.x), 0u));
 }"#,
     },
     Declaration {
         module: "shared/pixel",
         name: "shade_hit",
         sampling: None,
-        uses: &["Entered", "Hit", "MAX_LIGHTS", "PixelIn", "PixelOut", "cell_of", "color_or_white", "frame", "height_at", "height_size", "mesostructure_normals", "reflected_light"],
+        uses: &["Entered", "Hit", "MAX_LIGHTS", "PixelIn", "PixelOut", "cell_of", "color_or_white", "frame", "height_at", "height_size", "mesostructure_normals", "reflected_light", "surface_settings", "z_of"],
         text: r#"// What a pixel shows of a placed hit, at which these parts of the lights arrive.
 fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LIGHTS>) -> PixelOut {
     if (hit.found == 0u) {
@@ -2762,6 +3022,8 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LI
             hit.cost.x,
             hit.cost.y,
             hit.cost.z,
+            0.0,
+            0u,
             0.0,
             0u,
         );
@@ -2788,6 +3050,8 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LI
         hit.cost.z,
         visible[0].x,
         at.level,
+        z_of(at.depth),
+        surface_settings.number,
     );
 }"#,
     },
@@ -2962,7 +3226,7 @@ struct Triangle {
         name: "Record",
         sampling: None,
         uses: &[],
-        text: r#"// What is read back of a pixel. 22 words, and 2 that are left over.
+        text: r#"// What is read back of a pixel. 23 words, and one that is left over.
 struct Record {
     color: vec4f,
     position: vec3f,
@@ -2972,13 +3236,14 @@ struct Record {
     uv: vec2f,
     t: f32,
     // 0 where the pixel shows no surface, 1 where it does, 3 where the search ran out of steps. To these,
-    // four times the level of detail is added.
+    // 4 times the level of detail and 256 times the surface's number are added.
     hit: u32,
     cell: vec2i,
     reads: u32,
     steps: u32,
     bytes: u32,
     lit: f32,
+    z: f32,
 }"#,
     },
     Declaration {
@@ -3549,13 +3814,44 @@ struct Light {
     // Linear RGB: irradiance of a directional light, intensity of a point light. The fourth part is how large
     // its disc is: the tangent of half the angle under which it is seen, or its radius in metres.
     color: vec4f,
+    // Which of the frame's views of lights are its own, and how many.
+    first_view: u32,
+    views: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/settings",
+        name: "LightView",
+        sampling: None,
+        uses: &[],
+        text: r#"// A picture that a light sees: square, of parallel rays, or of rays from a point.
+struct LightView {
+    // Of a point of the world: column and row in texels, and metres along the view axis. Columns and rows of
+    // rays from a point are to be divided by the latter.
+    column: vec4f,
+    row: vec4f,
+    depth: vec4f,
+    // Where the ray through the upper left corner begins; for rays from a point its direction. Its change per
+    // texel to the right and downward, and where rays from a point begin.
+    corner: vec4f,
+    across: vec4f,
+    along: vec4f,
+    eye: vec4f,
+    // As in `Frame`.
+    near: f32,
+    // Metres that a texel is wide; 1 m away for rays from a point.
+    texel_m: f32,
+    // 1 where rays begin in a point.
+    from_point: u32,
+    // Texels of a side.
+    size: u32,
 }"#,
     },
     Declaration {
         module: "shared/settings",
         name: "Frame",
         sampling: None,
-        uses: &["Light", "MAX_LIGHTS"],
+        uses: &["Light", "LightView", "MAX_LIGHTS", "MAX_LIGHT_VIEWS"],
         text: r#"// What changes from frame to frame.
 struct Frame {
     // The columns of the matrix from the world to clip space.
@@ -3576,10 +3872,14 @@ struct Frame {
     sample_width: f32,
     // The depth in metres before which hits are ordered less finely than beyond it.
     near: f32,
+    // What a depth buffer holds for a depth d is x + y / d + z d.
+    clip: vec4f,
     // Linear RGB of pixels that show no surface.
     background: vec4f,
     lights: array<Light, MAX_LIGHTS>,
     light_count: u32,
+    // What lights see, as far as shadows are looked up there.
+    light_views: array<LightView, MAX_LIGHT_VIEWS>,
 }"#,
     },
     Declaration {
@@ -3657,6 +3957,8 @@ struct SurfaceSettings {
     // refraction.
     transmission: f32,
     ior: f32,
+    // Its number in the scene.
+    number: u32,
     // Texels of a face's side in the finest level of the surroundings, and their levels, at least 1 each.
     environment_side: u32,
     environment_levels: u32,
@@ -3903,6 +4205,7 @@ fn frame_at(pixel: PixelIn, weights: vec3f, point: vec3f, uv: vec2f, facing: vec
         vec4f(0.0, 0.0, 0.0, 0.0),
         0.0,
         0.0,
+        0.0,
     );
 }"#,
     },
@@ -4123,6 +4426,8 @@ struct Entered {
     // The part, below 1, by which the traced relief is flatter than it is: its heights are drawn toward their
     // mean.
     fade: f32,
+    // Of a placed hit: metres along the view axis, from where the ray begins to the hit on the ray.
+    depth: f32,
 }"#,
     },
     Declaration {
@@ -4154,6 +4459,8 @@ struct Toward {
     distance: f32,
     // Radius of its disc over its distance: the tangent of half the angle under which it is seen.
     radius: f32,
+    // Its number among the lights of the frame.
+    number: u32,
 }"#,
     },
     Declaration {
@@ -4205,6 +4512,10 @@ struct PixelOut {
     lit: f32,
     // The level of detail that was traced.
     level: u32,
+    // What a depth buffer of the frame's clip space holds for the hit, from 0 to 1.
+    z: f32,
+    // The surface's number in the scene.
+    surface: u32,
 }"#,
     },
     Declaration {
@@ -4318,6 +4629,7 @@ fn path_from(path: Path, t: f32) -> Path {
         n,
         vec2f(0.0, 0.0),
         vec4f(0.0, 0.0, 0.0, 0.0),
+        0.0,
         0.0,
         0.0,
     );
@@ -6714,6 +7026,15 @@ fn shadow_horizon(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
 }"#,
     },
     Declaration {
+        module: "shadow/map",
+        name: "shadow_map",
+        sampling: None,
+        uses: &["Entered", "Hit", "Toward", "light_seen"],
+        text: r#"fn shadow_map(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
+    return light_seen(at, hit.uv, light.number, light.direction, params.z, params.w);
+}"#,
+    },
+    Declaration {
         module: "shadow/none",
         name: "shadow_none",
         sampling: None,
@@ -6729,6 +7050,15 @@ fn shadow_horizon(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
         uses: &["Entered", "Hit", "Toward", "free_way"],
         text: r#"fn shadow_ray(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
     return free_way(at, hit, light);
+}"#,
+    },
+    Declaration {
+        module: "shadow/scene",
+        name: "shadow_scene",
+        sampling: None,
+        uses: &["Entered", "Hit", "Toward"],
+        text: r#"fn shadow_scene(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
+    return 1.0;
 }"#,
     },
     Declaration {
@@ -6913,7 +7243,7 @@ const LEAST = 0.000001;"#,
         module: "roots/probe",
         name: "probe_main",
         sampling: None,
-        uses: &["PROBE_GROUP", "PROBE_ROW", "Probe", "enter_relief", "key_of", "mirrored_light", "pixels", "place_hit", "polish_hit", "probes", "refine_stage", "search_stage", "segment_of"],
+        uses: &["PROBE_GROUP", "PROBE_ROW", "Probe", "depth_on_ray", "enter_relief", "key_of", "mirrored_light", "pixels", "place_hit", "polish_hit", "probes", "refine_stage", "search_stage", "segment_of"],
         text: r#"@compute @workgroup_size(PROBE_GROUP)
 fn probe_main(@builtin(global_invocation_id) id: vec3u) {
     let index = id.y * PROBE_ROW + id.x;
@@ -6954,7 +7284,7 @@ fn probe_main(@builtin(global_invocation_id) id: vec3u) {
             hit.cost.y,
             hit.cost.z,
             mirrored_light(pixel, place_hit(pixel, at, k - 1u, hit), hit),
-            key_of(pixel, path, hit),
+            key_of(depth_on_ray(pixel, path, hit)),
         );
         if (hit.found == 1u) {
             return;
@@ -7108,12 +7438,13 @@ fn shade_main(@builtin(global_invocation_id) id: vec3u) {
         out.height,
         out.uv,
         out.t,
-        out.hit + 2u * out.exhausted + 4u * out.level,
+        out.hit + 2u * out.exhausted + 4u * out.level + 256u * out.surface,
         out.cell,
         out.reads,
         out.steps,
         out.bytes,
         out.lit,
+        out.z,
     );
 }"#,
     },
@@ -7199,14 +7530,34 @@ fn shell_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) tur
     },
     Declaration {
         module: "roots/trace",
+        name: "side_of",
+        sampling: None,
+        uses: &["Varying"],
+        text: r#"// The side of its triangle that a fragment sees.
+fn side_of(in: Varying, front: bool) -> f32 {
+    return select(select(-1.0, 1.0, front), in.side, in.side != 0.0);
+}"#,
+    },
+    Declaration {
+        module: "roots/trace",
+        name: "fragment_pixel",
+        sampling: None,
+        uses: &["PixelIn", "Varying", "numbered_pixel", "pass_settings"],
+        text: r#"// The ray of a fragment.
+fn fragment_pixel(in: Varying, side: f32) -> PixelIn {
+    let point = in.position.xy + vec2f(0.0, f32(pass_settings.first_row)) + pass_settings.offset;
+    return numbered_pixel(in.triangle, side, point);
+}"#,
+    },
+    Declaration {
+        module: "roots/trace",
         name: "fragment_main",
         sampling: None,
-        uses: &["EXHAUSTED_BIT", "STEPS_BITS", "Traced", "Varying", "enter_relief", "first_hit", "numbered_pixel", "pass_settings"],
+        uses: &["EXHAUSTED_BIT", "STEPS_BITS", "Traced", "Varying", "enter_relief", "first_hit", "fragment_pixel", "side_of"],
         text: r#"@fragment
 fn fragment_main(in: Varying, @builtin(front_facing) front: bool) -> Traced {
-    let side = select(select(-1.0, 1.0, front), in.side, in.side != 0.0);
-    let point = in.position.xy + vec2f(0.0, f32(pass_settings.first_row)) + pass_settings.offset;
-    let pixel = numbered_pixel(in.triangle, side, point);
+    let side = side_of(in, front);
+    let pixel = fragment_pixel(in, side);
     let first = first_hit(pixel, enter_relief(pixel));
     let hit = first.hit;
     if (hit.found == 0u) {
@@ -7217,6 +7568,49 @@ fn fragment_main(in: Varying, @builtin(front_facing) front: bool) -> Traced {
     let steps = i32(hit.cost.y + (first.segment << STEPS_BITS));
     let what = vec4i(select(-number, number, side > 0.0), reads, steps, i32(hit.cost.z));
     return Traced(vec4f(hit.uv, hit.height, hit.t), what, first.key);
+}"#,
+    },
+    Declaration {
+        module: "roots/trace",
+        name: "SeenByLight",
+        sampling: None,
+        uses: &[],
+        text: r#"// A texel of what a light sees.
+struct SeenByLight {
+    @location(0) key: f32,
+    @builtin(frag_depth) depth: f32,
+}"#,
+    },
+    Declaration {
+        module: "roots/trace",
+        name: "light_main",
+        sampling: None,
+        uses: &["SeenByLight", "Varying", "enter_relief", "first_hit", "fragment_pixel", "side_of"],
+        text: r#"@fragment
+fn light_main(in: Varying, @builtin(front_facing) front: bool) -> SeenByLight {
+    let pixel = fragment_pixel(in, side_of(in, front));
+    let first = first_hit(pixel, enter_relief(pixel));
+    if (first.hit.found == 0u) {
+        discard;
+    }
+    return SeenByLight(first.key, first.key);
+}"#,
+    },
+    Declaration {
+        module: "roots/trace",
+        name: "prepass_main",
+        sampling: None,
+        uses: &["Varying", "depth_on_ray", "enter_relief", "first_hit", "fragment_pixel", "segment_of", "side_of", "z_of"],
+        text: r#"// What a depth buffer is to hold before the surfaces are shaded.
+@fragment
+fn prepass_main(in: Varying, @builtin(front_facing) front: bool) -> @builtin(frag_depth) f32 {
+    let pixel = fragment_pixel(in, side_of(in, front));
+    let at = enter_relief(pixel);
+    let first = first_hit(pixel, at);
+    if (first.hit.found == 0u) {
+        discard;
+    }
+    return z_of(depth_on_ray(pixel, segment_of(pixel, at, first.segment), first.hit));
 }"#,
     },
 ];

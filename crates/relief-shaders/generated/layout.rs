@@ -5,23 +5,61 @@ use super::generated::*;
 use super::runtime as rt;
 
 impl Shared for Light {
-    const SIZE: usize = 32;
+    const SIZE: usize = 48;
 
     fn write(&self, bytes: &mut [u8]) {
         self.place.write(&mut bytes[0..]);
         self.color.write(&mut bytes[16..]);
+        self.first_view.write(&mut bytes[32..]);
+        self.views.write(&mut bytes[36..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
             place: Shared::read(&bytes[0..]),
             color: Shared::read(&bytes[16..]),
+            first_view: Shared::read(&bytes[32..]),
+            views: Shared::read(&bytes[36..]),
+        }
+    }
+}
+
+impl Shared for LightView {
+    const SIZE: usize = 128;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.column.write(&mut bytes[0..]);
+        self.row.write(&mut bytes[16..]);
+        self.depth.write(&mut bytes[32..]);
+        self.corner.write(&mut bytes[48..]);
+        self.across.write(&mut bytes[64..]);
+        self.along.write(&mut bytes[80..]);
+        self.eye.write(&mut bytes[96..]);
+        self.near.write(&mut bytes[112..]);
+        self.texel_m.write(&mut bytes[116..]);
+        self.from_point.write(&mut bytes[120..]);
+        self.size.write(&mut bytes[124..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            column: Shared::read(&bytes[0..]),
+            row: Shared::read(&bytes[16..]),
+            depth: Shared::read(&bytes[32..]),
+            corner: Shared::read(&bytes[48..]),
+            across: Shared::read(&bytes[64..]),
+            along: Shared::read(&bytes[80..]),
+            eye: Shared::read(&bytes[96..]),
+            near: Shared::read(&bytes[112..]),
+            texel_m: Shared::read(&bytes[116..]),
+            from_point: Shared::read(&bytes[120..]),
+            size: Shared::read(&bytes[124..]),
         }
     }
 }
 
 impl Shared for Frame {
-    const SIZE: usize = 496;
+    const SIZE: usize = 6784;
 
     fn write(&self, bytes: &mut [u8]) {
         self.view_projection.write(&mut bytes[0..]);
@@ -35,9 +73,11 @@ impl Shared for Frame {
         self.ambient.write(&mut bytes[176..]);
         self.sample_width.write(&mut bytes[192..]);
         self.near.write(&mut bytes[196..]);
-        self.background.write(&mut bytes[208..]);
-        self.lights.write(&mut bytes[224..]);
-        self.light_count.write(&mut bytes[480..]);
+        self.clip.write(&mut bytes[208..]);
+        self.background.write(&mut bytes[224..]);
+        self.lights.write(&mut bytes[240..]);
+        self.light_count.write(&mut bytes[624..]);
+        self.light_views.write(&mut bytes[640..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -53,9 +93,11 @@ impl Shared for Frame {
             ambient: Shared::read(&bytes[176..]),
             sample_width: Shared::read(&bytes[192..]),
             near: Shared::read(&bytes[196..]),
-            background: Shared::read(&bytes[208..]),
-            lights: Shared::read(&bytes[224..]),
-            light_count: Shared::read(&bytes[480..]),
+            clip: Shared::read(&bytes[208..]),
+            background: Shared::read(&bytes[224..]),
+            lights: Shared::read(&bytes[240..]),
+            light_count: Shared::read(&bytes[624..]),
+            light_views: Shared::read(&bytes[640..]),
         }
     }
 }
@@ -146,65 +188,67 @@ impl Shared for MapSettings {
 }
 
 impl Shared for SurfaceSettings {
-    const SIZE: usize = 800;
+    const SIZE: usize = 864;
 
     fn write(&self, bytes: &mut [u8]) {
         self.choices.write(&mut bytes[0..]);
         self.maps.write(&mut bytes[256..]);
-        self.diffuse.write(&mut bytes[640..]);
-        self.specular.write(&mut bytes[656..]);
-        self.height_size.write(&mut bytes[672..]);
-        self.color_size.write(&mut bytes[680..]);
-        self.normal_size.write(&mut bytes[688..]);
-        self.height_levels.write(&mut bytes[696..]);
-        self.color_levels.write(&mut bytes[700..]);
-        self.normal_levels.write(&mut bytes[704..]);
-        self.color_texels.write(&mut bytes[708..]);
-        self.normal_texels.write(&mut bytes[712..]);
-        self.normal_tile_m.write(&mut bytes[720..]);
-        self.wrap.write(&mut bytes[728..]);
-        self.shininess.write(&mut bytes[732..]);
-        self.has_color.write(&mut bytes[736..]);
-        self.has_normal.write(&mut bytes[740..]);
-        self.has_shadows.write(&mut bytes[744..]);
-        self.scale_m.write(&mut bytes[748..]);
-        self.bias_m.write(&mut bytes[752..]);
-        self.shell_m.write(&mut bytes[760..]);
-        self.mean_height.write(&mut bytes[768..]);
-        self.transmission.write(&mut bytes[772..]);
-        self.ior.write(&mut bytes[776..]);
-        self.environment_side.write(&mut bytes[780..]);
-        self.environment_levels.write(&mut bytes[784..]);
+        self.diffuse.write(&mut bytes[704..]);
+        self.specular.write(&mut bytes[720..]);
+        self.height_size.write(&mut bytes[736..]);
+        self.color_size.write(&mut bytes[744..]);
+        self.normal_size.write(&mut bytes[752..]);
+        self.height_levels.write(&mut bytes[760..]);
+        self.color_levels.write(&mut bytes[764..]);
+        self.normal_levels.write(&mut bytes[768..]);
+        self.color_texels.write(&mut bytes[772..]);
+        self.normal_texels.write(&mut bytes[776..]);
+        self.normal_tile_m.write(&mut bytes[784..]);
+        self.wrap.write(&mut bytes[792..]);
+        self.shininess.write(&mut bytes[796..]);
+        self.has_color.write(&mut bytes[800..]);
+        self.has_normal.write(&mut bytes[804..]);
+        self.has_shadows.write(&mut bytes[808..]);
+        self.scale_m.write(&mut bytes[812..]);
+        self.bias_m.write(&mut bytes[816..]);
+        self.shell_m.write(&mut bytes[824..]);
+        self.mean_height.write(&mut bytes[832..]);
+        self.transmission.write(&mut bytes[836..]);
+        self.ior.write(&mut bytes[840..]);
+        self.number.write(&mut bytes[844..]);
+        self.environment_side.write(&mut bytes[848..]);
+        self.environment_levels.write(&mut bytes[852..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
             choices: Shared::read(&bytes[0..]),
             maps: Shared::read(&bytes[256..]),
-            diffuse: Shared::read(&bytes[640..]),
-            specular: Shared::read(&bytes[656..]),
-            height_size: Shared::read(&bytes[672..]),
-            color_size: Shared::read(&bytes[680..]),
-            normal_size: Shared::read(&bytes[688..]),
-            height_levels: Shared::read(&bytes[696..]),
-            color_levels: Shared::read(&bytes[700..]),
-            normal_levels: Shared::read(&bytes[704..]),
-            color_texels: Shared::read(&bytes[708..]),
-            normal_texels: Shared::read(&bytes[712..]),
-            normal_tile_m: Shared::read(&bytes[720..]),
-            wrap: Shared::read(&bytes[728..]),
-            shininess: Shared::read(&bytes[732..]),
-            has_color: Shared::read(&bytes[736..]),
-            has_normal: Shared::read(&bytes[740..]),
-            has_shadows: Shared::read(&bytes[744..]),
-            scale_m: Shared::read(&bytes[748..]),
-            bias_m: Shared::read(&bytes[752..]),
-            shell_m: Shared::read(&bytes[760..]),
-            mean_height: Shared::read(&bytes[768..]),
-            transmission: Shared::read(&bytes[772..]),
-            ior: Shared::read(&bytes[776..]),
-            environment_side: Shared::read(&bytes[780..]),
-            environment_levels: Shared::read(&bytes[784..]),
+            diffuse: Shared::read(&bytes[704..]),
+            specular: Shared::read(&bytes[720..]),
+            height_size: Shared::read(&bytes[736..]),
+            color_size: Shared::read(&bytes[744..]),
+            normal_size: Shared::read(&bytes[752..]),
+            height_levels: Shared::read(&bytes[760..]),
+            color_levels: Shared::read(&bytes[764..]),
+            normal_levels: Shared::read(&bytes[768..]),
+            color_texels: Shared::read(&bytes[772..]),
+            normal_texels: Shared::read(&bytes[776..]),
+            normal_tile_m: Shared::read(&bytes[784..]),
+            wrap: Shared::read(&bytes[792..]),
+            shininess: Shared::read(&bytes[796..]),
+            has_color: Shared::read(&bytes[800..]),
+            has_normal: Shared::read(&bytes[804..]),
+            has_shadows: Shared::read(&bytes[808..]),
+            scale_m: Shared::read(&bytes[812..]),
+            bias_m: Shared::read(&bytes[816..]),
+            shell_m: Shared::read(&bytes[824..]),
+            mean_height: Shared::read(&bytes[832..]),
+            transmission: Shared::read(&bytes[836..]),
+            ior: Shared::read(&bytes[840..]),
+            number: Shared::read(&bytes[844..]),
+            environment_side: Shared::read(&bytes[848..]),
+            environment_levels: Shared::read(&bytes[852..]),
         }
     }
 }
@@ -281,7 +325,7 @@ impl Shared for Triangle {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-/// What is read back of a pixel. 22 words, and 2 that are left over.
+/// What is read back of a pixel. 23 words, and one that is left over.
 pub struct Record {
     pub color: rt::Vec4<f32>,
     pub position: rt::Vec3<f32>,
@@ -291,13 +335,14 @@ pub struct Record {
     pub uv: rt::Vec2<f32>,
     pub t: f32,
     /// 0 where the pixel shows no surface, 1 where it does, 3 where the search ran out of steps. To these,
-    /// four times the level of detail is added.
+    /// 4 times the level of detail and 256 times the surface's number are added.
     pub hit: u32,
     pub cell: rt::Vec2<i32>,
     pub reads: u32,
     pub steps: u32,
     pub bytes: u32,
     pub lit: f32,
+    pub z: f32,
 }
 
 impl Shared for Record {
@@ -317,6 +362,7 @@ impl Shared for Record {
         self.steps.write(&mut bytes[76..]);
         self.bytes.write(&mut bytes[80..]);
         self.lit.write(&mut bytes[84..]);
+        self.z.write(&mut bytes[88..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -334,6 +380,7 @@ impl Shared for Record {
             steps: Shared::read(&bytes[76..]),
             bytes: Shared::read(&bytes[80..]),
             lit: Shared::read(&bytes[84..]),
+            z: Shared::read(&bytes[88..]),
         }
     }
 }

@@ -77,7 +77,7 @@ const fn traced(number: u32, name: &'static str, kind: BindingKind, holds: &'sta
 
 /// All bindings. Group 0 is the same for every program; a program of the other groups binds those of them
 /// that it names.
-pub const BINDINGS: [Binding; 25] = [
+pub const BINDINGS: [Binding; 26] = [
     uniform(0, "surface_settings", "SurfaceSettings", "what changes with the surface"),
     filtered(1, "height_map", false, "heights"),
     filtered(
@@ -105,8 +105,9 @@ pub const BINDINGS: [Binding; 25] = [
     slot(MapSlot::Shadow),
     slot(MapSlot::Ambient),
     slot(MapSlot::Environment),
-    uniform(11, "frame", "Frame", "what changes with the frame"),
-    uniform(12, "pass_settings", "PassSettings", "what changes with the pass"),
+    slot(MapSlot::Lights),
+    uniform(12, "frame", "Frame", "what changes with the frame"),
+    uniform(13, "pass_settings", "PassSettings", "what changes with the pass"),
     storage(1, 0, "triangles", "Triangle", true, "the base mesh"),
     storage(1, 1, "pixels", "PixelIn", true, "rays to probe"),
     storage(1, 2, "probes", "Probe", false, "the stages' results for these rays"),
@@ -199,7 +200,7 @@ mod tests {
         assert_eq!((numbers.len(), names.len()), (BINDINGS.len(), BINDINGS.len()));
         assert_eq!(
             Binding::named("frame").map(Binding::declaration).as_deref(),
-            Some("@group(0) @binding(11) var<uniform> frame: Frame;")
+            Some("@group(0) @binding(12) var<uniform> frame: Frame;")
         );
         assert_eq!(Binding::named("nothing"), None);
     }

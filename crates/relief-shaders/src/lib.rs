@@ -42,6 +42,12 @@ pub use stages::{
 /// The most lights of a picture: the length of the shaders' array of lights.
 pub const MAX_LIGHTS: usize = 8;
 
+/// The most views that a light has: one for each face of a cube around it.
+pub const LIGHT_FACES: usize = 6;
+
+/// The most views of lights in a picture.
+pub const MAX_LIGHT_VIEWS: usize = LIGHT_FACES * MAX_LIGHTS;
+
 /// The survey that classifies every per-pixel method by its search and its refinement.
 const SURVEY: &str = "Szirmay-Kalos and Umenhoffer 2008, Displacement Mapping on the GPU - State of the Art";
 

@@ -430,6 +430,21 @@ impl Selection {
         samples.map_or(0, |(place, _)| shadow.params[place] as u32)
     }
 
+    /// The sides, in texels, of what lights are to see, and how many pictures of it there are of a light that
+    /// is far away; none where shadows are not looked up there.
+    pub fn light_views(&self) -> Option<[u32; 2]> {
+        let shadow = &self.choices[SHADOW];
+        let [size, cascades, ..] = shadow.params;
+        (shadow.number as usize == LIGHT_MAP).then_some([size as u32, cascades as u32])
+    }
+
+    /// To how many points of a light's disc rays go through the whole scene; none where shadows are others.
+    /// Such rays no surface can trace alone, and no GPU.
+    pub fn rays_through_scene(&self) -> Option<u32> {
+        let shadow = &self.choices[SHADOW];
+        (shadow.number as usize == SCENE).then_some(shadow.params[0] as u32)
+    }
+
     /// Whether this is the pair that has the exact answer without a baked map, whatever its parameters.
     pub fn is_exact(&self) -> bool {
         let numbers = [SEARCH, REFINE].map(|stage| self.choices[stage].number as usize);
@@ -451,6 +466,12 @@ const SOFT: usize = entry_place(STAGES[SHADOW].entries, "soft");
 
 /// The number of the shadow `ray`.
 const RAY: usize = entry_place(STAGES[SHADOW].entries, "ray");
+
+/// The number of the shadow `map`.
+const LIGHT_MAP: usize = entry_place(STAGES[SHADOW].entries, "map");
+
+/// The number of the shadow `scene`.
+const SCENE: usize = entry_place(STAGES[SHADOW].entries, "scene");
 
 /// The number of the refinement `patch`.
 const PATCH: usize = entry_place(STAGES[REFINE].entries, "patch");

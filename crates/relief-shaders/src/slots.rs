@@ -15,17 +15,20 @@ pub enum MapSlot {
     Ambient,
     /// The surroundings, on the faces of a cube.
     Environment,
+    /// What lights see.
+    Lights,
 }
 
 impl MapSlot {
     /// Every slot, in the order of the settings' array.
-    pub const ALL: [MapSlot; 6] = [
+    pub const ALL: [MapSlot; 7] = [
         MapSlot::Detail,
         MapSlot::Search,
         MapSlot::ShadowSearch,
         MapSlot::Shadow,
         MapSlot::Ambient,
         MapSlot::Environment,
+        MapSlot::Lights,
     ];
 
     /// Its key in names.
@@ -37,6 +40,7 @@ impl MapSlot {
             MapSlot::Shadow => "shadow",
             MapSlot::Ambient => "ambient",
             MapSlot::Environment => "environment",
+            MapSlot::Lights => "lights",
         }
     }
 
@@ -49,6 +53,7 @@ impl MapSlot {
             MapSlot::Shadow => "shadow_texels",
             MapSlot::Ambient => "ambient_map",
             MapSlot::Environment => "environment_map",
+            MapSlot::Lights => "light_map",
         }
     }
 
@@ -61,6 +66,7 @@ impl MapSlot {
             MapSlot::Shadow => "the baked map that shadows are looked up in",
             MapSlot::Ambient => "the baked map of light from all around",
             MapSlot::Environment => "the surroundings, the faces of a cube as layers",
+            MapSlot::Lights => "what lights see, a layer for each view: near / (near + depth)",
         }
     }
 

@@ -85,6 +85,15 @@ pub enum Root {
     /// Rasterises boxes around the shells of the base mesh and traces it: `shell_vertex`, `fragment_main`.
     /// Each triangle has [`BOX_VERTICES`]; a second instance is the mesh turned over.
     TraceShells,
+    /// As [`Root::Trace`], for what a light sees: the keys of the hits alone: `vertex_main`, `light_main`.
+    Light,
+    /// The same of shells: `shell_vertex`, `light_main`.
+    LightShells,
+    /// As [`Root::Trace`], for a program's own depth buffer, which it fills before its own pass: to the bit
+    /// the `z` that shading gives: `vertex_main`, `prepass_main`.
+    Prepass,
+    /// The same of shells: `shell_vertex`, `prepass_main`.
+    PrepassShells,
     /// Shades what was traced: `shade_main`.
     Shade,
     /// Adds what was shaded to the samples before: `resolve_main`.
@@ -100,10 +109,14 @@ pub enum Root {
 
 impl Root {
     /// Every root.
-    pub const ALL: [Root; 8] = [
+    pub const ALL: [Root; 12] = [
         Root::Functions,
         Root::Trace,
         Root::TraceShells,
+        Root::Light,
+        Root::LightShells,
+        Root::Prepass,
+        Root::PrepassShells,
         Root::Shade,
         Root::Resolve,
         Root::Show,
@@ -117,6 +130,10 @@ impl Root {
             Root::Functions => &["pixel_of", "shade_pixel"],
             Root::Trace => &["vertex_main", "fragment_main"],
             Root::TraceShells => &["shell_vertex", "fragment_main"],
+            Root::Light => &["vertex_main", "light_main"],
+            Root::LightShells => &["shell_vertex", "light_main"],
+            Root::Prepass => &["vertex_main", "prepass_main"],
+            Root::PrepassShells => &["shell_vertex", "prepass_main"],
             Root::Shade => &["shade_main"],
             Root::Resolve => &["resolve_main"],
             Root::Show => &["show_main"],

@@ -5,6 +5,7 @@ pub mod accuracy;
 pub mod adapter;
 pub mod baked;
 pub mod brute;
+pub mod cast;
 pub mod claims;
 pub mod curved;
 pub mod detail;

@@ -94,6 +94,15 @@ impl Mask {
         self.places().filter(is_open).collect()
     }
 
+    /// The same, where what is beside is among others.
+    fn boundary_within(&self, others: &Mask) -> Vec<[i64; 2]> {
+        let is_open = |&[x, y]: &[i64; 2]| {
+            let sides = [[x - 1, y], [x + 1, y], [x, y - 1], [x, y + 1]];
+            self.at(x, y) && sides.into_iter().any(|[x, y]| !self.at(x, y) && others.at(x, y))
+        };
+        self.places().filter(is_open).collect()
+    }
+
     /// The pixels, row by row.
     fn places(&self) -> impl Iterator<Item = [i64; 2]> + use<> {
         let [columns, rows] = self.size.map(|side| side as i64);
@@ -104,13 +113,22 @@ impl Mask {
 /// For each boundary pixel of either mask the distance in pixels to the nearest one of the other: infinite
 /// where that has none.
 pub fn distances(a: &Mask, b: &Mask) -> Vec<f64> {
-    let [a, b] = [a, b].map(Mask::boundary);
+    between(&a.boundary(), &b.boundary())
+}
+
+/// The same of the lines within what both cover, such as edges of shadows: outlines against what is not
+/// covered are left out.
+pub fn distances_of_lines(a: &Mask, b: &Mask, covered: &Mask) -> Vec<f64> {
+    between(&a.boundary_within(covered), &b.boundary_within(covered))
+}
+
+fn between(a: &[[i64; 2]], b: &[[i64; 2]]) -> Vec<f64> {
     let to = |from: &[[i64; 2]], to: &[[i64; 2]]| -> Vec<f64> {
         let squared = |[x, y]: [i64; 2], [u, v]: [i64; 2]| (x - u).pow(2) + (y - v).pow(2);
         let nearest = |from: &[i64; 2]| to.iter().map(|to| squared(*from, *to)).min();
         from.iter().map(|from| nearest(from).map_or(f64::INFINITY, |least| (least as f64).sqrt())).collect()
     };
-    [to(&a, &b), to(&b, &a)].concat()
+    [to(a, b), to(b, a)].concat()
 }
 
 /// How many pixels both cover, and how many either does.

@@ -33,9 +33,14 @@ fn selections() -> Vec<Selection> {
     let methods = METHODS.iter().map(|method| Selection::of(method).expect("a method"));
     let stages = [("shadow", shadow::ENTRIES), ("ambient", ambient::ENTRIES), ("detail", detail::ENTRIES)];
     let others = stages.into_iter().flat_map(|(stage, entries)| {
-        entries.iter().map(move |entry| {
+        // Rays through the whole scene are traced by the CPU alone.
+        let entries = entries.iter().filter(|entry| entry.name != "scene");
+        entries.map(move |entry| {
             let mut selection = Selection::method("cone").expect("a method");
             selection.choose(stage, entry.name).expect("a listed name");
+            if selection.light_views().is_some() {
+                selection.set("shadow.size", 64.0).expect("a setting of this shadow");
+            }
             selection
         })
     });

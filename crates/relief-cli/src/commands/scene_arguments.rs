@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use relief_core::ByteSize;
 use relief_io::GreenSign;
+use relief_render::depth_buffer::Clip;
 use relief_render::scene::{
     BackendChoice, LightSpec, MaterialSpec, MeshChoice, ProjectionChoice, Sampling, SceneError, SceneSpec,
     SurfaceSpec, UvProjection, ValueError, ValueProblem, View, parse_scene, read_scene,
@@ -210,6 +211,30 @@ pub struct SceneArguments {
         hide_short_help = true,
     )]
     view_height: Option<f64>,
+    /// Which end of the depth buffer is near that the AOV z is of: standard (0) or reversed (1) [default:
+    /// standard]
+    #[arg(long, value_name = "NAME", help_heading = "Camera and light", hide_short_help = true)]
+    clip: Option<Clip>,
+    /// Metres from the eye to that buffer's near plane [default: before the scene]
+    #[arg(
+        long,
+        value_name = "M",
+        value_parser = units::length,
+        allow_hyphen_values = true,
+        help_heading = "Camera and light",
+        hide_short_help = true,
+    )]
+    near: Option<f64>,
+    /// Metres to its far plane, or inf [default: behind the scene]
+    #[arg(
+        long,
+        value_name = "M|inf",
+        value_parser = units::length_or_infinity,
+        allow_hyphen_values = true,
+        help_heading = "Camera and light",
+        hide_short_help = true,
+    )]
+    far: Option<f64>,
     /// Direction toward a directional light [default: -0.6,0.6,-0.1]
     #[arg(
         long,
@@ -360,6 +385,9 @@ impl SceneArguments {
             projection: self.projection,
             fov: self.fov,
             view_height: self.view_height,
+            clip: self.clip,
+            near: self.near,
+            far: self.far,
             size: self.size,
             samples: self.samples,
             exposure: self.exposure,

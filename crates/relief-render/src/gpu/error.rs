@@ -74,6 +74,15 @@ pub enum GpuError {
         /// Texels given.
         given: usize,
     },
+    /// A surface's shadows are rays through all surfaces of the scene, which the shaders do not have at once.
+    #[error(
+        "the shadows of surface {} are rays through the whole scene, which the CPU alone traces; choose the \
+         shadow 'map', or the CPU", surface + 1
+    )]
+    RaysThroughScene {
+        /// The surface's number in the scene.
+        surface: usize,
+    },
     /// A picture without pixels, or of nothing, cannot stay on the GPU.
     #[error("a picture without pixels, or that shows no surface, cannot stay on the GPU")]
     EmptyPicture,

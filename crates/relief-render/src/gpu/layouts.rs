@@ -11,8 +11,8 @@ use wgpu::{
 /// The format of pictures that stay on the GPU: linear colours.
 pub const PICTURE: TextureFormat = TextureFormat::Rgba16Float;
 
-/// The variable that each pass has a piece of its own of.
-const PER_PASS: &str = "pass_settings";
+/// The variables that each pass has a piece of its own of, in the order of their bindings.
+const PER_PASS: [&str; 2] = ["frame", "pass_settings"];
 
 /// The layout of some bindings of one group. In exact sampling there is no sampler.
 pub fn layout(device: &Device, label: &str, bindings: &[&Binding], sampling: Sampling) -> BindGroupLayout {
@@ -40,8 +40,8 @@ fn entry(binding: &Binding, sampling: Sampling) -> Option<BindGroupLayoutEntry> 
         view_dimension: if layers { TextureViewDimension::D2Array } else { TextureViewDimension::D2 },
         multisampled: false,
     };
-    let buffer =
-        |ty| BindingType::Buffer { ty, has_dynamic_offset: binding.name == PER_PASS, min_binding_size: None };
+    let has_dynamic_offset = PER_PASS.contains(&binding.name);
+    let buffer = |ty| BindingType::Buffer { ty, has_dynamic_offset, min_binding_size: None };
     let (visibility, ty) = match binding.kind {
         BindingKind::Uniform(_) => (every, buffer(BufferBindingType::Uniform)),
         BindingKind::Storage { read_only: true, .. } => {

@@ -13,6 +13,7 @@ mod adapter;
 mod device;
 mod error;
 mod layouts;
+mod light_map;
 mod probe;
 mod programs;
 mod pyramid;

@@ -70,9 +70,12 @@ impl Prober {
                     frame: frame.resource(),
                     passes: passes.resource(),
                     builder: builder.as_ref(),
+                    light_map: None,
                 };
                 let mut resident = Resident::new(&self.gpu);
-                resident.maps(&self.gpu, surface, sampling, layouts.maps(sampling), &common)
+                resident
+                    .maps(&self.gpu, surface, sampling, layouts.maps(sampling), &common)
+                    .map(|maps| maps.seen)
             })
             .await?;
         for chunk in rays.chunks(RAYS) {
@@ -103,7 +106,7 @@ impl Prober {
                 {
                     let mut pass = encoder.begin_compute_pass(&Default::default());
                     pass.set_pipeline(program);
-                    pass.set_bind_group(0, maps, &[0]);
+                    pass.set_bind_group(0, maps, &[0, 0]);
                     pass.set_bind_group(1, &rays_group, &[]);
                     let columns = rays.len().min(row).div_ceil(PROBE_GROUP as usize);
                     pass.dispatch_workgroups(columns as u32, rays.len().div_ceil(row) as u32, 1);

@@ -24,6 +24,9 @@ pub const HIT: TextureFormat = TextureFormat::Rgba32Float;
 pub const WHAT: TextureFormat = TextureFormat::Rgba32Sint;
 pub const DEPTH: TextureFormat = TextureFormat::Depth32Float;
 
+/// The format of what lights see.
+pub const KEYS: TextureFormat = TextureFormat::R32Float;
+
 /// What a shader is assembled and compiled for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct Variant {
@@ -84,6 +87,8 @@ pub struct Programs {
     pub layouts: Layouts,
     /// Of surfaces seen from their front, and from both sides.
     trace: [Kept<Variant, RenderPipeline>; 2],
+    /// The same for what lights see.
+    light: [Kept<Variant, RenderPipeline>; 2],
     shade: Kept<Variant, ComputePipeline>,
     probe: Kept<Variant, ComputePipeline>,
     /// The same for everything that is chosen.
@@ -140,6 +145,7 @@ impl Programs {
         Self {
             layouts: Layouts::new(gpu.device()),
             trace: [Kept::new(), Kept::new()],
+            light: [Kept::new(), Kept::new()],
             shade: Kept::new(),
             probe: Kept::new(),
             resolve: Kept::new(),
@@ -163,10 +169,10 @@ impl Programs {
         two_sided: bool,
     ) -> Result<RenderPipeline, GpuError> {
         let groups = [self.layouts.maps(sampling).clone(), self.layouts.mesh.clone()];
-        // Of boxes the far sides are drawn: an eye inside of one sees these alone.
-        let (root, cull_mode) = match selection.paths().proposal {
-            Proposal::Polygons => (Root::Trace, (!two_sided).then_some(Face::Back)),
-            Proposal::Shells => (Root::TraceShells, Some(Face::Front)),
+        let cull_mode = culled(selection, two_sided);
+        let root = match selection.paths().proposal {
+            Proposal::Polygons => Root::Trace,
+            Proposal::Shells => Root::TraceShells,
         };
         let text = || assemble(selection, root, sampling);
         let compile = |text: &str| {
@@ -175,6 +181,30 @@ impl Programs {
             raster(gpu.device(), text, root, &groups, cull_mode, Some(nearest()), &targets)
         };
         let kept = &mut self.trace[usize::from(two_sided)];
+        kept.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
+    }
+
+    /// The program that rasterises and traces what a light sees.
+    pub async fn light(
+        &mut self,
+        gpu: &Gpu,
+        selection: &Selection,
+        sampling: Sampling,
+        two_sided: bool,
+    ) -> Result<RenderPipeline, GpuError> {
+        let groups = [self.layouts.maps(sampling).clone(), self.layouts.mesh.clone()];
+        let cull_mode = culled(selection, two_sided);
+        let root = match selection.paths().proposal {
+            Proposal::Polygons => Root::Light,
+            Proposal::Shells => Root::LightShells,
+        };
+        let text = || assemble(selection, root, sampling);
+        let compile = |text: &str| {
+            let groups = groups.each_ref().map(Some);
+            let targets = [Some(ColorTargetState::from(KEYS))];
+            raster(gpu.device(), text, root, &groups, cull_mode, Some(nearest()), &targets)
+        };
+        let kept = &mut self.light[usize::from(two_sided)];
         kept.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
     }
 
@@ -249,6 +279,15 @@ impl Programs {
     }
 }
 
+/// The faces that are not drawn. Of boxes around shells the far sides are drawn: an eye inside of one sees
+/// these alone.
+fn culled(selection: &Selection, two_sided: bool) -> Option<Face> {
+    match selection.paths().proposal {
+        Proposal::Polygons => (!two_sided).then_some(Face::Back),
+        Proposal::Shells => Some(Face::Front),
+    }
+}
+
 fn module(device: &Device, label: &str, text: &str) -> ShaderModule {
     let source = ShaderSource::Wgsl(text.into());
     device.create_shader_module(ShaderModuleDescriptor { label: Some(label), source })
@@ -267,6 +306,8 @@ fn label(root: Root) -> &'static str {
     match root {
         Root::Functions => "functions",
         Root::Trace | Root::TraceShells => "trace",
+        Root::Light | Root::LightShells => "light",
+        Root::Prepass | Root::PrepassShells => "prepass",
         Root::Shade => "shade",
         Root::Resolve => "resolve",
         Root::Show => "show",

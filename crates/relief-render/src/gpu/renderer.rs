@@ -4,7 +4,7 @@
 use std::ops::ControlFlow;
 
 use relief_shaders::MapNeed;
-use relief_shaders::cpu::{Frame, PixelOut, Record, Shared, Triangle, read_all};
+use relief_shaders::cpu::{PixelOut, Record, Shared, Triangle, read_all};
 use relief_shaders::surface::Proposal;
 use relief_shaders::wgsl::{BOX_VERTICES, SHADE_GROUP, Sampling};
 use wgpu::{
@@ -12,8 +12,9 @@ use wgpu::{
     RenderPassDepthStencilAttachment, RenderPassDescriptor, RenderPipeline, StoreOp, Texture,
 };
 
+use super::light_map::{Caster, Frames, LightMap};
 use super::programs::Programs;
-use super::resident::{Common, Resident, Uniform};
+use super::resident::{Common, Resident};
 use super::targets::{self, Band, Pass, Targets};
 use super::textures::Precision;
 use super::wait::block_on;
@@ -21,13 +22,17 @@ use super::{Gpu, GpuError, pyramid};
 use crate::job::{Job, JobSurface, Rendering};
 use crate::samples::{Sample, samples};
 
+/// Where the camera's frame lies among all frames.
+const CAMERA: u32 = 0;
+
 /// Renders jobs on a GPU, and keeps there what they have in common: a second frame of the same surfaces
 /// uploads a camera and compiles nothing.
 #[derive(Debug)]
 pub struct GpuRenderer {
     gpu: Gpu,
     programs: Programs,
-    frame: Uniform,
+    frames: Frames,
+    light_map: Option<LightMap>,
     surfaces: Vec<Resident>,
     targets: Option<Targets>,
     /// Counts the targets that there were, whose buffers every surface binds.
@@ -66,9 +71,9 @@ struct Passes {
 impl GpuRenderer {
     /// A renderer on that GPU that has seen no job.
     pub fn new(gpu: Gpu) -> Self {
-        let (programs, frame) = (Programs::new(&gpu), Uniform::new::<Frame>(&gpu, "frame"));
-        let (targets, work) = (None, Work::default());
-        Self { gpu, programs, frame, surfaces: Vec::new(), targets, generation: 0, work }
+        let (programs, frames) = (Programs::new(&gpu), Frames::new(&gpu));
+        let (light_map, surfaces, targets, work) = (None, Vec::new(), None, Work::default());
+        Self { gpu, programs, frames, light_map, surfaces, targets, generation: 0, work }
     }
 
     /// The GPU.
@@ -239,8 +244,11 @@ impl GpuRenderer {
     ) -> Result<Passes, GpuError> {
         let gpu = self.gpu.clone();
         targets::check(&gpu, [job.width, job.height])?;
-        for surface in &job.surfaces {
+        for (number, surface) in job.surfaces.iter().enumerate() {
             check_triangles(&gpu, surface)?;
+            if surface.selection.rays_through_scene().is_some() {
+                return Err(GpuError::RaysThroughScene { surface: number });
+            }
         }
         let several = samples.len() > 1;
         let resolve = if several { Some(self.programs.resolve(&gpu, sampling).await?) } else { None };
@@ -249,8 +257,13 @@ impl GpuRenderer {
             let trace = self.programs.trace(&gpu, selection, sampling, *two_sided).await?;
             programs.push((trace, self.programs.shade(&gpu, selection, sampling).await?));
         }
+        let mut light_programs = Vec::new();
+        let has_lights = !job.light_views.frames.is_empty();
+        for JobSurface { selection, two_sided, .. } in job.surfaces.iter().filter(|_| has_lights) {
+            light_programs.push(self.programs.light(&gpu, selection, sampling, *two_sided).await?);
+        }
         let builder = self.programs.pyramids(&gpu, &job.surfaces, sampling).await?;
-        let Self { frame, surfaces, targets, generation, .. } = self;
+        let Self { frames, light_map, surfaces, targets, generation, .. } = self;
         let layouts = &self.programs.layouts;
         let uploaded = gpu
             .guarded(|| {
@@ -263,28 +276,58 @@ impl GpuRenderer {
                     *generation += 1;
                 }
                 let targets = targets.as_ref().ok_or(GpuError::EmptyPicture)?;
-                frame.set(&gpu, job.frame);
+                let [other_views, is_other_buffer] = frames.set(&gpu, job.frame, &job.light_views.frames);
+                let fits = light_map.as_ref().map(|map| map.fits(&job.light_views));
+                let is_other_map = has_lights && fits != Some(true);
+                if is_other_map || !has_lights {
+                    drop(light_map.take());
+                }
+                if is_other_map {
+                    *light_map = Some(LightMap::new(&gpu, &job.light_views)?);
+                }
+                if is_other_buffer || is_other_map || fits.is_some() != has_lights {
+                    *generation += 1;
+                }
+                let mut seen_otherwise = other_views || is_other_map || surfaces.len() != job.surfaces.len();
                 surfaces.truncate(job.surfaces.len());
                 surfaces.resize_with(job.surfaces.len(), || Resident::new(&gpu));
                 let common = Common {
                     number: *generation,
-                    frame: frame.resource(),
+                    frame: frames.resource(),
                     passes: targets.passes(),
                     builder: builder.as_ref(),
+                    light_map: light_map.as_ref().map(|map| &map.view),
                 };
                 let each = job.surfaces.iter().zip(surfaces.iter_mut()).map(|(surface, resident)| {
                     let maps = resident.maps(&gpu, surface, sampling, layouts.maps(sampling), &common)?;
-                    let mesh = resident.mesh(&gpu, &surface.triangles, &layouts.mesh)?;
+                    let (mesh, is_other_mesh) = resident.mesh(&gpu, &surface.triangles, &layouts.mesh)?;
+                    seen_otherwise |= maps.changed || is_other_mesh;
                     Ok((maps, mesh, drawn(surface)))
                 });
-                each.collect::<Result<Vec<_>, GpuError>>()
+                let uploaded = each.collect::<Result<Vec<_>, GpuError>>()?;
+                if let Some(map) = light_map.as_ref().filter(|_| seen_otherwise) {
+                    let parts = light_programs.into_iter().zip(&uploaded);
+                    let casters = parts.map(|(program, (maps, mesh, drawn))| Caster {
+                        program,
+                        maps: maps.by_lights.clone(),
+                        mesh: mesh.clone(),
+                        drawn: *drawn,
+                    });
+                    map.draw(&gpu, frames, targets.whole, &casters.collect::<Vec<_>>());
+                }
+                Ok(uploaded)
             })
             .await;
         // After an error it is not known what arrived.
         let uploaded = uploaded.inspect_err(|_| self.forget())?;
         let ready = programs.into_iter().zip(uploaded);
-        let surfaces =
-            ready.map(|((trace, shade), (maps, mesh, drawn))| Ready { trace, shade, maps, mesh, drawn });
+        let surfaces = ready.map(|((trace, shade), (maps, mesh, drawn))| Ready {
+            trace,
+            shade,
+            maps: maps.seen,
+            mesh,
+            drawn,
+        });
         Ok(Passes { surfaces: surfaces.collect(), resolve })
     }
 
@@ -292,7 +335,8 @@ impl GpuRenderer {
     fn forget(&mut self) {
         self.surfaces.clear();
         self.targets = None;
-        self.frame = Uniform::new::<Frame>(&self.gpu, "frame");
+        self.frames = Frames::new(&self.gpu);
+        self.light_map = None;
         self.generation += 1;
     }
 
@@ -399,13 +443,13 @@ fn trace(encoder: &mut CommandEncoder, targets: &Targets, surface: &Ready, pass:
     });
     drawn.set_scissor_rect(0, 0, targets.size[0], pass.band.rows);
     drawn.set_pipeline(&surface.trace);
-    drawn.set_bind_group(0, &surface.maps, &[pass.offset]);
+    drawn.set_bind_group(0, &surface.maps, &[CAMERA, pass.offset]);
     drawn.set_bind_group(1, &surface.mesh, &[]);
     let [vertices, instances] = surface.drawn;
     drawn.draw(0..vertices, 0..instances);
 }
 
-/// Runs a program over the pixels of a band. Group 0 has the offset of the pass.
+/// Runs a program over the pixels of a band. Group 0 has the offsets of the frame and of the pass.
 fn dispatch(
     encoder: &mut CommandEncoder,
     program: &ComputePipeline,
@@ -416,7 +460,7 @@ fn dispatch(
     let mut run = encoder.begin_compute_pass(&Default::default());
     run.set_pipeline(program);
     for (number, group) in (0u32..).zip(groups) {
-        let offsets = [pass.offset];
+        let offsets = [CAMERA, pass.offset];
         run.set_bind_group(number, *group, if number == 0 { &offsets } else { &[] });
     }
     run.dispatch_workgroups(width.div_ceil(SHADE_GROUP), pass.band.rows.div_ceil(SHADE_GROUP), 1);
@@ -438,6 +482,8 @@ fn pixel_of(record: Record) -> PixelOut {
         steps: record.steps,
         bytes: record.bytes,
         lit: record.lit,
-        level: record.hit >> 2,
+        level: (record.hit >> 2) & 63,
+        z: record.z,
+        surface: record.hit >> 8,
     }
 }

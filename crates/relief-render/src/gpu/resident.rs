@@ -30,13 +30,15 @@ impl Uniform {
         Self { buffer: gpu.buffer(label, T::SIZE as u64, usage), bytes: Vec::new() }
     }
 
-    /// Writes a value unless it is there.
-    pub fn set<T: Shared>(&mut self, gpu: &Gpu, value: T) {
+    /// Writes a value unless it is there. True when it was not.
+    pub fn set<T: Shared>(&mut self, gpu: &Gpu, value: T) -> bool {
         let bytes = write_all(&[value]);
-        if bytes != self.bytes {
+        let is_other = bytes != self.bytes;
+        if is_other {
             gpu.write(&self.buffer, 0, &bytes);
             self.bytes = bytes;
         }
+        is_other
     }
 
     /// What is bound.
@@ -116,7 +118,16 @@ pub struct Resident {
     sampler: Option<(Wrap, Sampler)>,
     mesh: Option<(Arc<[Triangle]>, BindGroup)>,
     /// Group 0, with what it was made for. None where a part has changed.
-    maps: Option<(Sampling, u64, BindGroup)>,
+    maps: Option<(Sampling, u64, MapGroups)>,
+}
+
+/// Group 0 of a surface, for the camera, and for lights, which do not see what lights see.
+#[derive(Clone, Debug)]
+pub struct MapGroups {
+    pub seen: BindGroup,
+    pub by_lights: BindGroup,
+    /// Whether they, or the settings, are others than for the last picture.
+    pub changed: bool,
 }
 
 /// What group 0 binds besides a surface's own things. It is another one when its number is.
@@ -126,6 +137,8 @@ pub struct Common<'a> {
     pub passes: BindingResource<'a>,
     /// What builds pyramids, where there are any to build.
     pub builder: Option<&'a Builder>,
+    /// What lights see, where shadows are looked up there.
+    pub light_map: Option<&'a TextureView>,
 }
 
 impl Resident {
@@ -153,7 +166,7 @@ impl Resident {
         sampling: Sampling,
         layout: &BindGroupLayout,
         common: &Common,
-    ) -> Result<BindGroup, GpuError> {
+    ) -> Result<MapGroups, GpuError> {
         let changed = self.hold_all(gpu, surface, sampling, common.builder)?;
         let mut settings = surface.settings;
         for (map, held) in settings.maps.iter_mut().zip(&self.slots) {
@@ -162,36 +175,41 @@ impl Resident {
                 map.texel_bytes = pyramid::NODE_BYTES;
             }
         }
-        self.settings.set(gpu, settings);
-        if let Some((of, number, group)) = &self.maps
+        let others = self.settings.set(gpu, settings);
+        if let Some((of, number, groups)) = &self.maps
             && !changed
             && (*of, *number) == (sampling, common.number)
         {
-            return Ok(group.clone());
+            return Ok(MapGroups { changed: others, ..groups.clone() });
         }
-        let group = self.group(gpu, sampling, layout, common);
-        self.maps = Some((sampling, common.number, group.clone()));
-        Ok(group)
+        let by_lights = self.group(gpu, sampling, layout, common, None);
+        let seen = match common.light_map {
+            Some(view) => self.group(gpu, sampling, layout, common, Some(view)),
+            None => by_lights.clone(),
+        };
+        let groups = MapGroups { seen, by_lights, changed: true };
+        self.maps = Some((sampling, common.number, groups.clone()));
+        Ok(groups)
     }
 
-    /// Group 1: the triangles.
+    /// Group 1: the triangles. True where it is another one than for the last picture.
     pub fn mesh(
         &mut self,
         gpu: &Gpu,
         triangles: &Arc<[Triangle]>,
         layout: &BindGroupLayout,
-    ) -> Result<BindGroup, GpuError> {
+    ) -> Result<(BindGroup, bool), GpuError> {
         if let Some((of, group)) = &self.mesh
             && Arc::ptr_eq(of, triangles)
         {
-            return Ok(group.clone());
+            return Ok((group.clone(), false));
         }
         // What was held goes first, so that both need not fit.
         self.mesh = None;
         let buffer = gpu.filled("triangles", triangles, BufferUsages::STORAGE)?;
         let group = group(gpu.device(), "mesh", layout, &[("triangles", buffer.as_entire_binding())]);
         self.mesh = Some((Arc::clone(triangles), group.clone()));
-        Ok(group)
+        Ok((group, true))
     }
 
     /// Uploads and builds the maps that are not there. True when one was another one.
@@ -252,7 +270,14 @@ impl Resident {
         Ok(changed)
     }
 
-    fn group(&self, gpu: &Gpu, sampling: Sampling, layout: &BindGroupLayout, common: &Common) -> BindGroup {
+    fn group(
+        &self,
+        gpu: &Gpu,
+        sampling: Sampling,
+        layout: &BindGroupLayout,
+        common: &Common,
+        light_map: Option<&TextureView>,
+    ) -> BindGroup {
         let mut bound = vec![
             ("surface_settings", self.settings.resource()),
             ("frame", common.frame.clone()),
@@ -264,7 +289,10 @@ impl Resident {
             ("normal_map", self.normals.as_ref().map(|held| &held.view)),
         ];
         let slots = MapSlot::ALL.into_iter().zip(&self.slots);
-        let slots = slots.map(|(slot, held)| (slot.name(), held.as_ref().map(|held| &held.view)));
+        let slots = slots.map(|(slot, held)| {
+            let lights = light_map.filter(|_| slot == MapSlot::Lights);
+            (slot.name(), lights.or(held.as_ref().map(|held| &held.view)))
+        });
         for (name, view) in views.into_iter().chain(slots) {
             bound.extend(view.map(|view| (name, BindingResource::TextureView(view))));
         }

@@ -53,6 +53,8 @@ pub struct Targets {
     passes: Buffer,
     /// For reading back; made when something is.
     readable: Option<Buffer>,
+    /// Where the settings lie of a pass over all of a picture that a light sees.
+    pub whole: u32,
     /// The picture that stays on the GPU, with group 1 of the pass that shows; made when it is asked for.
     shown: Option<(Texture, BindGroup)>,
 }
@@ -76,7 +78,8 @@ impl Targets {
             texture.create_view(&TextureViewDescriptor::default())
         };
         let stride = gpu.device().limits().min_uniform_buffer_offset_alignment.max(PassSettings::SIZE as u32);
-        let count = u64::from(height.div_ceil(rows)) * samples.len() as u64;
+        // One more is for what lights see.
+        let count = u64::from(height.div_ceil(rows)) * samples.len() as u64 + 1;
         if count * u64::from(stride) > gpu.device().limits().max_buffer_size.min(u64::from(u32::MAX)) {
             return Err(GpuError::TooManyPasses { samples: samples.len(), width, height });
         }
@@ -108,7 +111,22 @@ impl Targets {
         let passes = passes(gpu, [width, height], rows, &samples, &bands, stride);
         let size = [width, height];
         let (readable, shown) = (None, None);
-        Ok(Self { size, samples, bands, hit, what, depth, records, sums, traced, passes, readable, shown })
+        let whole = (count - 1) as u32 * stride;
+        Ok(Self {
+            size,
+            samples,
+            bands,
+            hit,
+            what,
+            depth,
+            records,
+            sums,
+            traced,
+            passes,
+            readable,
+            whole,
+            shown,
+        })
     }
 
     /// What a pass binds of the buffer of all passes, at the offset of its band.
@@ -148,7 +166,8 @@ impl Targets {
     }
 }
 
-/// The settings of every pass, a stride apart, over targets of so many rows.
+/// The settings of every pass, a stride apart, over targets of so many rows; the last are those of a pass
+/// over all of a picture that a light sees.
 fn passes(
     gpu: &Gpu,
     [width, height]: [u32; 2],
@@ -157,7 +176,7 @@ fn passes(
     bands: &[Vec<Pass>],
     stride: u32,
 ) -> Buffer {
-    let mut bytes = vec![0; stride as usize * bands.len() * samples.len()];
+    let mut bytes = vec![0; stride as usize * (bands.len() * samples.len() + 1)];
     let zoom = height as f32 / rows as f32;
     for (pass, sample) in bands.iter().flat_map(|band| band.iter().zip(samples)) {
         let [right, down] = sample.offset;
@@ -177,6 +196,17 @@ fn passes(
         let of_pass = write_all(&[settings]);
         bytes[pass.offset as usize..][..of_pass.len()].copy_from_slice(&of_pass);
     }
+    let whole = PassSettings {
+        offset: [0.0; 2].into(),
+        shift: [0.0; 2].into(),
+        zoom: 1.0,
+        weight: 1.0,
+        first_row: 0,
+        rows: 0,
+        is_last: 1,
+    };
+    let (of_whole, at) = (write_all(&[whole]), stride as usize * bands.len() * samples.len());
+    bytes[at..][..of_whole.len()].copy_from_slice(&of_whole);
     let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
     let buffer = gpu.buffer("passes", bytes.len() as u64, usage);
     gpu.write(&buffer, 0, &bytes);

@@ -14,7 +14,7 @@ use wgpu::{BufferUsages, DeviceDescriptor, Features, Limits};
 
 use super::{AdapterChoice, Gpu, GpuError, GpuRenderer, Prober, Work, block_on};
 use crate::camera::Camera;
-use crate::job::{Job, JobSurface, Rendering};
+use crate::job::{Job, JobSurface, LightViews, Rendering};
 use crate::mesh::{Mesh, Placement, square, torus};
 use crate::mipmaps::Mipmaps;
 use crate::scene::{BackendChoice, Scene, Surface};
@@ -67,7 +67,8 @@ fn surface(map: &Arc<HeightMap>) -> JobSurface {
 }
 
 fn job(surface: JobSurface) -> Job {
-    Job { width: 16, height: 8, samples: 1, frame: Frame::none(), surfaces: vec![surface] }
+    let light_views = LightViews::default();
+    Job { width: 16, height: 8, samples: 1, frame: Frame::none(), light_views, surfaces: vec![surface] }
 }
 
 fn ray() -> PixelIn {

@@ -4,6 +4,7 @@ use super::limits::{DEFAULT_SAMPLES, MAX_EXPOSURE, MAX_IMAGE_SIDE, MAX_SAMPLES};
 use super::view::{Fit, View, fitted};
 use super::{BackendChoice, Sampling, Scene, Surface, ValueError, error::ValueProblem};
 use crate::camera::{Camera, CameraError};
+use crate::depth_buffer::DepthBuffer;
 use crate::environment::Environment;
 use crate::light::{Light, LightError, MAX_LIGHTS, checked_colour};
 use crate::tone::Tone;
@@ -33,6 +34,7 @@ pub(super) const DEFAULT_SIZE: [u32; 2] = [800, 600];
 pub struct SceneBuilder {
     surfaces: Vec<Surface>,
     camera: CameraChoice,
+    depth_buffer: DepthBuffer,
     lights: Option<Vec<Light>>,
     ambient: Vec3,
     environment: Option<Arc<Environment>>,
@@ -72,6 +74,7 @@ impl SceneBuilder {
         Self {
             surfaces,
             camera: CameraChoice::Fitted(View::default(), Fit::Perspective(DEFAULT_FOV)),
+            depth_buffer: DepthBuffer::default(),
             lights: None,
             ambient: DEFAULT_AMBIENT,
             environment: None,
@@ -89,6 +92,7 @@ impl SceneBuilder {
         Self {
             surfaces: scene.surfaces.clone(),
             camera: CameraChoice::Given(scene.camera),
+            depth_buffer: scene.depth_buffer,
             lights: Some(scene.lights.clone()),
             ambient: scene.ambient,
             environment: scene.environment.clone(),
@@ -131,6 +135,13 @@ impl SceneBuilder {
     /// The same with parallel rays, as on a map.
     pub fn fitted_orthographic_camera(mut self, view: View) -> Self {
         self.camera = CameraChoice::Fitted(view, Fit::Orthographic);
+        self
+    }
+
+    /// The depth buffer that the picture's `z` are of. By default one of which 0 is near, with planes around
+    /// the scene.
+    pub fn depth_buffer(mut self, depth_buffer: DepthBuffer) -> Self {
+        self.depth_buffer = depth_buffer;
         self
     }
 
@@ -240,6 +251,9 @@ impl SceneBuilder {
                 })?
             }
         };
+        if let Some((key, value, must)) = self.depth_buffer.problem(camera.is_orthographic()) {
+            return Err(ValueProblem::Number { value, must }.of(key));
+        }
         let lights = match self.lights {
             Some(lights) => lights,
             None => vec![
@@ -254,6 +268,7 @@ impl SceneBuilder {
         Ok(Scene {
             surfaces: self.surfaces,
             camera,
+            depth_buffer: self.depth_buffer,
             lights,
             ambient,
             environment: self.environment,

@@ -6,6 +6,7 @@ use std::fmt::Write;
 use relief_core::Wrap;
 
 use super::{BackendChoice, ProjectionChoice, Sampling, SceneSpec, SurfaceSpec, UvProjection, View};
+use crate::depth_buffer::Clip;
 use crate::mesh::Builtin;
 use crate::tone::Tone;
 use relief_shaders::{METHODS, STAGES};
@@ -123,6 +124,7 @@ pub fn keys() -> Vec<Key> {
     }));
     let views = View::ALL.map(View::name).to_vec();
     let projections = ProjectionChoice::ALL.map(ProjectionChoice::name).to_vec();
+    let clips = Clip::ALL.map(Clip::name).to_vec();
     let backends = BackendChoice::ALL.map(BackendChoice::name).to_vec();
     let samplings = Sampling::ALL.map(Sampling::name).to_vec();
     let tones = Tone::ALL.map(Tone::name).to_vec();
@@ -133,6 +135,14 @@ pub fn keys() -> Vec<Key> {
         scene("projection", Form::Name(projections), "\"perspective\"", "how space becomes a picture"),
         scene("fov", Form::Number, "40", "vertical field of view of a perspective in degrees"),
         scene("view-height", Form::Number, "", "metres from edge to edge of an orthographic picture"),
+        scene(
+            "clip",
+            Form::Name(clips),
+            "\"standard\"",
+            "which end of the depth buffer is near, for the AOV z",
+        ),
+        scene("near", Form::Number, "", "metres to that buffer's near plane; else before the scene"),
+        scene("far", Form::Number, "", "metres to its far plane, or inf; else behind the scene"),
         scene("size", Form::Wholes(2), "[800, 600]", "pixels of the picture"),
         scene("samples", Form::Whole, "4", "samples of a pixel, 1 to 1024"),
         scene("exposure", Form::Number, "0", "stops by which light is brightened"),
@@ -252,6 +262,9 @@ fn scene_value(spec: &SceneSpec, key: &str) -> Option<String> {
         "projection" => spec.projection.map(|projection| quoted(projection.name())),
         "fov" => spec.fov.map(|fov| format!("{fov:?}")),
         "view-height" => spec.view_height.map(|height| format!("{height:?}")),
+        "clip" => spec.clip.map(|clip| quoted(clip.name())),
+        "near" => spec.near.map(|metres| format!("{metres:?}")),
+        "far" => spec.far.map(|metres| format!("{metres:?}")),
         "size" => spec.size.map(|size| list(&size)),
         "samples" => spec.samples.map(|samples| samples.to_string()),
         "exposure" => spec.exposure.map(|exposure| format!("{exposure:?}")),

@@ -9,6 +9,7 @@ use super::{
     SceneSpec, SurfaceSpec,
 };
 use crate::camera::{Camera, CameraError, Projection};
+use crate::depth_buffer::DepthBuffer;
 use crate::environment::Environment;
 use crate::light::{Light, LightError, SUN_DEG};
 use glam::{DVec3, Vec3};
@@ -111,6 +112,11 @@ impl SceneSpec {
             .camera(SceneBuilder::showing(surfaces))?
             .look(self.exposure.unwrap_or_default(), self.tone.unwrap_or_default())
             .lights(self.lights()?)
+            .depth_buffer(DepthBuffer {
+                clip: self.clip.unwrap_or_default(),
+                near_m: self.near,
+                far_m: self.far,
+            })
             .samples(self.samples.unwrap_or(DEFAULT_SAMPLES))
             .backend(self.backend.unwrap_or_default())
             .sampling(self.sampling.unwrap_or_default());

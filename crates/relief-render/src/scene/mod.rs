@@ -34,6 +34,7 @@ pub use surface_spec::{MaterialSpec, SurfaceSpec};
 pub use view::View;
 
 use crate::camera::Camera;
+use crate::depth_buffer::DepthBuffer;
 use crate::environment::Environment;
 use crate::light::Light;
 use crate::picture::Look;
@@ -48,6 +49,7 @@ use std::sync::Arc;
 pub struct Scene {
     pub(crate) surfaces: Vec<Surface>,
     pub(crate) camera: Camera,
+    pub(crate) depth_buffer: DepthBuffer,
     pub(crate) lights: Vec<Light>,
     pub(crate) ambient: Vec3,
     pub(crate) environment: Option<Arc<Environment>>,
@@ -74,6 +76,11 @@ impl Scene {
     /// Moves the camera.
     pub fn set_camera(&mut self, camera: Camera) {
         self.camera = camera;
+    }
+
+    /// The depth buffer that the picture's `z` are of.
+    pub fn depth_buffer(&self) -> DepthBuffer {
+        self.depth_buffer
     }
 
     /// The lights, at most [`MAX_LIGHTS`](crate::light::MAX_LIGHTS).
@@ -111,9 +118,12 @@ impl Scene {
         Look { background: self.background.to_array(), exposure: self.exposure, tone: self.tone }
     }
 
-    /// What computes the picture.
+    /// What computes the picture: the CPU where a surface's shadows are rays through the whole scene, unless
+    /// a GPU is asked for.
     pub fn backend(&self) -> BackendChoice {
-        self.backend
+        let needs_cpu =
+            || self.surfaces.iter().any(|surface| surface.selection().rays_through_scene().is_some());
+        if self.backend == BackendChoice::Auto && needs_cpu() { BackendChoice::Cpu } else { self.backend }
     }
 
     /// How textures are read.

@@ -2,6 +2,7 @@
 
 use super::keys::{amount, numbers, parsed};
 use super::{BackendChoice, ProjectionChoice, Sampling, SurfaceSpec, View};
+use crate::depth_buffer::Clip;
 use crate::tone::Tone;
 use relief_core::ByteSize;
 use relief_shaders::{AMBIENT, STAGES};
@@ -40,6 +41,14 @@ pub struct SceneSpec {
     /// Metres from the lower to the upper edge of an orthographic picture. A fitted camera knows them itself,
     /// another one needs them.
     pub view_height: Option<f64>,
+    /// Which end of the depth buffer is near, of which the picture's `z` are: `standard` (default) or
+    /// `reversed`.
+    #[serde(deserialize_with = "parsed")]
+    pub clip: Option<Clip>,
+    /// Metres from the eye to that buffer's near plane. By default it is before the scene.
+    pub near: Option<f64>,
+    /// Metres to its far plane, in perspective also `inf`. By default it is behind the scene.
+    pub far: Option<f64>,
     /// Width and height of the picture in pixels. By default 800 and 600.
     #[serde(deserialize_with = "numbers")]
     pub size: Option<[u32; 2]>,
@@ -152,6 +161,9 @@ impl SceneSpec {
             projection: over.projection.or(self.projection),
             fov: over.fov.or(self.fov),
             view_height: over.view_height.or(self.view_height),
+            clip: over.clip.or(self.clip),
+            near: over.near.or(self.near),
+            far: over.far.or(self.far),
             size: over.size.or(self.size),
             samples: over.samples.or(self.samples),
             exposure: over.exposure.or(self.exposure),

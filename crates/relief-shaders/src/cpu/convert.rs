@@ -3,9 +3,10 @@
 use relief_core::{BakedMap, Cost, HeightMap, MapFormat, PathMetric, RayUse};
 
 use super::{
-    Bound, Choice, Frame, Hit, Light, MapSettings, MapTexture, Path, Shell, SurfaceSettings, Vec2, Vec4,
+    Bound, Choice, Frame, Hit, Light, LightView, MapSettings, MapTexture, Path, Shell, SurfaceSettings, Vec2,
+    Vec4,
 };
-use crate::{MAX_LIGHTS, MapSlot, Selection, SlotMaps};
+use crate::{MAX_LIGHT_VIEWS, MAX_LIGHTS, MapSlot, Selection, SlotMaps};
 
 impl From<&Path> for relief_core::Path {
     /// The same path, in `f64`.
@@ -183,6 +184,7 @@ impl SurfaceSettings {
             mean_height: if selection.has_levels() { map.mean() } else { 0.0 },
             transmission: 0.0,
             ior: 1.0,
+            number: 0,
             environment_side,
             environment_levels,
         }
@@ -209,9 +211,31 @@ impl Frame {
             ambient: nowhere(),
             sample_width: 1.0,
             near: 1.0,
+            clip: nowhere(),
             background: nowhere(),
-            lights: [Light { place: nowhere(), color: nowhere() }; MAX_LIGHTS],
+            lights: [Light { place: nowhere(), color: nowhere(), first_view: 0, views: 0 }; MAX_LIGHTS],
             light_count: 0,
+            light_views: [LightView::none(); MAX_LIGHT_VIEWS],
+        }
+    }
+}
+
+impl LightView {
+    /// A view of nothing.
+    pub fn none() -> Self {
+        let nowhere = || Vec4::splat(0.0);
+        Self {
+            column: nowhere(),
+            row: nowhere(),
+            depth: nowhere(),
+            corner: nowhere(),
+            across: nowhere(),
+            along: nowhere(),
+            eye: nowhere(),
+            near: 1.0,
+            texel_m: 0.0,
+            from_point: 0,
+            size: 0,
         }
     }
 }

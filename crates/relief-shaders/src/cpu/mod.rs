@@ -22,8 +22,8 @@ mod runtime;
 
 pub use bytes::{Shared, read_all, write_all};
 pub use generated::{
-    Choice, Corner, Entered, FirstHit, Found, Frame, Hit, Light, LightRay, MapSettings, Path, PixelIn,
-    PixelOut, Shell, SurfaceSettings,
+    Choice, Corner, Entered, FirstHit, Found, Frame, Hit, Light, LightRay, LightView, MapSettings, Path,
+    PixelIn, PixelOut, Shell, SurfaceSettings, Toward,
 };
 pub use layout::{PassSettings, Probe, PyramidPass, Record, Triangle};
 pub use method_tracer::MethodTracer;

@@ -1,7 +1,10 @@
 //! The shaders' functions that hosts call.
 
 use super::generated::Resources;
-use super::{Bound, Entered, FirstHit, Found, Hit, LightRay, Path, PixelIn, PixelOut, Triangle, Vec3, Vec4};
+use super::{
+    Bound, Entered, FirstHit, Found, Hit, LightRay, Path, PixelIn, PixelOut, Toward, Triangle, Vec2, Vec3,
+    Vec4,
+};
 use crate::MAX_LIGHTS;
 
 /// The shaders with what is bound to them: the same functions that GPUs run, with the same bits in exact
@@ -69,7 +72,13 @@ impl<'a> Program<'a> {
     /// the eye.
     #[inline]
     pub fn key(&self, pixel: PixelIn, path: Path, hit: Hit) -> f32 {
-        self.0.key_of(pixel, path, hit)
+        self.0.key_of(self.0.depth_on_ray(pixel, path, hit))
+    }
+
+    /// That of a depth in metres along the view axis.
+    #[inline]
+    pub fn key_of_depth(&self, depth_m: f32) -> f32 {
+        self.0.key_of(depth_m)
     }
 
     /// A hit on the displaced surface: its place in the world, and the frame there.
@@ -113,6 +122,18 @@ impl<'a> Program<'a> {
     #[inline]
     pub fn ray_to_light(&self, placed: Entered, hit: Hit, light: u32, [k, count]: [u32; 2]) -> LightRay {
         self.0.ray_to_light(placed, hit, light, k, count)
+    }
+
+    /// The light of that number from a placed hit: a point of its disc, as in [`Self::ray_to_light`].
+    #[inline]
+    pub fn point_of_light(&self, placed: Entered, hit: Hit, light: u32, [k, count]: [u32; 2]) -> Toward {
+        self.0.point_of_light(placed, hit, light, k, count)
+    }
+
+    /// The unit normal, on the side that is seen, of the surface's patch at a placed hit.
+    #[inline]
+    pub fn patch_normal(&self, placed: Entered, uv: Vec2<f32>) -> Vec3<f32> {
+        self.0.patch_normal(placed, uv)
     }
 
     /// The part of a light that arrives at a placed hit, for a light of some degrees whose direction is that

@@ -9,8 +9,10 @@ use crate::SURVEY;
 mod entry;
 mod heuristic;
 mod horizon;
+mod map;
 pub mod none;
 mod ray;
+mod scene;
 mod soft;
 mod visibility;
 
@@ -23,4 +25,9 @@ pub const ENTRIES: &[Entry] = &[
     heuristic::ENTRY,
     horizon::ENTRY,
     visibility::ENTRY,
+    map::ENTRY,
+    scene::ENTRY,
 ];
+
+/// The most pictures of what a light that is far away sees.
+pub const MAX_CASCADES: usize = 4;

@@ -122,7 +122,7 @@ impl Case {
 
     /// What the translated stages are called on.
     pub fn program(&self) -> Program<'_> {
-        self.surface.program(Frame::none())
+        self.surface.program(Frame::none(), None)
     }
 
     /// What the translated stages make of rays.

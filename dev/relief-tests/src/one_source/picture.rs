@@ -8,7 +8,7 @@ use glam::{DVec3, Vec3};
 use relief_core::{Metric, Wrap};
 use relief_render::camera::Camera;
 use relief_render::environment::Environment;
-use relief_render::job::{Job, JobSurface, Rendering, uncovered};
+use relief_render::job::{Job, JobSurface, LightViews, Rendering, uncovered};
 use relief_render::mipmaps::Mipmaps;
 use relief_shaders::cpu::{Corner, Frame, Light, PixelOut, Program, Shell, SurfaceSettings, Triangle};
 use relief_shaders::{MapSlot, Selection};
@@ -54,9 +54,9 @@ impl Picture {
         let (across, down) = (camera.right() * per_pixel, -camera.up() * per_pixel);
         let corner = forward - across * (f64::from(width) / 2.0) - down * (f64::from(height) / 2.0);
         let four = |v: DVec3, w: f32| v.as_vec3().extend(w).to_array();
-        let mut lights = [Light::new([0.0; 4], [0.0; 4]); relief_shaders::MAX_LIGHTS];
-        lights[0] = Light::new(four(DVec3::new(0.4, 0.7, 0.3), 0.0), [0.9, 0.8, 0.7, 0.05]);
-        lights[1] = Light::new([-0.4, 0.5, 0.2, 1.0], [0.1, 0.2, 0.3, 0.02]);
+        let mut lights = Frame::none().lights;
+        lights[0] = Light::new(four(DVec3::new(0.4, 0.7, 0.3), 0.0), [0.9, 0.8, 0.7, 0.05], 0u32, 0u32);
+        lights[1] = Light::new([-0.4, 0.5, 0.2, 1.0], [0.1, 0.2, 0.3, 0.02], 0u32, 0u32);
         let selection = variation.selection;
         let baked = maps_for(&map, selection);
         let aspect = f64::from(width) / f64::from(height);
@@ -74,9 +74,10 @@ impl Picture {
             // Wide enough for several levels of detail.
             sample_width: 4.0,
             near: 0.05,
-            background: [0.0; 4].into(),
+            clip: [1.0, -0.05, 0.0, 0.0].into(),
             lights,
             light_count: 2,
+            ..Frame::none()
         };
         let picture = |[width, height]: [u32; 2], texel: fn(f32) -> [f32; 4]| {
             let texels = (0..width * height).map(|at| texel(at as f32 / 7.0)).collect();
@@ -123,7 +124,8 @@ impl Picture {
             maps: held,
             two_sided: variation.two_sided,
         };
-        Self { job: Job { width, height, samples: 1, frame, surfaces: vec![surface] } }
+        let light_views = LightViews::default();
+        Self { job: Job { width, height, samples: 1, frame, light_views, surfaces: vec![surface] } }
     }
 
     /// What a backend is given.
@@ -138,7 +140,7 @@ impl Picture {
     /// What a pixel may be by the translated shaders: one answer, or several where the ray passes near an
     /// edge. An answer of nothing stands for a pixel that nothing covers.
     fn expected(&self, x: u32, y: u32) -> Vec<Option<PixelOut>> {
-        let program = self.surface().program(self.job.frame);
+        let program = self.surface().program(self.job.frame, None);
         let point = [x as f32 + 0.5, y as f32 + 0.5];
         let mut met: Vec<Met> =
             self.surface().triangles.iter().filter_map(|each| self.meet(&program, each, point)).collect();

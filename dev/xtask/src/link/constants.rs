@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use relief_core::encoding::cone::HALF_RATIO;
 use relief_core::encoding::seen_normal;
 use relief_core::{FoundState, RayUse, Wrap};
-use relief_shaders::{LightRayState, MAX_LIGHTS, MapSlot, STAGES, surface, wgsl};
+use relief_shaders::{LightRayState, MAX_LIGHT_VIEWS, MAX_LIGHTS, MapSlot, STAGES, surface, wgsl};
 
 /// The module's source.
 pub fn module() -> String {
@@ -30,6 +30,7 @@ pub fn module() -> String {
     }
     constant("MAP_SLOTS", MapSlot::ALL.len() as u32);
     constant("MAX_LIGHTS", MAX_LIGHTS as u32);
+    constant("MAX_LIGHT_VIEWS", MAX_LIGHT_VIEWS as u32);
     constant("SHADE_GROUP", wgsl::SHADE_GROUP);
     constant("PROBE_GROUP", wgsl::PROBE_GROUP);
     constant("PROBE_ROW", wgsl::PROBE_ROW);

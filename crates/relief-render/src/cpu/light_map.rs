@@ -1,0 +1,100 @@
+//! What lights see, rendered: a layer for each view, whose texels hold the keys of the nearest hits.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use rayon::prelude::*;
+use relief_core::encoding::code::Codes;
+use relief_core::{BakedMap, HeightsHash, MapFormat, MapIdentity, MapLayout, MapTexels, Metric, Wrap};
+use relief_shaders::cpu::Frame;
+
+use super::ready::{Made, Ready};
+use crate::job::{Job, JobSurface};
+
+/// What lights saw, and of what.
+#[derive(Debug)]
+pub struct LightMap {
+    /// The views' frames.
+    frames: Vec<Frame>,
+    surfaces: Vec<JobSurface>,
+    pub map: BakedMap,
+}
+
+/// Why there is no map.
+pub enum NoLightMap {
+    OutOfMemory,
+    Stopped,
+}
+
+impl LightMap {
+    /// Whether the lights of a job see the same.
+    pub fn is_of(&self, job: &Job) -> bool {
+        let pairs = || self.surfaces.iter().zip(&job.surfaces);
+        self.surfaces.len() == job.surfaces.len()
+            && pairs().all(|(a, b)| a.looks_same_to_lights(b))
+            && self.frames == job.light_views.frames
+    }
+
+    /// Renders what the lights of a job see; `done` is called after each of its [`rows`].
+    pub fn render(
+        job: &Job,
+        made: &[Made],
+        cancel: &AtomicBool,
+        done: &(dyn Fn() + Sync),
+    ) -> Result<Self, NoLightMap> {
+        let views = &job.light_views;
+        let side = views.size as usize;
+        let count = side.checked_mul(side).and_then(|area| area.checked_mul(views.frames.len()));
+        let mut keys = Vec::new();
+        let room = count.and_then(|count| keys.try_reserve_exact(count).ok().map(|()| count));
+        keys.resize(room.ok_or(NoLightMap::OutOfMemory)?, 0.0f32);
+        for (layer, frame) in keys.chunks_exact_mut((side * side).max(1)).zip(&views.frames) {
+            let surfaces = job.surfaces.iter().zip(made);
+            let ready: Vec<Ready> =
+                surfaces.map(|(surface, made)| Ready::new(surface, *frame, None, made.clone())).collect();
+            layer.par_chunks_mut(side).zip(0..views.size).for_each(|(row, y)| {
+                if cancel.load(Ordering::Relaxed) {
+                    return;
+                }
+                for (key, x) in row.iter_mut().zip(0u32..) {
+                    let point = [x as f32 + 0.5, y as f32 + 0.5];
+                    let seen = ready.iter().filter_map(|surface| surface.seen(point));
+                    *key = seen.map(|seen| seen.first.key).fold(0.0, f32::max);
+                }
+                done();
+            });
+        }
+        if cancel.load(Ordering::Relaxed) {
+            return Err(NoLightMap::Stopped);
+        }
+        let map = BakedMap::new(identity(), layout(job), CODES, MapTexels::F32(keys));
+        let map = map.map_err(|_| NoLightMap::OutOfMemory)?;
+        Ok(Self { frames: views.frames.clone(), surfaces: job.surfaces.clone(), map })
+    }
+}
+
+/// Rows of the map of a job.
+pub fn rows(job: &Job) -> u32 {
+    job.light_views.size * job.light_views.frames.len() as u32
+}
+
+const CODES: [Codes; 4] = [Codes { low: 0.0, step: 0.0 }; 4];
+
+fn layout(job: &Job) -> MapLayout {
+    let side = job.light_views.size;
+    let layers = job.light_views.frames.len() as u32;
+    MapLayout { size: [side, side], levels: 1, layers, channels: 1, format: MapFormat::F32 }
+}
+
+/// It is made from all of a scene: heights, wrap and metric say nothing.
+fn identity() -> MapIdentity {
+    MapIdentity {
+        kind: "light-map".to_owned(),
+        revision: 1,
+        texture: String::new(),
+        settings: Vec::new(),
+        heights: HeightsHash([0; 32]),
+        wrap: Wrap::Clamp,
+        metric: Metric::UNIT,
+        first_level: 0,
+    }
+}

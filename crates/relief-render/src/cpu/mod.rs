@@ -1,0 +1,251 @@
+//! The CPU backend: the base meshes are ray cast, the translated shaders do the rest.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+
+use rayon::prelude::*;
+use relief_core::HeightMap;
+use relief_core::exact::FastTracer;
+use relief_core::registry::RayClass;
+use relief_shaders::cpu::{PixelOut, Triangle};
+use relief_shaders::surface::Proposal;
+
+use self::light_map::{LightMap, NoLightMap};
+use self::ready::{Base, Made, Ready, SceneRays, caster};
+use crate::job::{Job, JobSurface, Rendering, uncovered};
+use crate::kept::kept;
+use crate::raycast::RayCaster;
+use crate::samples::{Sample, samples};
+use crate::shellcast::ShellCaster;
+
+mod light_map;
+mod ready;
+
+/// Pixels of a band of rows: enough for all cores, and few enough to keep.
+const BAND_PIXELS: u32 = 1 << 18;
+
+/// Renders jobs on all cores, and keeps the hierarchies of their meshes and height maps, and what their
+/// lights see, from one job to the next.
+#[derive(Debug, Default)]
+pub struct CpuRenderer {
+    casters: Vec<(Arc<[Triangle]>, Arc<RayCaster>)>,
+    shells: Vec<(Arc<[Triangle]>, Arc<ShellCaster>)>,
+    tracers: Vec<(Arc<HeightMap>, Arc<[FastTracer]>)>,
+    light_map: Option<LightMap>,
+}
+
+impl CpuRenderer {
+    /// A renderer that has seen no job.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Renders a job; `None` where the memory for the picture cannot be had. `progress` is told the finished
+    /// part, from 0 to 1, from any thread.
+    ///
+    /// A surface whose selection is the exact pair is traced by the core's fast exact tracer in place of
+    /// search and refinement.
+    pub fn render(&mut self, job: &Job, progress: &(dyn Fn(f32) + Sync)) -> Option<Rendering> {
+        let count = (job.width as usize).checked_mul(job.height as usize)?;
+        let mut pixels = Vec::new();
+        pixels.try_reserve_exact(count).ok()?;
+        pixels.resize(count, uncovered());
+        let samples = samples(job.samples, true);
+        let done = Done::of(job, progress);
+        let made = self.made(job);
+        // Nobody can stop it.
+        let go_on = AtomicBool::new(false);
+        let lit = self.lit(job, &made, &go_on, &done).ok()?;
+        let whole = lit.rows(job, &samples, 0);
+        whole.render(&mut pixels, &go_on, &|| done.add());
+        Some(Rendering { width: job.width, height: job.height, pixels })
+    }
+
+    /// Renders a job in bands of whole rows, from the top, and hands over each when it is done, until it is
+    /// told to stop or `cancel` is set; `None` where the memory for what lights see cannot be had. With `numbers` all numbers of a pixel are as in a [`Rendering`]; else
+    /// they are those of one of its samples, which takes less time. `progress` is told the finished part,
+    /// from any thread.
+    pub fn render_bands(
+        &mut self,
+        job: &Job,
+        numbers: bool,
+        progress: &(dyn Fn(f32) + Sync),
+        cancel: &AtomicBool,
+        sink: &mut dyn FnMut(&[PixelOut]) -> ControlFlow<()>,
+    ) -> Option<ControlFlow<()>> {
+        let samples = samples(job.samples, numbers);
+        let done = Done::of(job, progress);
+        let made = self.made(job);
+        let lit = match self.lit(job, &made, cancel, &done) {
+            Ok(lit) => lit,
+            Err(NoLightMap::Stopped) => return Some(ControlFlow::Break(())),
+            Err(NoLightMap::OutOfMemory) => return None,
+        };
+        let rows = (BAND_PIXELS / job.width.max(1)).clamp(1, job.height.max(1));
+        let mut pixels = vec![uncovered(); job.width as usize * rows as usize];
+        for first in (0..job.height).step_by(rows as usize) {
+            let rows = rows.min(job.height - first);
+            let pixels = &mut pixels[..job.width as usize * rows as usize];
+            lit.rows(job, &samples, first).render(pixels, cancel, &|| done.add());
+            if cancel.load(Ordering::Relaxed) || sink(pixels).is_break() {
+                return Some(ControlFlow::Break(()));
+            }
+        }
+        Some(ControlFlow::Continue(()))
+    }
+
+    /// The addresses of what is kept: of meshes, and of height maps.
+    #[cfg(test)]
+    pub(crate) fn kept(&self) -> [Vec<*const ()>; 2] {
+        let casters = self.casters.iter().map(|(_, caster)| Arc::as_ptr(caster).cast());
+        let tracers = self.tracers.iter().map(|(_, tracer)| Arc::as_ptr(tracer).cast());
+        [casters.collect(), tracers.collect()]
+    }
+
+    /// The hierarchies of the surfaces; those that the job does not need are dropped.
+    fn made(&mut self, job: &Job) -> Vec<Made> {
+        let (mut casters, mut shells, mut tracers) = (Vec::new(), Vec::new(), Vec::new());
+        let made = job.surfaces.iter().map(|surface| {
+            let JobSurface { triangles, height_map, selection, .. } = surface;
+            let base = match selection.paths().proposal {
+                Proposal::Polygons => {
+                    let caster = || Arc::new(caster(triangles));
+                    Base::Polygons(kept(&mut casters, &self.casters, triangles, caster))
+                }
+                Proposal::Shells => {
+                    let shell_m = [surface.settings.shell_m.x, surface.settings.shell_m.y];
+                    let caster = || Arc::new(ShellCaster::new(triangles, shell_m, surface.two_sided));
+                    Base::Shells(kept(&mut shells, &self.shells, triangles, caster))
+                }
+            };
+            // The tracer is for straight paths.
+            let is_straight = !selection.paths().rays.contains(&RayClass::Bent);
+            let tracer = (selection.is_exact() && is_straight).then(|| {
+                kept(&mut tracers, &self.tracers, height_map, || {
+                    (0..surface.settings.height_levels)
+                        .map(|k| FastTracer::new(&height_map.level(k)))
+                        .collect()
+                })
+            });
+            Made { base, tracers: tracer }
+        });
+        let made = made.collect();
+        (self.casters, self.shells, self.tracers) = (casters, shells, tracers);
+        made
+    }
+
+    /// The surfaces ready for the job's frame, with what its lights see, which is rendered unless it is known.
+    fn lit<'a>(
+        &'a mut self,
+        job: &'a Job,
+        made: &[Made],
+        cancel: &AtomicBool,
+        done: &Done,
+    ) -> Result<Lit<'a>, NoLightMap> {
+        if job.light_views.frames.is_empty() {
+            self.light_map = None;
+        } else if !self.light_map.as_ref().is_some_and(|known| known.is_of(job)) {
+            // What was kept goes first, so that both need not fit.
+            self.light_map = None;
+            self.light_map = Some(LightMap::render(job, made, cancel, &|| done.add())?);
+        } else {
+            done.skip(light_map::rows(job));
+        }
+        let light_map = self.light_map.as_ref().map(|lights| &lights.map);
+        let each = job.surfaces.iter().zip(made);
+        let surfaces = each.map(|(surface, made)| Ready::new(surface, job.frame, light_map, made.clone()));
+        let needs_scene = |surface: &JobSurface| surface.selection.rays_through_scene().is_some();
+        let scene = job.surfaces.iter().any(needs_scene).then(|| SceneRays::new(job, made));
+        Ok(Lit { surfaces: surfaces.collect(), scene })
+    }
+}
+
+/// How much of a job is done.
+struct Done<'a> {
+    rows: AtomicU32,
+    all: u32,
+    progress: &'a (dyn Fn(f32) + Sync),
+}
+
+impl<'a> Done<'a> {
+    fn of(job: &Job, progress: &'a (dyn Fn(f32) + Sync)) -> Self {
+        Self { rows: AtomicU32::new(0), all: job.height.saturating_add(light_map::rows(job)), progress }
+    }
+
+    /// One more row is done.
+    fn add(&self) {
+        self.skip(1);
+    }
+
+    /// So many rows need not be done.
+    fn skip(&self, rows: u32) {
+        let rows = self.rows.fetch_add(rows, Ordering::Relaxed) + rows;
+        (self.progress)(rows as f32 / self.all as f32);
+    }
+}
+
+/// The surfaces of a picture, and what may be in the way of their lights.
+struct Lit<'a> {
+    surfaces: Vec<Ready<'a>>,
+    /// Where rays of lights go through all of the scene.
+    scene: Option<SceneRays<'a>>,
+}
+
+impl<'a> Lit<'a> {
+    fn rows(&'a self, job: &'a Job, samples: &'a [Sample], first: u32) -> Rows<'a> {
+        Rows { job, samples, surfaces: &self.surfaces, scene: self.scene.as_ref(), first }
+    }
+}
+
+/// Some rows of a picture on their way.
+struct Rows<'a> {
+    job: &'a Job,
+    samples: &'a [Sample],
+    surfaces: &'a [Ready<'a>],
+    scene: Option<&'a SceneRays<'a>>,
+    first: u32,
+}
+
+impl Rows<'_> {
+    /// Renders them into as many pixels, until `cancel` is set; `done` is called after each.
+    fn render(&self, pixels: &mut [PixelOut], cancel: &AtomicBool, done: &(dyn Fn() + Sync)) {
+        // A picture without columns has no rows to go through either.
+        pixels.par_chunks_mut(self.job.width.max(1) as usize).zip(self.first..self.job.height).for_each(
+            |(row, y)| {
+                if cancel.load(Ordering::Relaxed) {
+                    return;
+                }
+                for (shaded, x) in row.iter_mut().zip(0u32..) {
+                    *shaded = self.pixel(x, y);
+                }
+                done();
+            },
+        );
+    }
+
+    /// What a point of the picture shows: the nearest of the surfaces' hits, and of equally near ones that of
+    /// the first surface.
+    fn sample(&self, point: [f32; 2]) -> PixelOut {
+        let seen = self.surfaces.iter().filter_map(|surface| Some((surface, surface.seen(point)?)));
+        let nearest = seen.reduce(|best, seen| if seen.1.first.key > best.1.first.key { seen } else { best });
+        nearest.map_or_else(uncovered, |(surface, seen)| surface.shade(&seen, self.scene))
+    }
+
+    fn pixel(&self, x: u32, y: u32) -> PixelOut {
+        let [x, y] = [x as f32 + 0.5, y as f32 + 0.5];
+        let sample = |Sample { offset, .. }: &Sample| self.sample([x + offset[0], y + offset[1]]);
+        let Some(((last, before), surface)) = self.samples.split_last().zip(self.surfaces.first()) else {
+            return uncovered();
+        };
+        if before.is_empty() {
+            return sample(last);
+        }
+        let mut color = uncovered().color;
+        for one in before {
+            color = surface.add_sample(color, sample(one).color, one.weight);
+        }
+        let shown = sample(last);
+        PixelOut { color: surface.add_sample(color, shown.color, last.weight), ..shown }
+    }
+}

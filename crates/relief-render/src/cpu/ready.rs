@@ -1,0 +1,300 @@
+//! A surface made ready for the rays of a frame: what they meet of it, and what that looks like.
+
+use std::sync::Arc;
+
+use glam::{DVec3, Vec3};
+use relief_core::exact::FastTracer;
+use relief_core::{BakedMap, Cost};
+use relief_shaders::cpu::{
+    Corner, Entered, FirstHit, Frame, Hit, PixelIn, PixelOut, Program, Triangle, Vec3 as ShaderVec3, Vec4,
+};
+use relief_shaders::{LightRayState, MAX_LIGHTS};
+
+use crate::camera::Ray;
+use crate::job::{Job, JobSurface};
+use crate::light_views::{frame_of_rays, relief_points};
+use crate::raycast::{RayCaster, Sides};
+use crate::shellcast::ShellCaster;
+
+/// The hierarchy of a mesh's polygons.
+pub fn caster(triangles: &[Triangle]) -> RayCaster {
+    let position = |corner: &Corner| Vec3::new(corner.position.x, corner.position.y, corner.position.z);
+    RayCaster::of_corners(triangles.iter().map(|Triangle { a, b, c, .. }| [a, b, c].map(position)))
+}
+
+/// The depths, relative to the nearest hit, up to which base polygons are looked at: keys and depths are
+/// rounded in other ways. Smaller, and the backends may show different polygons; larger costs time only.
+const DEPTH_SLACK: f64 = 1e-5;
+
+/// How far above the surface rays of lights end, as parts of the displacement and of the largest coordinate:
+/// nearer, and rounding lets surfaces hide themselves; farther, and shadows begin beside what throws them.
+const CLEARANCE_OF_SCALE: f32 = 1e-3;
+const CLEARANCE_OF_EXTENT: f32 = 4e-6;
+
+/// What a ray meets of a surface, and all that is needed to shade it.
+#[derive(Clone, Copy)]
+pub struct Seen {
+    pixel: PixelIn,
+    at: Entered,
+    pub first: FirstHit,
+    /// Of equally near ones the least counts: whether the mesh was turned over, and the triangle.
+    rank: (bool, u32),
+}
+
+/// What proposes triangles to a ray.
+#[derive(Clone)]
+pub enum Base {
+    Polygons(Arc<RayCaster>),
+    Shells(Arc<ShellCaster>),
+}
+
+/// What is made of a surface once.
+#[derive(Clone)]
+pub struct Made {
+    pub base: Base,
+    /// The exact tracers of all levels of detail, where they serve.
+    pub tracers: Option<Arc<[FastTracer]>>,
+}
+
+/// Where a ray begins and where it goes; its direction has a component of 1 along the view axis.
+#[derive(Clone, Copy)]
+pub struct Aim {
+    pub origin: ShaderVec3<f32>,
+    pub direction: ShaderVec3<f32>,
+}
+
+/// A surface ready to be traced.
+pub struct Ready<'a> {
+    program: Program<'a>,
+    triangles: &'a [Triangle],
+    base: Base,
+    sides: Sides,
+    /// The exact tracers of all levels of detail.
+    tracers: Option<Arc<[FastTracer]>>,
+    /// Whether they serve shadows, too, and to how many points of a light these send rays.
+    traces_shadows: bool,
+    points_of_lights: u32,
+    /// The same of shadows by rays through the whole scene.
+    rays_through_scene: Option<u32>,
+    lights: u32,
+    /// Whether the relief nowhere lies above its base.
+    is_carved: bool,
+    /// As in [`Frame`].
+    near: f64,
+    /// How far above the surface rays of lights end, in metres.
+    clearance_m: f32,
+}
+
+impl<'a> Ready<'a> {
+    /// The surface in a frame, with what its lights see where shadows are looked up there.
+    pub fn new(surface: &'a JobSurface, frame: Frame, light_map: Option<&'a BakedMap>, made: Made) -> Self {
+        let Made { base, tracers } = made;
+        let sides = if surface.two_sided { Sides::Both } else { Sides::Front };
+        Self {
+            program: surface.program(frame, light_map),
+            triangles: &surface.triangles,
+            base,
+            sides,
+            tracers,
+            traces_shadows: surface.selection.has_exact_shadows(),
+            points_of_lights: surface.selection.points_of_lights(),
+            rays_through_scene: surface.selection.rays_through_scene(),
+            lights: frame.light_count,
+            is_carved: surface.settings.bias_m + surface.settings.scale_m <= 0.0,
+            near: frame.near.into(),
+            clearance_m: CLEARANCE_OF_SCALE * surface.settings.scale_m
+                + CLEARANCE_OF_EXTENT * extent_m(&surface.triangles),
+        }
+    }
+
+    /// What a point of the picture shows of the surface: the nearest hit of all base polygons along the ray,
+    /// and of equally near ones that of the first polygon.
+    pub fn seen(&self, point: [f32; 2]) -> Option<Seen> {
+        let aim =
+            Aim { origin: self.program.pixel_eye(point), direction: self.program.pixel_direction(point) };
+        let mut best: Option<Seen> = None;
+        self.propose(aim, f64::INFINITY, |rank, side| {
+            self.look(&mut best, rank, side, aim);
+            self.reach(best.as_ref())
+        });
+        best
+    }
+
+    /// Whether a ray hits anything at a depth below that.
+    pub fn hides(&self, aim: Aim, depth_m: f32) -> bool {
+        let least = self.program.key_of_depth(depth_m);
+        let mut best: Option<Seen> = None;
+        let mut is_hidden = false;
+        self.propose(aim, f64::from(depth_m), |rank, side| {
+            if !is_hidden {
+                self.look(&mut best, rank, side, aim);
+                is_hidden = best.as_ref().is_some_and(|best| best.first.key > least);
+            }
+            if is_hidden { f64::NEG_INFINITY } else { f64::from(depth_m) }
+        });
+        is_hidden
+    }
+
+    /// Calls `look` with the triangles that a ray may meet the relief of, roughly from near to far, and with
+    /// their sides, until what comes begins beyond a depth: at first `reach`, then what `look` says.
+    fn propose(&self, aim: Aim, mut reach: f64, mut look: impl FnMut((bool, u32), f32) -> f64) {
+        let three = |v: ShaderVec3<f32>| [v.x, v.y, v.z].map(f64::from).into();
+        let ray = Ray { origin: three(aim.origin), direction: three(aim.direction) };
+        match &self.base {
+            Base::Polygons(caster) => {
+                for surface in caster.hits(&ray, self.sides) {
+                    // What lies behind its polygon is not nearer than that.
+                    if self.is_carved && surface.t > reach {
+                        break;
+                    }
+                    let side = if surface.front { 1.0 } else { -1.0 };
+                    reach = look((false, surface.triangle), side);
+                }
+            }
+            Base::Shells(caster) => caster.each(&ray, |triangle| {
+                reach = look((false, triangle), 1.0).min(reach);
+                if self.sides == Sides::Both {
+                    reach = look((true, triangle), -1.0).min(reach);
+                }
+                reach
+            }),
+        }
+    }
+
+    /// Traces a side of a triangle, and keeps what it shows where that is the nearest so far.
+    fn look(&self, best: &mut Option<Seen>, rank: (bool, u32), side: f32, aim: Aim) {
+        let Triangle { a, b, c, shell } = self.triangles[rank.1 as usize];
+        let pixel = PixelIn { origin: aim.origin, direction: aim.direction, side, a, b, c, shell };
+        let at = self.program.enter(pixel);
+        let first = match &self.tracers {
+            None => self.program.first_hit(pixel, at),
+            Some(tracers) => self.first_exactly(&tracers[at.level as usize], pixel, at),
+        };
+        let is_nearer =
+            |best: &Seen| first.key > best.first.key || (first.key == best.first.key && rank < best.rank);
+        if first.hit.found == 1 && best.as_ref().is_none_or(is_nearer) {
+            *best = Some(Seen { pixel, at, first, rank });
+        }
+    }
+
+    /// How deep what is nearer than that may begin.
+    fn reach(&self, best: Option<&Seen>) -> f64 {
+        best.map_or(f64::INFINITY, |best| self.depth_of(best.first.key, DEPTH_SLACK))
+    }
+
+    /// A depth beyond that of a key, by as much slack, relatively.
+    fn depth_of(&self, key: f32, slack: f64) -> f64 {
+        self.near / f64::from(key) * (1.0 + slack) - self.near
+    }
+
+    /// The first hit by the exact tracer.
+    fn first_exactly(&self, tracer: &FastTracer, pixel: PixelIn, at: Entered) -> FirstHit {
+        for number in 0..at.segments {
+            let path = self.program.segment(pixel, at, number);
+            if path.exit > 0.0 {
+                let hit = Hit::from(&tracer.trace(&(&path).into()).hit);
+                if hit.found == 1 {
+                    let hit = self.program.polish(pixel, at, path, hit);
+                    return FirstHit { hit, segment: number, key: self.program.key(pixel, path, hit) };
+                }
+            }
+        }
+        FirstHit { hit: Hit::from(&relief_core::Hit::miss(Cost::default())), segment: 0, key: 0.0 }
+    }
+
+    /// A pixel's colour so far with one more sample.
+    pub fn add_sample(&self, sum: Vec4<f32>, color: Vec4<f32>, weight: f32) -> Vec4<f32> {
+        self.program.add_sample(sum, color, weight)
+    }
+
+    /// What a hit looks like; `scene` is all that may be in a light's way.
+    pub fn shade(&self, seen: &Seen, scene: Option<&SceneRays>) -> PixelOut {
+        let Seen { pixel, at, first: FirstHit { hit, segment, .. }, .. } = *seen;
+        let placed = self.program.place(pixel, at, segment, hit);
+        let visible = match (&self.tracers, self.rays_through_scene.zip(scene)) {
+            (_, Some((count, scene))) => self.visible_through(scene, placed, hit, count),
+            (Some(tracers), _) if self.traces_shadows => {
+                self.visible_lights(&tracers[at.level as usize], placed, hit)
+            }
+            _ => self.program.visible_lights(placed, hit),
+        };
+        self.program.shade_hit(pixel, placed, hit, visible)
+    }
+
+    /// What of the lights arrives at a placed hit: rays that the shaders make, traced by the tracer.
+    fn visible_lights(&self, tracer: &FastTracer, at: Entered, hit: Hit) -> [Vec4<f32>; MAX_LIGHTS] {
+        let mut visible = [Vec4::from([0.0; 4]); MAX_LIGHTS];
+        let count = self.points_of_lights;
+        for (visible, light) in visible.iter_mut().zip(0..self.lights) {
+            let is_lit = |point: &u32| {
+                let ray = self.program.ray_to_light(at, hit, light, [*point, count]);
+                if ray.state == LightRayState::Open as u32 {
+                    !tracer.trace(&(&ray.path).into()).hit.found
+                } else {
+                    ray.state == LightRayState::Lit as u32
+                }
+            };
+            let rays = count.max(1);
+            visible.x = (0..rays).filter(is_lit).count() as f32 / rays as f32;
+        }
+        visible
+    }
+
+    /// What of the lights arrives at a placed hit through a scene, by so many rays from each.
+    fn visible_through(
+        &self,
+        scene: &SceneRays,
+        at: Entered,
+        hit: Hit,
+        count: u32,
+    ) -> [Vec4<f32>; MAX_LIGHTS] {
+        let three = |v: ShaderVec3<f32>| Vec3::new(v.x, v.y, v.z);
+        let normal = three(self.program.patch_normal(at, hit.uv));
+        let end = three(at.point) + normal * self.clearance_m;
+        let mut visible = [Vec4::from([0.0; 4]); MAX_LIGHTS];
+        for (visible, light) in visible.iter_mut().zip(0..self.lights) {
+            let is_lit = |point: &u32| {
+                // A single ray goes to the light's centre.
+                let of = if count > 1 { [*point, count] } else { [0, 0] };
+                let toward = self.program.point_of_light(at, hit, light, of);
+                let direction = three(toward.direction);
+                let way = toward.distance.min(scene.reach_m);
+                let [origin, direction] = [end + direction * way, -direction].map(|v| v.to_array().into());
+                let is_hidden = |surface: &Ready| surface.hides(Aim { origin, direction }, way);
+                normal.dot(-three(direction)) > 0.0 && !scene.surfaces.iter().any(is_hidden)
+            };
+            visible.x = (0..count).filter(is_lit).count() as f32 / count as f32;
+        }
+        visible
+    }
+}
+
+/// All surfaces of a scene, for rays from lights.
+pub struct SceneRays<'a> {
+    pub surfaces: Vec<Ready<'a>>,
+    /// Metres from anywhere in the scene to a place out of it.
+    pub reach_m: f32,
+}
+
+impl<'a> SceneRays<'a> {
+    /// Those of a job, of which so much was made.
+    pub fn new(job: &'a Job, made: &[Made]) -> Self {
+        let points = || job.surfaces.iter().flat_map(relief_points);
+        let (low, high) = points().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), point| {
+            (low.min(point), high.max(point))
+        });
+        let across = (high - low).length();
+        let reach_m = if across.is_finite() { across * 1.01 } else { 1.0 };
+        let frame = frame_of_rays(reach_m);
+        let ready = job.surfaces.iter().zip(made);
+        let surfaces = ready.map(|(surface, made)| Ready::new(surface, frame, None, made.clone()));
+        Self { surfaces: surfaces.collect(), reach_m: reach_m as f32 }
+    }
+}
+
+/// The largest absolute coordinate of some triangles' corners, in metres.
+fn extent_m(triangles: &[Triangle]) -> f32 {
+    let corners = triangles.iter().flat_map(|triangle| [triangle.a, triangle.b, triangle.c]);
+    let largest = |of: Corner| [of.position.x, of.position.y, of.position.z].map(f32::abs);
+    corners.flat_map(largest).fold(0.0, f32::max)
+}

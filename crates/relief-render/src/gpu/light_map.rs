@@ -1,0 +1,168 @@
+//! What lights see, drawn: a layer for each view, and the frames of these views beside the camera's.
+
+use relief_shaders::cpu::{Frame, Shared, write_all};
+use wgpu::{
+    BindGroup, BindingResource, Buffer, BufferBinding, BufferSize, BufferUsages, Color, Extent3d, LoadOp,
+    Operations, RenderPassColorAttachment, RenderPassDepthStencilAttachment, RenderPassDescriptor,
+    RenderPipeline, StoreOp, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages, TextureView,
+    TextureViewDescriptor, TextureViewDimension,
+};
+
+use super::programs::{DEPTH, KEYS};
+use super::{Gpu, GpuError};
+use crate::job::LightViews;
+
+/// The frames of a picture: the camera's, then those of the views of lights, a stride apart.
+#[derive(Debug)]
+pub struct Frames {
+    buffer: Buffer,
+    /// How many fit.
+    room: usize,
+    stride: usize,
+    bytes: Vec<u8>,
+}
+
+impl Frames {
+    /// Room for the camera's.
+    pub fn new(gpu: &Gpu) -> Self {
+        Self::with_room(gpu, 1)
+    }
+
+    fn with_room(gpu: &Gpu, room: usize) -> Self {
+        let least = gpu.device().limits().min_uniform_buffer_offset_alignment as usize;
+        let stride = Frame::SIZE.next_multiple_of(least.max(1));
+        let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
+        let buffer = gpu.buffer("frames", (stride * room) as u64, usage);
+        Self { buffer, room, stride, bytes: Vec::new() }
+    }
+
+    /// Writes the frames unless they are there. What of the views is others than before, and whether the
+    /// buffer is another one.
+    pub fn set(&mut self, gpu: &Gpu, frame: Frame, views: &[Frame]) -> [bool; 2] {
+        let is_other_buffer = self.room < 1 + views.len();
+        if is_other_buffer {
+            *self = Self::with_room(gpu, 1 + views.len());
+        }
+        let mut bytes = vec![0; self.stride * (1 + views.len())];
+        for (place, frame) in bytes.chunks_exact_mut(self.stride).zip([frame].iter().chain(views)) {
+            place[..Frame::SIZE].copy_from_slice(&write_all(&[*frame]));
+        }
+        let of_views = |bytes: &[u8]| bytes.get(self.stride..).unwrap_or_default().to_vec();
+        let other_views = of_views(&bytes) != of_views(&self.bytes);
+        // The camera's changes most of the time, and alone.
+        let changed = if other_views { &bytes[..] } else { &bytes[..Frame::SIZE] };
+        if self.bytes.get(..changed.len()) != Some(changed) {
+            gpu.write(&self.buffer, 0, changed);
+        }
+        self.bytes = bytes;
+        [other_views, is_other_buffer]
+    }
+
+    /// What a pass binds, at the offset of its frame.
+    pub fn resource(&self) -> BindingResource<'_> {
+        let size = BufferSize::new(Frame::SIZE as u64);
+        BindingResource::Buffer(BufferBinding { buffer: &self.buffer, offset: 0, size })
+    }
+
+    /// The offset of a view's frame.
+    fn offset(&self, view: usize) -> u32 {
+        (self.stride * (1 + view)) as u32
+    }
+}
+
+/// What lights see.
+#[derive(Debug)]
+pub struct LightMap {
+    size: u32,
+    layers: Vec<TextureView>,
+    depth: TextureView,
+    /// All layers, to be looked up in.
+    pub view: TextureView,
+}
+
+/// What is drawn of a surface for a light.
+pub struct Caster {
+    pub program: RenderPipeline,
+    pub maps: BindGroup,
+    pub mesh: BindGroup,
+    /// Vertices and instances.
+    pub drawn: [u32; 2],
+}
+
+impl LightMap {
+    /// Whether it has room for just these views.
+    pub fn fits(&self, views: &LightViews) -> bool {
+        (self.size, self.layers.len()) == (views.size, views.frames.len())
+    }
+
+    /// Room for views, of which there is one at least.
+    ///
+    /// # Errors
+    ///
+    /// When pictures are larger, or more, than the adapter takes.
+    pub fn new(gpu: &Gpu, views: &LightViews) -> Result<Self, GpuError> {
+        let (size, count) = (views.size, views.frames.len() as u32);
+        gpu.check_texture("picture that a light sees", [size, size])?;
+        let texture = |label, layers, format: TextureFormat, usage| {
+            gpu.device().create_texture(&TextureDescriptor {
+                label: Some(label),
+                size: Extent3d { width: size, height: size, depth_or_array_layers: layers },
+                mip_level_count: 1,
+                sample_count: 1,
+                dimension: TextureDimension::D2,
+                format,
+                usage: TextureUsages::RENDER_ATTACHMENT | usage,
+                view_formats: &[],
+            })
+        };
+        let keys = texture("what lights see", count, KEYS, TextureUsages::TEXTURE_BINDING);
+        let depth = texture("depth of lights", 1, DEPTH, TextureUsages::empty());
+        let layer = |number| {
+            keys.create_view(&TextureViewDescriptor {
+                dimension: Some(TextureViewDimension::D2),
+                base_array_layer: number,
+                array_layer_count: Some(1),
+                ..Default::default()
+            })
+        };
+        let dimension = Some(TextureViewDimension::D2Array);
+        Ok(Self {
+            size,
+            layers: (0..count).map(layer).collect(),
+            depth: depth.create_view(&Default::default()),
+            view: keys.create_view(&TextureViewDescriptor { dimension, ..Default::default() }),
+        })
+    }
+
+    /// Draws what the lights see, view after view, so that no submission takes long. `pass` is where the
+    /// settings of such a pass lie.
+    pub fn draw(&self, gpu: &Gpu, frames: &Frames, pass: u32, casters: &[Caster]) {
+        for (number, layer) in self.layers.iter().enumerate() {
+            let mut encoder = gpu.device().create_command_encoder(&Default::default());
+            let ops = Operations { load: LoadOp::Clear(Color::TRANSPARENT), store: StoreOp::Store };
+            let color =
+                RenderPassColorAttachment { view: layer, depth_slice: None, resolve_target: None, ops };
+            let mut drawn = encoder.begin_render_pass(&RenderPassDescriptor {
+                label: Some("light"),
+                color_attachments: &[Some(color)],
+                depth_stencil_attachment: Some(RenderPassDepthStencilAttachment {
+                    view: &self.depth,
+                    depth_ops: Some(Operations { load: LoadOp::Clear(0.0), store: StoreOp::Discard }),
+                    stencil_ops: None,
+                }),
+                timestamp_writes: None,
+                occlusion_query_set: None,
+                multiview_mask: None,
+            });
+            for caster in casters {
+                drawn.set_pipeline(&caster.program);
+                drawn.set_bind_group(0, &caster.maps, &[frames.offset(number), pass]);
+                drawn.set_bind_group(1, &caster.mesh, &[]);
+                let [vertices, instances] = caster.drawn;
+                drawn.draw(0..vertices, 0..instances);
+            }
+            drop(drawn);
+            gpu.queue().submit([encoder.finish()]);
+        }
+    }
+}

@@ -1,0 +1,414 @@
+//! What lights see: from where the pictures are taken that shadows are looked up in.
+//!
+//! A light far away has some pictures of parallel rays, of which each shows what the camera sees in a range
+//! of depths, so far as anything is there; one at a point has those faces of a cube around it that show
+//! anything. A picture of parallel rays sees all that lies between the light and what it shows.
+
+use std::ops::RangeInclusive;
+
+use glam::{DMat4, DVec3, DVec4};
+use relief_shaders::cpu::{Frame, LightView, Vec4};
+use relief_shaders::surface::Proposal;
+use relief_shaders::{LIGHT_FACES, SHADOW};
+
+use crate::camera::Camera;
+use crate::job::JobSurface;
+use crate::light::Light;
+
+/// Texels at a picture's border besides half a filter: what rounding may need.
+const BORDER: f64 = 2.0;
+
+/// The least part of a picture that is left without its border.
+const LEAST_INSIDE: f64 = 0.5;
+
+/// The nearest plane of a picture of rays from a point, as a part of the farthest: nearer ones throw no
+/// shadows.
+const NEAREST: f64 = 1e-4;
+
+/// The depth before which keys are ordered less finely, as a part of the farthest.
+const NEAR_OF_KEYS: f64 = 0.01;
+
+/// How much of the depths' logarithm is in where cascades end; the rest is the depth itself (Zhang et al.
+/// 2006, Parallel-split shadow maps, section 3.2).
+const LOGARITHMIC: f64 = 0.5;
+
+/// The part of a pixel's width that a ray of a light stands for: next to nothing, so that all is seen in the
+/// finest level of detail.
+const SAMPLE_WIDTH: f32 = 1e-12;
+
+/// The pictures that lights see.
+#[derive(Clone, Debug, Default)]
+pub struct LightViews {
+    /// Texels of a side of each.
+    pub size: u32,
+    /// How their rays are made: those of a light one after the other.
+    pub frames: Vec<Frame>,
+    views: Vec<LightView>,
+    /// Which views a light has, and how many.
+    of_lights: Vec<[u32; 2]>,
+}
+
+impl LightViews {
+    /// The views of lights that surfaces look up their shadows in; none where none does.
+    pub(crate) fn new(lights: &[Light], camera: &Camera, aspect: f64, surfaces: &[JobSurface]) -> Self {
+        let asked = surfaces.iter().filter_map(|surface| surface.selection.light_views());
+        let Some([size, cascades]) = asked.reduce(|[a, b], [c, d]| [a.max(c), b.max(d)]) else {
+            return Self::default();
+        };
+        let filter = surfaces.iter().filter(|surface| surface.selection.light_views().is_some());
+        let filter = filter.map(|surface| surface.selection.choices[SHADOW].params[2]).fold(0.0, f32::max);
+        let inside = f64::from(size) - 2.0 * (0.5 * f64::from(filter) + BORDER);
+        let picture = Picture { size, inside: (inside / f64::from(size)).max(LEAST_INSIDE) };
+        let points: Vec<DVec3> = surfaces.iter().flat_map(relief_points).collect();
+        let mut made = Self { size, ..Self::default() };
+        for light in lights {
+            let views = match *light {
+                Light::Directional { toward, .. } => {
+                    let seen = depths_seen(camera, &points);
+                    let ends = cascade_ends(camera, seen, cascades);
+                    let each = ends.windows(2).filter_map(|ends| {
+                        let shown = corners(camera, aspect, [ends[0], ends[1]]);
+                        picture.parallel(toward, &points, &shown)
+                    });
+                    each.collect::<Vec<View>>()
+                }
+                Light::Point { position_m, .. } => picture.cube(position_m, &points),
+            };
+            made.of_lights.push([made.views.len() as u32, views.len() as u32]);
+            made.views.extend(views.iter().map(View::shader_view));
+            made.frames.extend(views.iter().map(View::frame));
+        }
+        made
+    }
+
+    /// Tells a frame of the views.
+    pub(crate) fn tell(&self, frame: &mut Frame) {
+        for (light, [first, count]) in frame.lights.iter_mut().zip(&self.of_lights) {
+            (light.first_view, light.views) = (*first, *count);
+        }
+        for (told, view) in frame.light_views.iter_mut().zip(&self.views) {
+            *told = *view;
+        }
+    }
+}
+
+/// Points around all of a surface's relief: none of it is beyond their hull by more than rounding.
+pub fn relief_points(surface: &JobSurface) -> impl Iterator<Item = DVec3> {
+    let settings = &surface.settings;
+    let (bias, scale) = (settings.bias_m, settings.scale_m);
+    let shell_m = [settings.shell_m.x, settings.shell_m.y];
+    let (proposal, both) = (surface.selection.paths().proposal, surface.two_sided);
+    surface.triangles.iter().flat_map(move |triangle| {
+        let [low, high] = match proposal {
+            // Some of them move their base out, and carve all relief into it.
+            Proposal::Polygons => [bias.min(-scale), (bias + scale).max(0.0)],
+            Proposal::Shells => triangle.shell.offsets_m(shell_m),
+        };
+        let ends = if both { [low.min(-high), high.max(-low)] } else { [low, high] };
+        [triangle.a, triangle.b, triangle.c].into_iter().flat_map(move |corner| {
+            let three = |v: relief_shaders::cpu::Vec3<f32>| DVec3::new(v.x.into(), v.y.into(), v.z.into());
+            let (position, normal) = (three(corner.position), three(corner.normal));
+            ends.map(|offset| position + normal * f64::from(offset))
+        })
+    })
+}
+
+/// The least and the greatest of a measure.
+fn extent(points: &[DVec3], measure: impl Fn(DVec3) -> f64) -> [f64; 2] {
+    let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+    let values = points.iter().map(|point| measure(*point));
+    values.fold(nothing, |[low, high], value| [low.min(value), high.max(value)])
+}
+
+/// The range of depths in which the camera may see points.
+fn depths_seen(camera: &Camera, points: &[DVec3]) -> RangeInclusive<f64> {
+    let [near, far] = extent(points, |point| camera.forward().dot(point - camera.eye()));
+    near.max(if camera.is_orthographic() { 0.0 } else { NEAREST * far })..=far
+}
+
+/// Where cascades begin and end, from near to far; nothing where the camera sees nothing.
+fn cascade_ends(camera: &Camera, seen: RangeInclusive<f64>, count: u32) -> Vec<f64> {
+    let (near, far) = seen.into_inner();
+    if !(far > 0.0 && near <= far) {
+        return Vec::new();
+    }
+    let end = |number: u32| {
+        let part = f64::from(number) / f64::from(count);
+        let even = near + (far - near) * part;
+        if camera.is_orthographic() || near <= 0.0 {
+            return even;
+        }
+        even + (near * (far / near).powf(part) - even) * LOGARITHMIC
+    };
+    (0..=count).map(end).collect()
+}
+
+/// The corners of what a camera sees between two depths.
+fn corners(camera: &Camera, aspect: f64, depths: [f64; 2]) -> Vec<DVec3> {
+    let (tall, wide) = (camera.up() * camera.half_height(), camera.right() * camera.half_height() * aspect);
+    let aside = [wide + tall, wide - tall, -wide + tall, -wide - tall];
+    let at = |depth: f64| {
+        let spread = if camera.is_orthographic() { 1.0 } else { depth };
+        aside.map(|aside| camera.eye() + camera.forward() * depth + aside * spread)
+    };
+    depths.into_iter().flat_map(at).collect()
+}
+
+/// Axes of a picture that looks along a unit vector: right and up.
+fn axes(forward: DVec3) -> [DVec3; 2] {
+    let upward = if forward.y.abs() < 0.9 { DVec3::Y } else { DVec3::Z };
+    let right = forward.cross(upward).normalize();
+    [right, right.cross(forward)]
+}
+
+/// How pictures are made.
+#[derive(Clone, Copy)]
+struct Picture {
+    size: u32,
+    /// The part of a side that is not border.
+    inside: f64,
+}
+
+impl Picture {
+    /// The picture of a light far away of what is shown, among all points; none where nothing of them is.
+    fn parallel(&self, toward: DVec3, points: &[DVec3], shown: &[DVec3]) -> Option<View> {
+        let forward = -toward;
+        let [right, up] = axes(forward);
+        let [[left, rightmost], [bottom, top]] = [right, up].map(|axis| {
+            let [[low, high], [from, to]] = [points, shown].map(|of| extent(of, |point| point.dot(axis)));
+            [low.max(from), high.min(to)]
+        });
+        let [near, far] = extent(points, |point| point.dot(forward));
+        let finite = [left, rightmost, bottom, top, near, far].iter().all(|side| side.is_finite());
+        if !(finite && rightmost >= left && top >= bottom) {
+            return None;
+        }
+        // What is flat and seen from its edge still has a picture.
+        let least = 1e-6 * (far - near).max(rightmost - left).max(top - bottom).max(f64::MIN_POSITIVE);
+        let side = |from: f64, to: f64| {
+            let length = (to - from).max(least) / self.inside;
+            (0.5 * (from + to), length)
+        };
+        let ((x, wide), (y, tall)) = (side(left, rightmost), side(bottom, top));
+        let deep = (far - near).max(least);
+        let corner = right * (x - 0.5 * wide) + up * (y + 0.5 * tall) + forward * (near - 0.01 * deep);
+        let texels = f64::from(self.size);
+        Some(View {
+            size: self.size,
+            from_point: false,
+            eye: corner,
+            corner: forward,
+            across: right * (wide / texels),
+            along: up * (-tall / texels),
+            forward,
+            near: deep,
+            planes: [0.0, 1.02 * deep],
+        })
+    }
+
+    /// The faces of a cube around a light that show any of the points.
+    fn cube(&self, eye: DVec3, points: &[DVec3]) -> Vec<View> {
+        let far = points.iter().map(|point| (*point - eye).abs().max_element()).fold(0.0, f64::max);
+        if !(far > 0.0 && far.is_finite()) {
+            return Vec::new();
+        }
+        let tan = 1.0 / self.inside;
+        let axes_of = |number: usize| {
+            let axis = DVec3::AXES[number % 3];
+            if number < 3 { axis } else { -axis }
+        };
+        let faces = (0..LIGHT_FACES).map(axes_of).filter_map(|forward| {
+            let [right, up] = axes(forward);
+            let along = |axis: DVec3| move |point: &DVec3| (*point - eye).dot(axis);
+            let (x, y, depth) = (along(right), along(up), along(forward));
+            // What is beyond one of the planes around a face is not in it.
+            let beyond = [
+                points.iter().all(|point| depth(point) <= 0.0),
+                points.iter().all(|point| x(point) > tan * depth(point)),
+                points.iter().all(|point| -x(point) > tan * depth(point)),
+                points.iter().all(|point| y(point) > tan * depth(point)),
+                points.iter().all(|point| -y(point) > tan * depth(point)),
+            ];
+            let texel = 2.0 * tan / f64::from(self.size);
+            (!beyond.contains(&true)).then(|| View {
+                size: self.size,
+                from_point: true,
+                eye,
+                corner: forward + (up - right) * tan,
+                across: right * texel,
+                along: up * -texel,
+                forward,
+                near: NEAR_OF_KEYS * far,
+                planes: [NEAREST * far, 1.01 * far],
+            })
+        });
+        faces.collect()
+    }
+}
+
+/// A picture that a light sees.
+struct View {
+    size: u32,
+    from_point: bool,
+    /// Where rays begin: all of them, or the one through the upper left corner.
+    eye: DVec3,
+    /// The direction of that ray, with a component of 1 along the view axis.
+    corner: DVec3,
+    /// What changes per texel to the right and downward: directions, or where rays begin.
+    across: DVec3,
+    along: DVec3,
+    /// Unit view axis.
+    forward: DVec3,
+    /// As in [`Frame`].
+    near: f64,
+    /// The depths of the planes for the rasteriser.
+    planes: [f64; 2],
+}
+
+fn four(v: DVec3, w: f64) -> Vec4<f32> {
+    [v.x as f32, v.y as f32, v.z as f32, w as f32].into()
+}
+
+impl View {
+    /// What is multiplied by a point with a 1 for column, row and depth; columns and rows of rays from a
+    /// point are to be divided by the depth.
+    fn rows(&self) -> [DVec4; 3] {
+        let depth = self.forward.extend(-self.forward.dot(self.eye));
+        let [column, row] = [self.across, self.along].map(|step| {
+            let step = step / step.length_squared();
+            step.extend(-step.dot(self.eye)) - depth * step.dot(self.corner)
+        });
+        [column, row, depth]
+    }
+
+    fn view_projection(&self) -> DMat4 {
+        let [column, row, depth] = self.rows();
+        let [near, far] = self.planes;
+        let whole = 2.0 / f64::from(self.size);
+        let (w, z) = if self.from_point {
+            (depth, (depth * far - DVec4::W * (near * far)) / (far - near))
+        } else {
+            (DVec4::W, (depth - DVec4::W * near) / (far - near))
+        };
+        DMat4::from_cols(column * whole - w, w - row * whole, z, w).transpose()
+    }
+
+    /// The frame in which the picture is taken.
+    fn frame(&self) -> Frame {
+        let nothing = four(DVec3::ZERO, 0.0);
+        let (across, along) = (four(self.across, 0.0), four(self.along, 0.0));
+        let of_rays = |from_point: bool, step| if self.from_point == from_point { step } else { nothing };
+        Frame {
+            view_projection: self.view_projection().as_mat4().to_cols_array_2d().map(Into::into),
+            eye: four(self.eye, 1.0),
+            eye_right: of_rays(false, across),
+            eye_down: of_rays(false, along),
+            forward: four(self.forward, 0.0),
+            corner: four(self.corner, 0.0),
+            right: of_rays(true, across),
+            down: of_rays(true, along),
+            sample_width: SAMPLE_WIDTH,
+            near: self.near as f32,
+            ..Frame::none()
+        }
+    }
+
+    /// How points are looked up in the picture.
+    fn shader_view(&self) -> LightView {
+        let [column, row, depth] = self.rows().map(|row| four(row.truncate(), row.w));
+        LightView {
+            column,
+            row,
+            depth,
+            corner: four(if self.from_point { self.corner } else { self.eye }, 0.0),
+            across: four(self.across, 0.0),
+            along: four(self.along, 0.0),
+            eye: four(self.eye, 1.0),
+            near: self.near as f32,
+            texel_m: self.across.length().max(self.along.length()) as f32,
+            from_point: u32::from(self.from_point),
+            size: self.size,
+        }
+    }
+}
+
+/// A frame without a camera for rays of lights that are made one by one, over a scene that is so large.
+pub fn frame_of_rays(reach_m: f64) -> Frame {
+    Frame { sample_width: SAMPLE_WIDTH, near: (NEAR_OF_KEYS * reach_m) as f32, ..Frame::none() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where a point is in a view: column, row, depth.
+    fn place(view: &LightView, point: DVec3) -> [f64; 3] {
+        let at = point.as_vec3().extend(1.0);
+        let dot = |v: Vec4<f32>| f64::from(glam::Vec4::new(v.x, v.y, v.z, v.w).dot(at));
+        let (column, row, depth) = (dot(view.column), dot(view.row), dot(view.depth));
+        let over = if view.from_point == 1 { depth } else { 1.0 };
+        [column / over, row / over, depth]
+    }
+
+    /// The point of a frame's ray through a place, at a depth.
+    fn along(frame: &Frame, [x, y, depth]: [f64; 3]) -> DVec3 {
+        let v = |v: Vec4<f32>| DVec3::new(v.x.into(), v.y.into(), v.z.into());
+        let eye = v(frame.eye) + v(frame.eye_right) * x + v(frame.eye_down) * y;
+        eye + (v(frame.corner) + v(frame.right) * x + v(frame.down) * y) * depth
+    }
+
+    fn points() -> Vec<DVec3> {
+        let side = [-0.5, 0.7];
+        let each = side.iter().flat_map(|x| side.iter().map(move |y| (*x, *y)));
+        each.flat_map(|(x, y)| side.map(|z| DVec3::new(x, y, 0.3 * z))).collect()
+    }
+
+    #[test]
+    fn rays_and_places_of_a_view_are_each_others_inverse() {
+        let picture = Picture { size: 64, inside: 0.9 };
+        let toward = DVec3::new(0.3, 0.8, -0.4).normalize();
+        let mut views: Vec<View> = picture.parallel(toward, &points(), &points()).into_iter().collect();
+        views.extend(picture.cube(DVec3::new(0.1, 1.9, 0.2), &points()));
+        assert!(views.len() >= 2);
+        for view in views {
+            let (frame, looked_up) = (view.frame(), view.shader_view());
+            for at in [[3.0, 60.0, 0.5], [32.5, 7.25, 1.5]] {
+                let found = place(&looked_up, along(&frame, at));
+                let near = |(a, b): (f64, f64)| (a - b).abs() < 1e-4;
+                assert!(found.into_iter().zip(at).all(near), "{at:?} is found at {found:?}");
+                let clip = view.view_projection() * along(&frame, at).extend(1.0);
+                let ndc = clip / clip.w;
+                assert!((32.0 * (ndc.x + 1.0) - at[0]).abs() < 1e-4);
+                assert!((32.0 * (1.0 - ndc.y) - at[1]).abs() < 1e-4);
+            }
+        }
+    }
+
+    #[test]
+    fn a_view_of_parallel_rays_holds_all_that_is_shown_within_its_border() {
+        let picture = Picture { size: 128, inside: 0.95 };
+        let view = picture.parallel(DVec3::Y, &points(), &points()).expect("a view").shader_view();
+        for point in points() {
+            let [x, y, depth] = place(&view, point);
+            assert!([x, y].iter().all(|place| (3.0..=125.0).contains(place)) && depth > 0.0, "{point}");
+        }
+        let aside = points().iter().map(|point| *point + DVec3::X * 9.0).collect::<Vec<_>>();
+        assert!(picture.parallel(DVec3::Y, &points(), &aside).is_none());
+    }
+
+    #[test]
+    fn a_light_above_all_needs_one_face_and_one_in_the_middle_six() {
+        let picture = Picture { size: 128, inside: 0.95 };
+        assert_eq!(picture.cube(DVec3::Y * 5.0, &points()).len(), 1);
+        assert_eq!(picture.cube(DVec3::ZERO, &points()).len(), LIGHT_FACES);
+        assert!(picture.cube(DVec3::ZERO, &[]).is_empty());
+    }
+
+    #[test]
+    fn cascades_go_on_where_the_one_before_ends() {
+        let camera = Camera::new(DVec3::Z * 3.0, DVec3::ZERO, 40.0).expect("a camera");
+        let ends = cascade_ends(&camera, 0.01..=5.0, 4);
+        assert!(ends.len() == 5 && ends.is_sorted() && ends[0] == 0.01 && (ends[4] - 5.0).abs() < 1e-12);
+        assert!(cascade_ends(&camera, 1.0..=-5.0, 4).is_empty());
+    }
+}

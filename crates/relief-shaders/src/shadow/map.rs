@@ -1,0 +1,59 @@
+//! Registry entry of the shadow `map`.
+
+use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+
+/// A picture of depths that the light sees.
+pub const ENTRY: Entry = Entry {
+    name: "map",
+    summary: "depths that the light sees: all surfaces of the scene throw shadows on each other",
+    publication: Publication {
+        paper: "Williams 1978, Casting curved shadows; Oliveira and Policarpo 2005",
+        section: "3.5",
+    },
+    maps: &[],
+    params: &[
+        Param {
+            name: "size",
+            summary: "texels of a side of what a light sees at once; of several surfaces the most count",
+            unit: "",
+            min: 16.0,
+            max: 16_384.0,
+            default: 2_048.0,
+            integer: true,
+        },
+        Param {
+            name: "cascades",
+            summary: "pictures of a light far away, each of a part of what the camera sees; likewise",
+            unit: "",
+            min: 1.0,
+            max: super::MAX_CASCADES as f32,
+            default: 1.0,
+            integer: true,
+        },
+        Param {
+            name: "filter",
+            summary: "width of the square in which texels are compared and their results averaged",
+            unit: "texels",
+            min: 0.0,
+            max: 16.0,
+            default: 1.0,
+            integer: false,
+        },
+        Param {
+            name: "bias",
+            summary: "how far above the surface a point is compared, so that it does not hide itself",
+            unit: "texels",
+            min: 0.0,
+            max: 64.0,
+            default: 0.5,
+            integer: false,
+        },
+    ],
+    states: &[],
+    guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
+    argument: "Depths are those of the first hits of the light's rays in the finest level of detail, by the \
+        surface's own search. A point is compared in the plane that touches the surface's patch, so that a \
+        straight slope hides nothing of itself. What differs is what lies between two of the light's rays: \
+        a shadow's edge is known to about a texel. What is outside of all pictures is lit.",
+};

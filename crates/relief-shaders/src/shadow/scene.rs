@@ -1,0 +1,27 @@
+//! Registry entry of the shadow `scene`.
+
+use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+
+/// Rays through the whole scene.
+pub const ENTRY: Entry = Entry {
+    name: "scene",
+    summary: "rays from the light through all surfaces of the scene, on the CPU",
+    publication: Publication { paper: "Relief", section: "" },
+    maps: &[],
+    params: &[Param {
+        name: "samples",
+        summary: "rays to each light's disc; 1 goes to its centre",
+        unit: "",
+        min: 1.0,
+        max: 4_096.0,
+        default: 1.0,
+        integer: true,
+    }],
+    states: &[],
+    guarantee: Guarantees::all(Guarantee::Exact),
+    weakened: &[],
+    argument: "A ray from the light ends a little above the point that it is to reach: what it hits before is \
+        in its way. It is traced as the camera's are, in the finest level of detail, by each surface's own \
+        search, and is as exact as that. A thousandth of the displacement and the rounding of places are \
+        left free above the point, so that it does not hide itself.",
+};
