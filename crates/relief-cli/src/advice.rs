@@ -52,9 +52,9 @@ pub fn of_mesh(problem: &ReadProblem) -> Option<&'static str> {
 pub fn of_scene(error: &SceneError) -> Option<&'static str> {
     match error {
         SceneError::NoHeightMap(_) => Some("give --height FILE, or the key in the scene file"),
-        SceneError::TooMuchMemory { .. } | SceneError::TooMuchToTrace { .. } => {
-            Some("--max-memory raises it")
-        }
+        SceneError::TooMuchMemory { .. }
+        | SceneError::TooMuchToTrace { .. }
+        | SceneError::TooMuchForLights { .. } => Some("--max-memory raises it"),
         SceneError::Read(error) => of_read(&error.problem),
         SceneError::Picture(error) => of_picture(&error.problem),
         SceneError::Mesh(error) => of_mesh(&error.problem),

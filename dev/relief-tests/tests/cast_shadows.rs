@@ -55,7 +55,7 @@ fn edges_of_looked_up_shadows_are_those_of_the_judge() {
             at(&apart, 0.5),
             at(&apart, 0.95)
         );
-        assert!(apart.len() > 2_000 && at(&apart, 0.5) <= 1.5 && at(&apart, 0.95) <= 4.0);
+        assert!(apart.len() > 800 && at(&apart, 0.5) <= 1.5 && at(&apart, 0.95) <= 4.0);
         assert!(share > 0.97, "{share}");
         // Both see that the ring is sunk into the ground in the same line.
         let met = lines(&drawn, &judged, |shown| shown.surface == 1);
@@ -82,10 +82,14 @@ fn rays_through_the_scene_agree_with_the_judge() {
     let meeting = Meeting::new();
     for light in Meeting::lights() {
         let judged = meeting.judged(light, SIZE);
-        let traced = meeting.rendered("scene", &[], light, SIZE, BackendChoice::Cpu);
-        let share = agreement(&traced, &judged);
-        println!("scene: {share}");
-        assert!(share >= NEARLY_ALL, "{share}");
+        // With the default tolerance a few more rays pass crests that they hardly touch.
+        for (tolerance, least) in [(0.0625, 0.9985), (0.01, NEARLY_ALL)] {
+            let settings = [("surface.tolerance", tolerance)];
+            let traced = meeting.rendered("scene", &settings, light, SIZE, BackendChoice::Cpu);
+            let share = agreement(&traced, &judged);
+            println!("scene, tolerance {tolerance}: {share}");
+            assert!(share >= least, "{share}");
+        }
         let elsewhere = meeting.rendered("scene", &[], turned(light), SIZE, BackendChoice::Cpu);
         assert!(agreement(&elsewhere, &judged) < NEARLY_ALL);
         // Without what others throw there is more light.

@@ -26,10 +26,11 @@ pub fn caster(triangles: &[Triangle]) -> RayCaster {
 /// rounded in other ways. Smaller, and the backends may show different polygons; larger costs time only.
 const DEPTH_SLACK: f64 = 1e-5;
 
-/// How far above the surface rays of lights end, as parts of the displacement and of the largest coordinate:
-/// nearer, and rounding lets surfaces hide themselves; farther, and shadows begin beside what throws them.
-const CLEARANCE_OF_SCALE: f32 = 1e-3;
-const CLEARANCE_OF_EXTENT: f32 = 4e-6;
+/// How far before a point rays to it from lights end, as parts of the displacement and of the largest
+/// coordinate: nearer, and rounding lets surfaces hide themselves where light grazes them; farther, and they
+/// do not where they are curved.
+const SHORTER_BY_SCALE: f32 = 3e-3;
+const SHORTER_BY_EXTENT: f32 = 1e-5;
 
 /// What a ray meets of a surface, and all that is needed to shade it.
 #[derive(Clone, Copy)]
@@ -81,8 +82,8 @@ pub struct Ready<'a> {
     is_carved: bool,
     /// As in [`Frame`].
     near: f64,
-    /// How far above the surface rays of lights end, in metres.
-    clearance_m: f32,
+    /// How far before the surface rays of lights end, in metres.
+    shorter_m: f32,
 }
 
 impl<'a> Ready<'a> {
@@ -102,8 +103,8 @@ impl<'a> Ready<'a> {
             lights: frame.light_count,
             is_carved: surface.settings.bias_m + surface.settings.scale_m <= 0.0,
             near: frame.near.into(),
-            clearance_m: CLEARANCE_OF_SCALE * surface.settings.scale_m
-                + CLEARANCE_OF_EXTENT * extent_m(&surface.triangles),
+            shorter_m: SHORTER_BY_SCALE * surface.settings.scale_m
+                + SHORTER_BY_EXTENT * extent_m(&surface.triangles),
         }
     }
 
@@ -249,8 +250,7 @@ impl<'a> Ready<'a> {
         count: u32,
     ) -> [Vec4<f32>; MAX_LIGHTS] {
         let three = |v: ShaderVec3<f32>| Vec3::new(v.x, v.y, v.z);
-        let normal = three(self.program.patch_normal(at, hit.uv));
-        let end = three(at.point) + normal * self.clearance_m;
+        let end = three(at.point);
         let mut visible = [Vec4::from([0.0; 4]); MAX_LIGHTS];
         for (visible, light) in visible.iter_mut().zip(0..self.lights) {
             let is_lit = |point: &u32| {
@@ -260,8 +260,9 @@ impl<'a> Ready<'a> {
                 let direction = three(toward.direction);
                 let way = toward.distance.min(scene.reach_m);
                 let [origin, direction] = [end + direction * way, -direction].map(|v| v.to_array().into());
-                let is_hidden = |surface: &Ready| surface.hides(Aim { origin, direction }, way);
-                normal.dot(-three(direction)) > 0.0 && !scene.surfaces.iter().any(is_hidden)
+                let is_hidden =
+                    |surface: &Ready| surface.hides(Aim { origin, direction }, way - self.shorter_m);
+                !scene.surfaces.iter().any(is_hidden)
             };
             visible.x = (0..count).filter(is_lit).count() as f32 / count as f32;
         }

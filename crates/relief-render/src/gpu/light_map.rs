@@ -12,6 +12,9 @@ use super::programs::{DEPTH, KEYS};
 use super::{Gpu, GpuError};
 use crate::job::LightViews;
 
+/// What buffers are written in whole ones of, in bytes.
+const WORD: usize = 4;
+
 /// The frames of a picture: the camera's, then those of the views of lights, a stride apart.
 #[derive(Debug)]
 pub struct Frames {
@@ -49,10 +52,12 @@ impl Frames {
         }
         let of_views = |bytes: &[u8]| bytes.get(self.stride..).unwrap_or_default().to_vec();
         let other_views = of_views(&bytes) != of_views(&self.bytes);
-        // The camera's changes most of the time, and alone.
-        let changed = if other_views { &bytes[..] } else { &bytes[..Frame::SIZE] };
-        if self.bytes.get(..changed.len()) != Some(changed) {
-            gpu.write(&self.buffer, 0, changed);
+        // The camera changes most of the time, and it alone.
+        let (before, now) = (self.bytes.as_chunks::<WORD>().0, bytes.as_chunks::<WORD>().0);
+        let is_other = |at: &usize| before.get(*at) != now.get(*at);
+        let (first, last) = ((0..now.len()).find(is_other), (0..now.len()).rfind(is_other));
+        if let Some((first, last)) = first.zip(last) {
+            gpu.write(&self.buffer, (first * WORD) as u64, &bytes[first * WORD..(last + 1) * WORD]);
         }
         self.bytes = bytes;
         [other_views, is_other_buffer]

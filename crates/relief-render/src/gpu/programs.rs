@@ -59,7 +59,7 @@ pub struct Layouts {
 }
 
 impl Layouts {
-    fn new(device: &Device) -> Self {
+    pub fn new(device: &Device) -> Self {
         let of = |label, names: &[&str]| layout(device, label, &named(names), Sampling::Exact);
         Self {
             exact: layout(device, "maps", &shared(), Sampling::Exact),
@@ -281,7 +281,7 @@ impl Programs {
 
 /// The faces that are not drawn. Of boxes around shells the far sides are drawn: an eye inside of one sees
 /// these alone.
-fn culled(selection: &Selection, two_sided: bool) -> Option<Face> {
+pub(super) fn culled(selection: &Selection, two_sided: bool) -> Option<Face> {
     match selection.paths().proposal {
         Proposal::Polygons => (!two_sided).then_some(Face::Back),
         Proposal::Shells => Some(Face::Front),
@@ -331,7 +331,7 @@ fn compute(device: &Device, text: &str, root: Root, groups: &[&BindGroupLayout])
 
 /// What is strictly nearer is seen: of two hits with the same key the first triangle's counts, as on the CPU.
 /// The shaders write the keys, which grow toward the eye.
-fn nearest() -> DepthStencilState {
+pub(super) fn nearest() -> DepthStencilState {
     DepthStencilState {
         format: DEPTH,
         depth_write_enabled: Some(true),
@@ -341,7 +341,7 @@ fn nearest() -> DepthStencilState {
     }
 }
 
-fn raster(
+pub(super) fn raster(
     device: &Device,
     text: &str,
     root: Root,

@@ -386,7 +386,7 @@ fn vertices_of(surface: &JobSurface) -> u32 {
 
 /// The vertices and the instances that are drawn for a surface. Shells have an instance for each side, as
 /// polygons have faces.
-fn drawn(surface: &JobSurface) -> [u32; 2] {
+pub(super) fn drawn(surface: &JobSurface) -> [u32; 2] {
     let both = surface.two_sided && surface.selection.paths().proposal == Proposal::Shells;
     [vertices_of(surface) * surface.triangles.len() as u32, 1 + u32::from(both)]
 }

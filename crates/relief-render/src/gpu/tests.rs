@@ -14,11 +14,14 @@ use wgpu::{BufferUsages, DeviceDescriptor, Features, Limits};
 
 use super::{AdapterChoice, Gpu, GpuError, GpuRenderer, Prober, Work, block_on};
 use crate::camera::Camera;
+use crate::depth_buffer::DepthBuffer;
 use crate::job::{Job, JobSurface, LightViews, Rendering};
 use crate::mesh::{Mesh, Placement, square, torus};
 use crate::mipmaps::Mipmaps;
 use crate::scene::{BackendChoice, Scene, Surface};
 use crate::{Renderer, cpu::CpuRenderer};
+
+mod prepass;
 
 /// A software GPU of the test's own. Without one the test says that it skips, unless the environment variable
 /// `RELIEF_REQUIRE_GPU` is 1: then it fails.
@@ -220,7 +223,9 @@ pub(super) fn scene(surfaces: Vec<Surface>) -> Scene {
     let eye = DVec3::new(0.6, 0.9, 1.1);
     let camera = Camera::new(eye, DVec3::ZERO, 40.0).expect("a proper camera");
     let mut builder = Scene::builder(surfaces[0].clone()).size(90, 70).samples(1).camera(camera);
-    builder = builder.surfaces(surfaces).backend(BackendChoice::Cpu);
+    // The planes do not go by what is there.
+    let planes = DepthBuffer { near_m: Some(0.1), far_m: Some(10.0), ..DepthBuffer::default() };
+    builder = builder.surfaces(surfaces).backend(BackendChoice::Cpu).depth_buffer(planes);
     builder.build().expect("a proper scene")
 }
 
@@ -250,10 +255,14 @@ fn several_surfaces_are_those_rendered_apart_and_merged_by_depth() {
         let mut maps = Maps::in_memory();
         let surfaces = three_surfaces();
         let together = rendered(&mut renderer, &scene(surfaces.clone()), &mut maps);
-        let one_by_one: Vec<Rendering> = surfaces
+        let mut one_by_one: Vec<Rendering> = surfaces
             .iter()
             .map(|surface| rendered(&mut renderer, &scene(vec![surface.clone()]), &mut maps))
             .collect();
+        // Their numbers are those in the whole scene.
+        for (number, picture) in (0..).zip(&mut one_by_one) {
+            picture.pixels.iter_mut().filter(|pixel| pixel.hit == 1).for_each(|pixel| pixel.surface = number);
+        }
         let shown = one_by_one.iter().enumerate().map(|(number, picture)| {
             let same = together.pixels.iter().zip(&picture.pixels);
             (number, same.filter(|(all, one)| one.hit == 1 && all == one).count())

@@ -94,6 +94,19 @@ pub enum SceneError {
         /// Bytes that may be used.
         limit: ByteSize,
     },
+    /// What lights see would take more memory than allowed.
+    #[error(
+        "what lights see needs {} MiB of memory, {} MiB of the {limit} allowed are left for it: choose fewer texels for the shadow 'map', or raise the limit",
+        mebibytes(*needed), left / BYTES_PER_MEBIBYTE
+    )]
+    TooMuchForLights {
+        /// Bytes that it needs.
+        needed: u64,
+        /// Bytes that the picture leaves for it.
+        left: u64,
+        /// Bytes that may be used in all.
+        limit: ByteSize,
+    },
     /// The height map can be read, and rendering it would take more memory than allowed.
     #[error(
         "{}: rendering {width}x{height} texels needs {} MiB of memory, {} MiB of the {limit} allowed are left for them: use a smaller map or picture, or raise the limit",

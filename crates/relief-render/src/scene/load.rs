@@ -14,6 +14,7 @@ use crate::environment::Environment;
 use crate::light::{Light, LightError, SUN_DEG};
 use glam::{DVec3, Vec3};
 use relief_core::{ByteSize, HeightMap};
+use relief_shaders::LIGHT_FACES;
 
 /// Memory that rendering takes for a pixel of the band of rows that it is at: its results on the GPU, their
 /// copies, and its part of the picture to be written.
@@ -57,7 +58,14 @@ impl SceneSpec {
         // Before anything is read all else is known to be possible.
         self.check()?;
         let limit = self.max_memory.unwrap_or(DEFAULT_MAX_MEMORY);
-        let mut maps = Maps::new(limit, self.memory_beside_the_picture(limit)?);
+        let beside_picture = self.memory_beside_the_picture(limit)?;
+        let lights = self.lights_see_bytes(&each)?;
+        let left = beside_picture.checked_sub(lights).ok_or(SceneError::TooMuchForLights {
+            needed: lights,
+            left: beside_picture,
+            limit,
+        })?;
+        let mut maps = Maps::new(limit, left);
         let environment = match &self.environment {
             Some(path) => Some(maps.environment(path)?),
             None => None,
@@ -95,9 +103,25 @@ impl SceneSpec {
         limit.0.checked_sub(needed).ok_or(SceneError::TooMuchMemory { width, height, needed, limit })
     }
 
+    /// Bytes of what lights see at most, where surfaces look up shadows there.
+    fn lights_see_bytes(&self, each: &[(Option<usize>, SurfaceSpec, Parts)]) -> Result<u64, ValueError> {
+        let asked = each.iter().filter_map(|(.., parts)| parts.selection().light_views());
+        let Some([size, cascades]) = asked.reduce(|[a, b], [c, d]| [a.max(c), b.max(d)]) else {
+            return Ok(0);
+        };
+        let views = self.lights()?.into_iter().map(|light| match light {
+            Light::Directional { .. } => u64::from(cascades),
+            Light::Point { .. } => LIGHT_FACES as u64,
+        });
+        // One more is the depth that a GPU draws them with.
+        Ok((views.sum::<u64>() + 1) * u64::from(size) * u64::from(size) * size_of::<f32>() as u64)
+    }
+
     fn builder(&self, surfaces: Vec<super::Surface>) -> Result<SceneBuilder, ValueError> {
         check_metres("eye", self.eye.as_ref().map_or(&[], |eye| eye))?;
         check_metres("view-height", self.view_height.as_slice())?;
+        check_metres("near", self.near.as_slice())?;
+        check_metres("far", self.far.filter(|far| *far != f64::INFINITY).as_slice())?;
         check_metres("target", self.target.as_ref().map_or(&[], |target| target))?;
         for light in self.lights.iter().flatten() {
             check_metres("lights", light.position.as_ref().map_or(&[], |position| position))?;

@@ -78,6 +78,13 @@ pub struct Parts {
     two_sided: bool,
 }
 
+impl Parts {
+    /// What is run.
+    pub fn selection(&self) -> &Selection {
+        &self.selection
+    }
+}
+
 /// Colours of a mesh's file: a factor and a picture.
 type FileColors = ([f32; 3], Option<Arc<Picture>>);
 

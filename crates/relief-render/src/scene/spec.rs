@@ -120,8 +120,8 @@ impl SceneSpec {
     /// surfaces holds for each of them; surfaces of its own take the place of all.
     ///
     /// What belongs to something replaced goes with it: of the scene's keys `light` and `lights` each other,
-    /// a `view` with an eye or a target and these with a view, `fov` or `view-height` with another
-    /// projection, `environment` with another ambient light and the surfaces' with an environment; of a
+    /// a `view` with an eye or a target and these with a view, `fov`, an infinite `far` or `view-height` with
+    /// another projection, `environment` with another ambient light and the surfaces' with an environment; of a
     /// surface's see [`SurfaceSpec::overridden_by`].
     #[must_use]
     pub fn overridden_by(mut self, over: SceneSpec) -> SceneSpec {
@@ -136,7 +136,10 @@ impl SceneSpec {
         }
         match over.projection {
             Some(ProjectionChoice::Perspective) => self.view_height = None,
-            Some(ProjectionChoice::Orthographic) => self.fov = None,
+            Some(ProjectionChoice::Orthographic) => {
+                self.fov = None;
+                self.far = self.far.filter(|far| far.is_finite());
+            }
             None => {}
         }
         if over.surface.names_other_ambient() {

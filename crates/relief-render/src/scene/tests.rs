@@ -5,6 +5,7 @@ mod proportions;
 
 use super::*;
 use crate::camera::Projection;
+use crate::depth_buffer::Clip;
 use crate::environment::Environment;
 use crate::light::{Light, MAX_LIGHTS};
 use crate::material::Material;
@@ -98,6 +99,9 @@ backend = "cpu"
 sampling = "fast"
 two-sided = true
 max-memory = "512MiB"
+clip = "reversed"
+near = 0.25
+far = inf
 "#;
 
 #[test]
@@ -156,6 +160,9 @@ fn every_key_is_read() {
         projection: Some(ProjectionChoice::Perspective),
         fov: Some(30.0),
         view_height: None,
+        clip: Some(Clip::Reversed),
+        near: Some(0.25),
+        far: Some(f64::INFINITY),
         size: Some([640, 480]),
         samples: Some(9),
         exposure: Some(-0.5),
@@ -218,6 +225,10 @@ fn mistakes_in_a_file_are_reported_with_their_line() {
     }
     let impossible = [
         ("fov = 180", "fov"),
+        ("near = 0", "near"),
+        ("near = 1e30", "near"),
+        ("far = -1", "far"),
+        ("far = nan", "far"),
         ("position = [0, 1e30, 0]", "position"),
         ("rotation = [0, nan, 0]", "rotation"),
         ("shade = 'blinn'", "shade"),

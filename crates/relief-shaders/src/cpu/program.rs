@@ -2,8 +2,7 @@
 
 use super::generated::Resources;
 use super::{
-    Bound, Entered, FirstHit, Found, Hit, LightRay, Path, PixelIn, PixelOut, Toward, Triangle, Vec2, Vec3,
-    Vec4,
+    Bound, Entered, FirstHit, Found, Hit, LightRay, Path, PixelIn, PixelOut, Toward, Triangle, Vec3, Vec4,
 };
 use crate::MAX_LIGHTS;
 
@@ -128,12 +127,6 @@ impl<'a> Program<'a> {
     #[inline]
     pub fn point_of_light(&self, placed: Entered, hit: Hit, light: u32, [k, count]: [u32; 2]) -> Toward {
         self.0.point_of_light(placed, hit, light, k, count)
-    }
-
-    /// The unit normal, on the side that is seen, of the surface's patch at a placed hit.
-    #[inline]
-    pub fn patch_normal(&self, placed: Entered, uv: Vec2<f32>) -> Vec3<f32> {
-        self.0.patch_normal(placed, uv)
     }
 
     /// The part of a light that arrives at a placed hit, for a light of some degrees whose direction is that
