@@ -166,15 +166,17 @@ impl Shared for SurfaceSettings {
         self.shininess.write(&mut bytes[732..]);
         self.has_color.write(&mut bytes[736..]);
         self.has_normal.write(&mut bytes[740..]);
-        self.has_shadows.write(&mut bytes[744..]);
-        self.scale_m.write(&mut bytes[748..]);
-        self.bias_m.write(&mut bytes[752..]);
-        self.shell_m.write(&mut bytes[760..]);
-        self.mean_height.write(&mut bytes[768..]);
-        self.transmission.write(&mut bytes[772..]);
-        self.ior.write(&mut bytes[776..]);
-        self.environment_side.write(&mut bytes[780..]);
-        self.environment_levels.write(&mut bytes[784..]);
+        self.has_holes.write(&mut bytes[744..]);
+        self.has_creases.write(&mut bytes[748..]);
+        self.has_shadows.write(&mut bytes[752..]);
+        self.scale_m.write(&mut bytes[756..]);
+        self.bias_m.write(&mut bytes[760..]);
+        self.shell_m.write(&mut bytes[768..]);
+        self.mean_height.write(&mut bytes[776..]);
+        self.transmission.write(&mut bytes[780..]);
+        self.ior.write(&mut bytes[784..]);
+        self.environment_side.write(&mut bytes[788..]);
+        self.environment_levels.write(&mut bytes[792..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -196,15 +198,17 @@ impl Shared for SurfaceSettings {
             shininess: Shared::read(&bytes[732..]),
             has_color: Shared::read(&bytes[736..]),
             has_normal: Shared::read(&bytes[740..]),
-            has_shadows: Shared::read(&bytes[744..]),
-            scale_m: Shared::read(&bytes[748..]),
-            bias_m: Shared::read(&bytes[752..]),
-            shell_m: Shared::read(&bytes[760..]),
-            mean_height: Shared::read(&bytes[768..]),
-            transmission: Shared::read(&bytes[772..]),
-            ior: Shared::read(&bytes[776..]),
-            environment_side: Shared::read(&bytes[780..]),
-            environment_levels: Shared::read(&bytes[784..]),
+            has_holes: Shared::read(&bytes[744..]),
+            has_creases: Shared::read(&bytes[748..]),
+            has_shadows: Shared::read(&bytes[752..]),
+            scale_m: Shared::read(&bytes[756..]),
+            bias_m: Shared::read(&bytes[760..]),
+            shell_m: Shared::read(&bytes[768..]),
+            mean_height: Shared::read(&bytes[776..]),
+            transmission: Shared::read(&bytes[780..]),
+            ior: Shared::read(&bytes[784..]),
+            environment_side: Shared::read(&bytes[788..]),
+            environment_levels: Shared::read(&bytes[792..]),
         }
     }
 }
