@@ -43,6 +43,9 @@ pub struct Arguments {
     /// `exact`, reads and steps are nodes and cells of its tracer
     #[arg(long, value_name = "FILE.exr")]
     aov: Option<PathBuf>,
+    /// Draw the edges of the base meshes over the picture, faint where they are behind what is seen
+    #[arg(long, hide_short_help = true)]
+    wire: bool,
     /// Print one JSON object about the picture
     #[arg(long)]
     pub json: bool,
