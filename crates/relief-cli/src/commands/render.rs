@@ -58,7 +58,7 @@ pub struct Arguments {
 
 /// Renders and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let spec = arguments.scene.spec()?;
+    let spec = arguments.scene.spec()?.with_keys_of_meshes().map_err(of_scene)?;
     let outputs = Outputs::new(arguments, &spec)?;
     let scene = {
         let _reading = Progress::spinner("reading", arguments.json);
