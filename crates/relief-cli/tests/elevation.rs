@@ -5,7 +5,7 @@ mod common;
 use std::path::PathBuf;
 
 use common::command::Folder;
-use common::files::{Samples, georeference, tiff};
+use common::files::{Samples, exr, georeference, tiff};
 use serde_json::{Value, json};
 
 const SIZE: [u32; 2] = [24, 16];
@@ -45,6 +45,26 @@ fn a_picture_of_one_with_holes_is_rendered_and_says_so() {
     let about = json_of(&folder.relief(&format!("{line} whole.tif --wrap repeat --json")).fine().stdout);
     let surface = &about["surfaces"][0];
     assert_eq!((&surface["filled_texels"], &surface["wrap"]), (&json!(0), &json!("repeat")));
+
+    // Holes that are seen through are filled in files of all kinds, and a map without any is said to be.
+    let covered = |line: &str| json_of(&folder.relief(line).fine().stdout)["covered"].as_u64();
+    let [filled, holes] =
+        ["", " --holes"].map(|flag| covered(&format!("{line} dem.tif --samples 1 --json{flag}")));
+    assert!(holes < filled && holes > Some(100), "{holes:?} {filled:?}");
+    let ran = folder.relief(&format!("{line} dem.tif --holes"));
+    assert_eq!((ran.code, ran.stderr.matches("2 of its texels").count()), (Some(0), 1), "{}", ran.stderr);
+    let ran = folder.relief(&format!("{line} whole.tif --holes"));
+    assert_eq!((ran.code, ran.stderr.lines().count()), (Some(0), 1), "{}", ran.stderr);
+    assert!(ran.stderr.contains("whole.tif"), "{}", ran.stderr);
+    let texels = (0..16).map(|at| if at == 5 { f32::NAN } else { at as f32 }).collect();
+    folder.write("map.exr", exr([4, 4], &[("Y", texels)]));
+    folder.write("holes.toml", "height = 'map.exr'\nholes = true\nbackend = 'cpu'\n");
+    assert_eq!(folder.relief("render holes.toml -o out.png").code, Some(0));
+    folder.write("holes.toml", "height = 'map.exr'\nholes = true\nfill = false\nbackend = 'cpu'\n");
+    assert_eq!(folder.relief("render holes.toml -o out.png").code, Some(1));
+    folder.write("holes.toml", "height = 'map.exr'\nholes = 1\n");
+    let ran = folder.relief("render holes.toml -o out.png");
+    assert!(ran.code == Some(1) && ran.stderr.contains("holes.toml"), "{}", ran.stderr);
 
     // A scene may refuse holes.
     folder.write("scene.toml", "height = 'dem.tif'\nfill = false\nbackend = 'cpu'\n");

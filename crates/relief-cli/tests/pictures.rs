@@ -8,6 +8,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
+use common::aov::Aov;
 use common::command::{Folder, Ran};
 use common::maps::Map;
 use relief_io::{linear_to_srgb, read_picture};
@@ -58,6 +59,25 @@ fn every_format_holds_the_same_picture_and_states_its_colours() {
     let covered = c.iter().zip(&bright).filter(|(_, b)| b[0] > 0.4);
     assert!(covered.clone().count() > 500);
     assert!(covered.filter(|(a, b)| (a[0] * 16.0 - b[0]).abs() < 1e-4 * b[0]).count() > 500);
+}
+
+#[test]
+fn edges_are_drawn_over_pictures_and_not_over_numbers() {
+    let folder = room();
+    let small = format!("{SMALL} --mesh torus --exposure 5");
+    for name in ["png", "exr"] {
+        folder.relief(&format!("{small} -o plain.{name} --aov plain-aov.exr")).fine();
+        folder.relief(&format!("{small} -o wire.{name} --aov wire-aov.exr --wire")).fine();
+        let [plain, wire] = ["plain", "wire"].map(|file| pixels(&folder, &format!("{file}.{name}")));
+        let changed = plain.iter().zip(&wire).filter(|(plain, wire)| plain != wire).count();
+        assert!(changed > 300, "{name}: {changed}");
+        let [plain, wire] = ["plain-aov.exr", "wire-aov.exr"].map(|name| Aov::read(&folder.path(name)));
+        assert!(plain.names() == wire.names() && plain.names().len() > 10);
+        assert!(plain.names().iter().all(|name| plain.plane(name) == wire.plane(name)), "{name}");
+    }
+    // The lines of a picture in sRGB are seen where it is too bright.
+    let red = pixels(&folder, "wire.png").into_iter().filter(|[r, _, b, _]| *r > 0.9 && *b < 0.3);
+    assert!(red.count() > 50);
 }
 
 #[test]

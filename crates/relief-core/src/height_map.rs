@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::area_mean::{coarser, coarser_size, level_count};
-use crate::{HeightsHash, Wrap};
+use crate::{HeightsHash, TexelMask, Wrap};
 
 /// The longest side of a height map, in texels. Cell numbers up to here are exact in the shaders' `f32`.
 pub const MAX_SIDE: u32 = 1 << 20;
@@ -22,8 +22,8 @@ pub const MAX_TEXELS: u64 = 1 << 30;
 /// * A texel displaces the base surface along its unit normal by `bias_m + scale_m * texel` metres
 ///   (Szirmay-Kalos and Umenhoffer 2008, eq. 8).
 /// * [`Wrap`] says how the map goes on beyond its edges.
-/// * `texel_size_m`, `physical_range`, `filled_texels` and `nearly_grey_texels` are metadata: slopes are set
-///   by the tangent frame alone.
+/// * `texel_size_m`, `physical_range`, `filled_texels`, `holes` and `nearly_grey_texels` are metadata: slopes
+///   are set by the tangent frame alone, and holes have heights as all texels do.
 ///
 /// Clones share their texels, with another wrap or displacement too.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,6 +37,7 @@ pub struct HeightMap {
     texel_size_m: Option<[f64; 2]>,
     physical_range: Option<[f64; 2]>,
     filled_texels: u64,
+    holes: Option<Arc<TexelMask>>,
     nearly_grey_texels: u64,
 }
 
@@ -76,6 +77,14 @@ pub enum HeightMapError {
         width: u32,
         /// Height in texels.
         height: u32,
+    },
+    /// Holes are marked of a map of another size.
+    #[error("holes of {}x{} texels do not fit a height map of {}x{}", holes[0], holes[1], map[0], map[1])]
+    OtherHoles {
+        /// Columns and rows of what is marked.
+        holes: [u32; 2],
+        /// Columns and rows of the map.
+        map: [u32; 2],
     },
     /// The number of texels given is not width times height.
     #[error("a height map of {width}x{height} needs {} texels, {given} were given", u64::from(*width) * u64::from(*height))]
@@ -135,6 +144,7 @@ impl HeightMap {
             texel_size_m: None,
             physical_range: None,
             filled_texels: 0,
+            holes: None,
             nearly_grey_texels: 0,
         })
     }
@@ -237,6 +247,22 @@ impl HeightMap {
         self
     }
 
+    /// The same map with the texels that are holes: that have a height because all have, and stand for
+    /// nothing. Without any the map has no holes.
+    ///
+    /// # Errors
+    ///
+    /// When they are those of a map of another size.
+    pub fn with_holes(mut self, holes: impl Into<Arc<TexelMask>>) -> Result<Self, HeightMapError> {
+        let holes = holes.into();
+        let [of_holes, of_map] = [[holes.width(), holes.height()], [self.width, self.height]];
+        if of_holes != of_map {
+            return Err(HeightMapError::OtherHoles { holes: of_holes, map: of_map });
+        }
+        self.holes = (holes.count() > 0).then_some(holes);
+        Ok(self)
+    }
+
     /// The same map with how many of its texels had a red, green and blue in the source that were not quite
     /// equal.
     #[must_use]
@@ -324,6 +350,7 @@ impl HeightMap {
                     texel_size_m: None,
                     physical_range: None,
                     filled_texels: 0,
+                    holes: None,
                     nearly_grey_texels: 0,
                     ..*self
                 });
@@ -387,6 +414,13 @@ impl HeightMap {
     #[inline]
     pub fn filled_texels(&self) -> u64 {
         self.filled_texels
+    }
+
+    /// The texels that are holes, at least one where there are any: they had no value in the source, or stand
+    /// for nothing else.
+    #[inline]
+    pub fn holes(&self) -> Option<&Arc<TexelMask>> {
+        self.holes.as_ref()
     }
 
     /// How many texels had a red, green and blue in the source that were not quite equal, so that their mean
@@ -485,6 +519,18 @@ mod tests {
         assert_eq!(map.level(2).texels(), [0.4375]);
         assert_eq!(map.level(9), map.level(2));
         assert_eq!(HeightMap::new(1, 1, vec![0.5], Wrap::Clamp).map(|map| map.level(1).levels()), Ok(1));
+    }
+
+    #[test]
+    fn holes_are_those_of_the_map_and_not_of_its_levels() {
+        let holes = |width| TexelMask::from_fn(width, 2, |column, _| column == 1);
+        let map = ramp(Wrap::Clamp).with_holes(holes(4)).expect("of its size");
+        assert_eq!(map.holes().map(|holes| holes.count()), Some(2));
+        assert!(map.level(1).holes().is_none() && map.clone().with_wrap(Wrap::Mirror).holes().is_some());
+        let error = ramp(Wrap::Clamp).with_holes(holes(5));
+        assert_eq!(error, Err(HeightMapError::OtherHoles { holes: [5, 2], map: [4, 2] }));
+        let none = ramp(Wrap::Clamp).with_holes(TexelMask::from_fn(4, 2, |_, _| false));
+        assert_eq!(none.expect("of its size").holes(), None);
     }
 
     #[test]

@@ -22,6 +22,7 @@ mod path;
 mod pyramid;
 pub mod registry;
 mod tangent_frame;
+mod texel_mask;
 mod wrap;
 
 pub use baked_map::{
@@ -37,4 +38,5 @@ pub use metric::{Metric, MetricError};
 pub use path::{Path, PathMetric, RayUse};
 pub use pyramid::{MaxPyramid, MinPyramid};
 pub use tangent_frame::{TangentFrame, TangentFrameError};
+pub use texel_mask::TexelMask;
 pub use wrap::Wrap;

@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use relief_core::registry::UnknownName;
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, TexelMask, Wrap};
 
 use crate::fill::fill_holes;
 use crate::image_file::ImageFile;
@@ -139,7 +139,8 @@ pub(crate) const BYTES_PER_TEXEL: u64 = 8;
 /// that its mask leaves out, in the file or in one beside it with `.msk` after its name, have no value.
 ///
 /// Texels without a value are an error unless [`HeightOptions::fill`] says otherwise. They are filled
-/// smoothly from their surroundings; [`HeightMap::filled_texels`] counts them.
+/// smoothly from their surroundings; [`HeightMap::filled_texels`] counts them, and [`HeightMap::holes`] says
+/// which they are.
 ///
 /// Peak memory is 8 bytes a texel and one row or block of the file; see the crate's documentation for the
 /// exceptions.
@@ -235,12 +236,16 @@ fn height_map(
 ) -> Result<HeightMap, ReadProblem> {
     let (width, height) = (samples.width, samples.height);
     let wrap = options.wrap.unwrap_or(if is_elevation { Wrap::Clamp } else { Wrap::Repeat });
+    let mut holes = None;
     if let Some(hole) = samples.first_hole {
         if !options.fill.fills(is_elevation) {
             let (column, row) = ((hole % width as usize) as u32, (hole / width as usize) as u32);
             let Samples { not_finite, nodata, masked, .. } = samples;
             return Err(ReadProblem::Holes { not_finite, nodata, masked, column, row });
         }
+        let is_hole =
+            |column: u32, row: u32| samples.values[row as usize * width as usize + column as usize].is_nan();
+        holes = Some(TexelMask::from_fn(width, height, is_hole));
         fill_holes(width, height, &mut samples.values, wrap);
     }
     let span = range[1] - range[0];
@@ -253,7 +258,11 @@ fn height_map(
         let fraction = if span > 0.0 { (f64::from(*value) + start) / span } else { 0.0 };
         *value = (zero + sign * fraction).clamp(0.0, 1.0) as f32;
     }
-    Ok(HeightMap::new(width, height, samples.values, wrap)?)
+    let map = HeightMap::new(width, height, samples.values, wrap)?;
+    Ok(match holes {
+        Some(holes) => map.with_holes(holes)?,
+        None => map,
+    })
 }
 
 /// Other names of the channels of pictures.

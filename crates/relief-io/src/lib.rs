@@ -67,7 +67,7 @@ pub use height::{Convention, DEFAULT_MAX_BYTES, Fill, HeightOptions, read_height
 pub use height_note::HeightNote;
 pub use inspect::{HISTOGRAM_BINS, SEAM_LIMIT, SourceInfo, Tiling, Values, inspect};
 pub use layout::{Channel, Format, SampleKind, SampleType};
-pub use mesh::{MeshColors, MeshFile, MeshFormat, MeshOptions, read_mesh};
+pub use mesh::{MeshColors, MeshFile, MeshFormat, MeshOptions, beside_mesh, read_mesh, read_mesh_extras};
 pub use normal_map::{GreenSign, NormalMap, NormalVectors, SHORTEST, read_normal_map, read_normal_vectors};
 pub use picture::{Curve, Picture, linear_to_srgb, read_picture, read_picture_as};
 pub use picture_file::{PictureFormat, PictureSink, write_picture};

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use relief_core::{BakedMap, HeightMap};
+use relief_core::{BakedMap, HeightMap, TexelMask};
 use relief_shaders::cpu::{
-    Bound, ColorTexture, Frame, HeightTexture, PixelOut, Program, SurfaceSettings, Triangle,
+    Bound, ColorTexture, Frame, HeightTexture, HoleTexture, PixelOut, Program, SurfaceSettings, Triangle,
 };
 use relief_shaders::{MapSlot, Selection, SlotMaps};
 
@@ -58,6 +58,11 @@ impl JobSurface {
         self.maps.iter().map(|(slot, map)| (*slot, &**map)).collect()
     }
 
+    /// The holes of the height map, where they are to be seen.
+    pub fn holes(&self) -> Option<&Arc<TexelMask>> {
+        self.height_map.holes().filter(|_| self.settings.has_holes == 1)
+    }
+
     /// Whether lights see the same of it as of another one.
     pub(crate) fn looks_same_to_lights(&self, other: &Self) -> bool {
         let same_map = |((a, of_a), (b, of_b)): (&(MapSlot, Arc<BakedMap>), &(MapSlot, Arc<BakedMap>))| {
@@ -80,6 +85,7 @@ impl JobSurface {
             frame,
             surface_settings: self.settings,
             height_map: HeightTexture::new(&self.height_map, self.settings.height_levels),
+            hole_map: HoleTexture::new(self.holes().map(Arc::as_ref)),
             color_map,
             normal_map,
             maps: self.maps.iter().map(|(slot, map)| (*slot, &**map)).chain(lights).collect(),

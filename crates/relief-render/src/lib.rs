@@ -26,6 +26,7 @@ pub mod scene;
 mod shellcast;
 pub mod tone;
 mod triangles;
+mod wire;
 
 pub use glam;
 /// Base meshes, of which scenes are made; they are the core's.
@@ -33,3 +34,4 @@ pub use relief_core::mesh;
 pub use renderer::{Bands, Made, Progress, Reason, RenderError, Rendered, Renderer, Task, render};
 #[cfg(feature = "gpu")]
 pub use wgpu;
+pub use wire::Wire;

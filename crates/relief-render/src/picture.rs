@@ -41,8 +41,13 @@ impl Look {
 
     /// The sRGB colour of a pixel, each part from 0 to 1 (IEC 61966-2-1); brighter ones are cut off.
     pub fn srgb(&self, pixel: &PixelOut) -> [f32; 3] {
-        self.linear(pixel).map(|linear| linear_to_srgb(f64::from(linear.clamp(0.0, 1.0))) as f32)
+        srgb(self.linear(pixel))
     }
+}
+
+/// The sRGB colour of a linear one, each part from 0 to 1 (IEC 61966-2-1); brighter ones are cut off.
+pub fn srgb(linear: [f32; 3]) -> [f32; 3] {
+    linear.map(|linear| linear_to_srgb(f64::from(linear.clamp(0.0, 1.0))) as f32)
 }
 
 /// The sRGB picture, RGB, 8 bits.

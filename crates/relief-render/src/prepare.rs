@@ -213,6 +213,8 @@ fn surface_settings(
         shininess: material.shininess(),
         has_color: u32::from(surface.color().is_some()),
         has_normal: u32::from(surface.normal_map().is_some()),
+        has_holes: u32::from(surface.has_holes() && height.holes().is_some()),
+        has_creases: u32::from(surface.has_creases()),
         transmission: material.transmission(),
         ior: material.ior(),
         ..SurfaceSettings::tracing(height, surface.selection(), maps)

@@ -777,6 +777,10 @@ pub struct SurfaceSettings {
     pub shininess: u32,
     pub has_color: u32,
     pub has_normal: u32,
+    /// 1 where hits in holes of the height map are none.
+    pub has_holes: u32,
+    /// 1 where normals that are derived from heights are not taken across creases.
+    pub has_creases: u32,
     /// 0 where the relief casts no shadows.
     pub has_shadows: u32,
     pub scale_m: f32,
@@ -814,6 +818,8 @@ impl SurfaceSettings {
         shininess: impl rt::Into<u32>,
         has_color: impl rt::Into<u32>,
         has_normal: impl rt::Into<u32>,
+        has_holes: impl rt::Into<u32>,
+        has_creases: impl rt::Into<u32>,
         has_shadows: impl rt::Into<u32>,
         scale_m: impl rt::Into<f32>,
         bias_m: impl rt::Into<f32>,
@@ -825,7 +831,7 @@ impl SurfaceSettings {
         environment_side: impl rt::Into<u32>,
         environment_levels: impl rt::Into<u32>,
     ) -> Self {
-        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), shell_m: rt::into(shell_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), number: rt::into(number), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels) }
+        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_holes: rt::into(has_holes), has_creases: rt::into(has_creases), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), shell_m: rt::into(shell_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), number: rt::into(number), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -959,6 +965,8 @@ pub(crate) struct Resources<'g> {
     pub(crate) frame: Frame,
     #[doc = "group(0) binding(1)"]
     pub(crate) height_map: rt::HeightTexture<'g>,
+    #[doc = "group(0) binding(14)"]
+    pub(crate) hole_map: rt::HoleTexture<'g>,
     #[doc = "group(0) binding(11)"]
     pub(crate) light_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(3)"]
@@ -1119,11 +1127,11 @@ impl<'g> Resources<'g> {
         let sine = aside_1.length().max(rt::Scalar(0.0009765625f32));
         let q = at_1.quadric.xyz();
         let _e18 = self.v_climb(at_1, (aside_1 / rt::Vec3::splat_from_scalar(sine)));
-        let beside_1 = _e18.xy();
+        let beside_2 = _e18.xy();
         let _e20 = self.v_quadric_slope(q, duv_3);
-        let mixed_1 = _e20.dot(beside_1);
+        let mixed_1 = _e20.dot(beside_2);
         let _e22 = self.v_quadric_at(q, duv_3);
-        let _e23 = self.v_quadric_at(q, beside_1);
+        let _e23 = self.v_quadric_at(q, beside_2);
         return <Across>::new(duv_3, descent_1, _e22, _e23, mixed_1, sine);
     }
     pub(crate) fn reached(
@@ -2231,10 +2239,10 @@ impl<'g> Resources<'g> {
         let bx = (h_1.y() - h_1.x());
         let by = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_85 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
+        let at_87 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
         let z = (path_4.h.x() + (t_8 * (path_4.h.y() + (t_8 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_8) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_85.x())) + (by * at_85.y())) + ((twist * at_85.x()) * at_85.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_85.x() * grid_1.step.y()) + (at_85.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_87.x())) + (by * at_87.y())) + ((twist * at_87.x()) * at_87.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_87.x() * grid_1.step.y()) + (at_87.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -2312,6 +2320,24 @@ impl<'g> Resources<'g> {
         }
         let _e27 = next;
         return _e27;
+    }
+    pub(crate) fn cell_slopes(
+        &self,
+        h_2: impl rt::Into<rt::Vec4<f32>>,
+        part_2: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_cell_slopes(rt::into(h_2), rt::into(part_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_cell_slopes(
+        &self,
+        h_2: rt::Vec4<f32>,
+        part_2: rt::Vec2<f32>,
+    ) -> rt::Vec2<f32> {
+        let top_3 = (h_2.y() - h_2.x());
+        let left_1 = (h_2.z() - h_2.x());
+        let twist_1 = ((h_2.w() - h_2.z()) - top_3);
+        return <rt::Vec2<f32>>::from_scalars((top_3 + (twist_1 * part_2.y())), (left_1 + (twist_1 * part_2.x())));
     }
     pub(crate) fn chord_end(
         &self,
@@ -2586,11 +2612,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.v_footprint_of(pixel_8, at_15, params_5.x());
         let begin_2 = (params_5.z() * params_5.w());
         let _e8 = self.v_depth_in_samples(pixel_8, at_15);
-        let part_6 = ((begin_2 - _e8) / (begin_2 - params_5.z()).max(rt::Scalar(0.000001f32)));
+        let part_7 = ((begin_2 - _e8) / (begin_2 - params_5.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
         let _e20 = self.v_levels_of((_e4 / params_5.y()), _e19);
         let level_25 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_25, _e4, part_6.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        return <Detail>::new(level_25, _e4, part_7.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
     }
     pub(crate) fn detail_footprint(
         &self,
@@ -2809,7 +2835,7 @@ impl<'g> Resources<'g> {
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_23 = (((pixel_14.a.uv * wa) + (pixel_14.b.uv * wb_1)) + (pixel_14.c.uv * wc_1));
+        let uv_25 = (((pixel_14.a.uv * wa) + (pixel_14.b.uv * wb_1)) + (pixel_14.c.uv * wc_1));
         let tangent_1 = (((pixel_14.a.tangent * wa) + (pixel_14.b.tangent * wb_1)) + (pixel_14.c.tangent * wc_1));
         let bitangent = (((pixel_14.a.bitangent * wa) + (pixel_14.b.bitangent * wb_1)) + (pixel_14.c.bitangent * wc_1));
         let normal_17 = ((((pixel_14.a.normal * wa) + (pixel_14.b.normal * wb_1)) + (pixel_14.c.normal * wc_1)).normalize() * rt::Scalar(pixel_14.side));
@@ -2827,7 +2853,7 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_9;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_12, uv_23, tangent_1, bitangent, normal_17, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_12, uv_25, tangent_1, bitangent, normal_17, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -2909,11 +2935,11 @@ impl<'g> Resources<'g> {
         let mut at_19: Entered;
 
         let third = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_24 = (((pixel_18.a.uv + pixel_18.b.uv) + pixel_18.c.uv) * rt::Scalar(0.33333334f32));
+        let uv_26 = (((pixel_18.a.uv + pixel_18.b.uv) + pixel_18.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_18, along_2);
         let point_13 = (pixel_18.origin + (along_2 * _e17));
         let _e20 = self.v_facing_of(pixel_18, along_2);
-        let _e21 = self.v_frame_at(pixel_18, third, point_13, uv_24, _e20);
+        let _e21 = self.v_frame_at(pixel_18, third, point_13, uv_26, _e20);
         at_19 = _e21;
         rt::Scalar(at_19.segments) = rt::Scalar(0u32);
         let _e25 = at_19;
@@ -3307,14 +3333,14 @@ impl<'g> Resources<'g> {
         height_2: rt::Scalar<f32>,
     ) -> ShellPoint {
         let mut w_1: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
-        let mut h_2: rt::Scalar<f32>;
+        let mut h_3: rt::Scalar<f32>;
         let mut step: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let low = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
         let width_3 = (_e10 - low).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let l = prism_2.lift;
-        h_2 = height_2;
+        h_3 = height_2;
         'naga_break: loop {
             'naga_continue: {
                 let _e23 = step;
@@ -3325,7 +3351,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e26 = step;
                     step = (_e26 + rt::Scalar(1u32));
-                    let _e29 = h_2;
+                    let _e29 = h_3;
                     let _e32 = w_1;
                     let _e33 = self.v_lift_of(l, _e32);
                     let offset_2 = ((low + (width_3 * _e29)) + _e33);
@@ -3358,8 +3384,8 @@ impl<'g> Resources<'g> {
                     let _e130 = w_1.y();
                     let _e133 = w_1.z();
                     w_1 = <rt::Vec3<f32>>::from_scalars(((_e126 - db) - dc), (_e130 + db), (_e133 + dc));
-                    let _e136 = h_2;
-                    h_2 = (_e136 + dh);
+                    let _e136 = h_3;
+                    h_3 = (_e136 + dh);
                     if rt::Scalar::into_branch_condition(db.abs().max(dc.abs()).max(dh.abs()).elementwise_lt(rt::Scalar(0.0001f32))) {
                         break 'naga_break;
                     }
@@ -3367,7 +3393,7 @@ impl<'g> Resources<'g> {
             }
         }
         let _e145 = w_1;
-        let _e146 = h_2;
+        let _e146 = h_3;
         return <ShellPoint>::new(_e145, _e146);
     }
     pub(crate) fn surface_prism_enter(
@@ -3738,57 +3764,155 @@ impl<'g> Resources<'g> {
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
-    pub(crate) fn normal_from_height(
+    pub(crate) fn slope_beside(
+        &self,
+        own: impl rt::Into<rt::Scalar<f32>>,
+        beside: impl rt::Into<rt::Scalar<f32>>,
+        rate: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_slope_beside(rt::into(own), rt::into(beside), rt::into(rate)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_slope_beside(
+        &self,
+        own: rt::Scalar<f32>,
+        beside: rt::Scalar<f32>,
+        rate: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let a_9 = (own * rate);
+        let b_8 = (beside * rate);
+        let along_14 = (rt::Scalar(1f32) + (a_9 * b_8));
+        let apart_2 = (a_9 - b_8).abs();
+        if rt::Scalar::into_branch_condition(apart_2.elementwise_le((rt::Scalar(0.5f32) * along_14))) {
+            return beside;
+        }
+        if rt::Scalar::into_branch_condition(apart_2.elementwise_ge((rt::Scalar(1f32) * along_14))) {
+            return own;
+        }
+        let part_8 = (((apart_2 / along_14) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
+        return (beside + ((own - beside) * part_8));
+    }
+    pub(crate) fn slopes_between_creases(
         &self,
         at_25: Entered,
         uv_10: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_slopes_between_creases(at_25, rt::into(uv_10)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_slopes_between_creases(
+        &self,
+        at_25: Entered,
+        uv_10: rt::Vec2<f32>,
+    ) -> rt::Vec2<f32> {
+        let _e3 = self.v_height_size(rt::Scalar(0u32));
+        let point_14 = ((uv_10 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e9 = self.v_cell_of(point_14);
+        let part_9 = (point_14 - _e9);
+        let i_2 = _e9.cast_elem_as_i32();
+        let _e13 = self.v_height_cell(i_2, rt::Scalar(0u32));
+        let _e14 = self.v_cell_slopes(_e13, part_9);
+        let _e20 = self.v_height_cell((i_2 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(0u32));
+        let _e21 = self.v_cell_slopes(_e20, part_9);
+        let before_u = _e21.x();
+        let _e28 = self.v_height_cell((i_2 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(0u32));
+        let _e29 = self.v_cell_slopes(_e28, part_9);
+        let behind_u = _e29.x();
+        let _e36 = self.v_height_cell((i_2 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(0u32));
+        let _e37 = self.v_cell_slopes(_e36, part_9);
+        let before_v = _e37.y();
+        let _e44 = self.v_height_cell((i_2 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(0u32));
+        let _e45 = self.v_cell_slopes(_e44, part_9);
+        let behind_v = _e45.y();
+        let _e50 = rt::Scalar(self.surface_settings.scale_m);
+        let rate_u = ((_e3.x() * _e50) / at_25.tangent.length());
+        let _e58 = rt::Scalar(self.surface_settings.scale_m);
+        let rate_v = ((_e3.y() * _e58) / at_25.bitangent.length());
+        let _e64 = self.v_slope_beside(_e14.x(), before_u, rate_u);
+        let _e66 = self.v_slope_beside(_e14.y(), before_v, rate_v);
+        let before_1 = <rt::Vec2<f32>>::from_scalars(_e64, _e66);
+        let _e69 = self.v_slope_beside(_e14.x(), behind_u, rate_u);
+        let _e71 = self.v_slope_beside(_e14.y(), behind_v, rate_v);
+        let behind_1 = <rt::Vec2<f32>>::from_scalars(_e69, _e71);
+        return (rt::Scalar(0.5f32) * ((_e14 + before_1) + ((behind_1 - before_1) * part_9)));
+    }
+    pub(crate) fn normal_of_slopes(
+        &self,
+        at_26: Entered,
+        slope_u: impl rt::Into<rt::Scalar<f32>>,
+        slope_v: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_25, rt::into(uv_10)))
+        rt::into(self.v_normal_of_slopes(at_26, rt::into(slope_u), rt::into(slope_v)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_normal_of_slopes(
+        &self,
+        at_26: Entered,
+        slope_u: rt::Scalar<f32>,
+        slope_v: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let along_u_1 = (at_26.tangent + (at_26.normal * slope_u));
+        let along_v_1 = (at_26.bitangent + (at_26.normal * slope_v));
+        let across_3 = along_v_1.cross(along_u_1).normalize();
+        return (across_3 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_3.dot(at_26.normal).elementwise_ge(rt::Scalar(0f32))));
+    }
+    pub(crate) fn normal_from_height(
+        &self,
+        at_27: Entered,
+        uv_11: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_from_height(at_27, rt::into(uv_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
-        at_25: Entered,
-        uv_10: rt::Vec2<f32>,
+        at_27: Entered,
+        uv_11: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
+        let _e6 = rt::Scalar(self.surface_settings.has_creases);
+        if rt::Scalar::into_branch_condition(_e6.elementwise_eq(rt::Scalar(1u32))) {
+            let _e9 = self.v_slopes_between_creases(at_27, uv_11);
+            let _e13 = rt::Scalar(self.surface_settings.scale_m);
+            let slopes = ((_e9 * _e3) * _e13);
+            let _e17 = self.v_normal_of_slopes(at_27, slopes.x(), slopes.y());
+            return _e17;
+        }
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
         let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
-        let _e16 = self.v_height_at((uv_10 + du), rt::Scalar(0u32));
-        let _e19 = self.v_height_at((uv_10 - du), rt::Scalar(0u32));
-        let rise_u = (_e16 - _e19);
-        let _e23 = self.v_height_at((uv_10 + dv), rt::Scalar(0u32));
-        let _e26 = self.v_height_at((uv_10 - dv), rt::Scalar(0u32));
-        let rise_v = (_e23 - _e26);
-        let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let slope_u = (rise_u * ((rt::Scalar(0.5f32) * _e3.x()) * _e33));
-        let _e41 = rt::Scalar(self.surface_settings.scale_m);
-        let slope_v = (rise_v * ((rt::Scalar(0.5f32) * _e3.y()) * _e41));
-        let along_u_1 = (at_25.tangent + (at_25.normal * slope_u));
-        let along_v_1 = (at_25.bitangent + (at_25.normal * slope_v));
-        let across_3 = along_v_1.cross(along_u_1).normalize();
-        return (across_3 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_3.dot(at_25.normal).elementwise_ge(rt::Scalar(0f32))));
+        let _e30 = self.v_height_at((uv_11 + du), rt::Scalar(0u32));
+        let _e33 = self.v_height_at((uv_11 - du), rt::Scalar(0u32));
+        let rise_u = (_e30 - _e33);
+        let _e37 = self.v_height_at((uv_11 + dv), rt::Scalar(0u32));
+        let _e40 = self.v_height_at((uv_11 - dv), rt::Scalar(0u32));
+        let rise_v = (_e37 - _e40);
+        let _e47 = rt::Scalar(self.surface_settings.scale_m);
+        let slope_u_1 = (rise_u * ((rt::Scalar(0.5f32) * _e3.x()) * _e47));
+        let _e55 = rt::Scalar(self.surface_settings.scale_m);
+        let slope_v_1 = (rise_v * ((rt::Scalar(0.5f32) * _e3.y()) * _e55));
+        let _e58 = self.v_normal_of_slopes(at_27, slope_u_1, slope_v_1);
+        return _e58;
     }
     pub(crate) fn finest_normal(
         &self,
-        at_26: Entered,
-        uv_11: impl rt::Into<rt::Vec2<f32>>,
+        at_28: Entered,
+        uv_12: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_26, rt::into(uv_11)))
+        rt::into(self.v_finest_normal(at_28, rt::into(uv_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_finest_normal(
         &self,
-        at_26: Entered,
-        uv_11: rt::Vec2<f32>,
+        at_28: Entered,
+        uv_12: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_normal_at(uv_11, rt::Scalar(0i32), rt::Scalar(0u32));
-            let _e11 = self.v_from_tangent_space(at_26, _e9.xyz());
+            let _e9 = self.v_normal_at(uv_12, rt::Scalar(0i32), rt::Scalar(0u32));
+            let _e11 = self.v_from_tangent_space(at_28, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_26, uv_11);
+        let _e13 = self.v_normal_from_height(at_28, uv_12);
         return _e13;
     }
     pub(crate) fn inside_unit(
@@ -3820,24 +3944,24 @@ impl<'g> Resources<'g> {
             }
             return interval_2;
         }
-        let a_9 = ((rt::Scalar(0f32) - x0_) / dx);
-        let b_8 = ((rt::Scalar(1f32) - x0_) / dx);
-        return <rt::Vec2<f32>>::from_scalars(interval_2.x().max(a_9.min(b_8)), interval_2.y().min(a_9.max(b_8)));
+        let a_10 = ((rt::Scalar(0f32) - x0_) / dx);
+        let b_9 = ((rt::Scalar(1f32) - x0_) / dx);
+        return <rt::Vec2<f32>>::from_scalars(interval_2.x().max(a_10.min(b_9)), interval_2.y().min(a_10.max(b_9)));
     }
     pub(crate) fn surface_plane_segment(
         &self,
         pixel_31: PixelIn,
-        at_27: Entered,
+        at_29: Entered,
         k_1: impl rt::Into<rt::Scalar<u32>>,
         params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_31, at_27, rt::into(k_1), rt::into(params_15)))
+        rt::into(self.v_surface_plane_segment(pixel_31, at_29, rt::into(k_1), rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_segment(
         &self,
         pixel_31: PixelIn,
-        at_27: Entered,
+        at_29: Entered,
         k_1: rt::Scalar<u32>,
         params_15: rt::Vec4<f32>,
     ) -> Path {
@@ -3845,32 +3969,32 @@ impl<'g> Resources<'g> {
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_3: rt::Vec2<f32>;
 
-        let along_14 = pixel_31.direction.length();
-        let direction_5 = (pixel_31.direction / rt::Vec3::splat_from_scalar(along_14));
-        let _e9 = self.v_climb(at_27, direction_5);
+        let along_15 = pixel_31.direction.length();
+        let direction_5 = (pixel_31.direction / rt::Vec3::splat_from_scalar(along_15));
+        let _e9 = self.v_climb(at_29, direction_5);
         let duv_4 = _e9.xy();
-        let descent_3 = (rt::Scalar(0f32) - at_27.normal.dot(direction_5));
+        let descent_3 = (rt::Scalar(0f32) - at_29.normal.dot(direction_5));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
         let slope_5 = ((rt::Scalar(0f32) - descent_3) / _e15);
         let _e20 = self.v_plane_normal(pixel_31);
         let _e21 = self.v_plane_distance(pixel_31, _e20);
-        let distance = (_e21 * along_14);
+        let distance = (_e21 * along_15);
         let eye_2 = (rt::Scalar(0f32) - distance);
-        let top_3 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
-        enter = top_3.max(eye_2);
+        let top_4 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
+        enter = top_4.max(eye_2);
         leave_4 = ((_e16 * _e15) / descent_3);
         let _e34 = leave_4;
         let _e35 = leave_4;
-        leave_4 = (_e34 + ((_e35 - top_3) * rt::Scalar(0.000001f32)));
+        leave_4 = (_e34 + ((_e35 - top_4) * rt::Scalar(0.000001f32)));
         let _e42 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
             let _e48 = enter;
             let _e49 = leave_4;
-            let _e51 = self.v_inside_unit(at_27.uv.x(), duv_4.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
+            let _e51 = self.v_inside_unit(at_29.uv.x(), duv_4.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
             interval_3 = _e51;
             let _e56 = interval_3;
-            let _e57 = self.v_inside_unit(at_27.uv.y(), duv_4.y(), _e56);
+            let _e57 = self.v_inside_unit(at_29.uv.y(), duv_4.y(), _e56);
             interval_3 = _e57;
             let _e59 = interval_3.x();
             enter = _e59;
@@ -3879,14 +4003,14 @@ impl<'g> Resources<'g> {
         }
         let _e62 = enter;
         let _e65 = enter;
-        let entry_height = (_e16 + (slope_5 * _e62)).select(rt::Scalar(1f32), _e65.elementwise_eq(top_3));
+        let entry_height = (_e16 + (slope_5 * _e62)).select(rt::Scalar(1f32), _e65.elementwise_eq(top_4));
         let _e69 = enter;
         let base_2 = (rt::Scalar(0f32) - _e69).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e76 = enter;
         let _e81 = leave_4;
         let _e82 = enter;
         let _e87 = enter;
-        return <Path>::new((at_27.uv + (duv_4 * _e76)), duv_4, <rt::Vec3<f32>>::from_scalars(entry_height, slope_5, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_27.metric, RAY_VIEW, rt::Scalar(at_27.level), (distance + _e87), rt::Scalar(1f32));
+        return <Path>::new((at_29.uv + (duv_4 * _e76)), duv_4, <rt::Vec3<f32>>::from_scalars(entry_height, slope_5, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_29.metric, RAY_VIEW, rt::Scalar(at_29.level), (distance + _e87), rt::Scalar(1f32));
     }
     pub(crate) fn path_from(
         &self,
@@ -4037,17 +4161,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_segment(
         &self,
         pixel_32: PixelIn,
-        at_28: Entered,
+        at_30: Entered,
         k_2: impl rt::Into<rt::Scalar<u32>>,
         params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_32, at_28, rt::into(k_2), rt::into(params_16)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_32, at_30, rt::into(k_2), rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_segment(
         &self,
         pixel_32: PixelIn,
-        at_28: Entered,
+        at_30: Entered,
         k_2: rt::Scalar<u32>,
         params_16: rt::Vec4<f32>,
     ) -> Path {
@@ -4055,11 +4179,11 @@ impl<'g> Resources<'g> {
         let mut inside_1: rt::Vec2<f32>;
         let mut path_16: Path;
 
-        let along_15 = pixel_32.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_32, along_15);
-        let _e8 = self.v_tetrahedron(pixel_32, along_15, _e6, rt::Scalar(0u32));
-        let _e10 = self.v_tetrahedron(pixel_32, along_15, _e6, rt::Scalar(1u32));
-        let _e12 = self.v_tetrahedron(pixel_32, along_15, _e6, rt::Scalar(2u32));
+        let along_16 = pixel_32.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_32, along_16);
+        let _e8 = self.v_tetrahedron(pixel_32, along_16, _e6, rt::Scalar(0u32));
+        let _e10 = self.v_tetrahedron(pixel_32, along_16, _e6, rt::Scalar(1u32));
+        let _e12 = self.v_tetrahedron(pixel_32, along_16, _e6, rt::Scalar(2u32));
         let _e15 = self.v_comes_before(_e8.inside, _e10.inside);
         let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
         let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
@@ -4075,7 +4199,7 @@ impl<'g> Resources<'g> {
         let _e34 = self.v_ordered(pixel_32, rt::Scalar(2u32));
         let w_2 = chosen.weights;
         let g = chosen.change;
-        let uv_25 = (((_e30.uv * w_2.x()) + (_e32.uv * w_2.y())) + (_e34.uv * w_2.z()));
+        let uv_27 = (((_e30.uv * w_2.x()) + (_e32.uv * w_2.y())) + (_e34.uv * w_2.z()));
         let duv_5 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
         let _e61 = self.v_shell_slack(pixel_32, _e6);
         let beyond_1 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
@@ -4090,10 +4214,10 @@ impl<'g> Resources<'g> {
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_1;
-            let _e96 = self.v_inside_unit(uv_25.x(), duv_5.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_27.x(), duv_5.x(), _e95);
             inside_1 = _e96;
             let _e99 = inside_1;
-            let _e100 = self.v_inside_unit(uv_25.y(), duv_5.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_27.y(), duv_5.y(), _e99);
             inside_1 = _e100;
         }
         let whole = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -4104,7 +4228,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_1.x();
         let _e149 = inside_1.y();
         let _e151 = inside_1.x();
-        path_16 = <Path>::new((uv_25 + (duv_5 * _e125)), duv_5, <rt::Vec3<f32>>::from_scalars((w_2.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_28.metric, RAY_VIEW, rt::Scalar(at_28.level), (_e6 + _e146), ((_e149 - _e151) / whole));
+        path_16 = <Path>::new((uv_27 + (duv_5 * _e125)), duv_5, <rt::Vec3<f32>>::from_scalars((w_2.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_30.metric, RAY_VIEW, rt::Scalar(at_30.level), (_e6 + _e146), ((_e149 - _e151) / whole));
         let _e158 = rt::Scalar(path_16.exit);
         if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
             let _e161 = path_16;
@@ -4119,17 +4243,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_prism_segment(
         &self,
         pixel_33: PixelIn,
-        at_29: Entered,
+        at_31: Entered,
         k_3: impl rt::Into<rt::Scalar<u32>>,
         params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_33, at_29, rt::into(k_3), rt::into(params_17)))
+        rt::into(self.v_surface_prism_segment(pixel_33, at_31, rt::into(k_3), rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_segment(
         &self,
         pixel_33: PixelIn,
-        at_29: Entered,
+        at_31: Entered,
         k_3: rt::Scalar<u32>,
         params_17: rt::Vec4<f32>,
     ) -> Path {
@@ -4137,20 +4261,20 @@ impl<'g> Resources<'g> {
         let mut path_17: Path;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_33.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_surface_tetrahedra_segment(pixel_33, at_29, k_3, params_17);
+            let _e8 = self.v_surface_tetrahedra_segment(pixel_33, at_31, k_3, params_17);
             return _e8;
         }
-        let along_16 = pixel_33.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_33, along_16);
-        let _e12 = self.v_prism_of(pixel_33, along_16, _e11, params_17);
+        let along_17 = pixel_33.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_33, along_17);
+        let _e12 = self.v_prism_of(pixel_33, along_17, _e11, params_17);
         let heights_1 = pixel_33.shell.heights;
         let mean_3 = (rt::Scalar(0.5f32) * (heights_1.x() + heights_1.y()));
-        let _e20 = self.v_chord_end(at_29, k_3);
-        let _e23 = self.v_chord_end(at_29, (k_3 + rt::Scalar(1u32)));
+        let _e20 = self.v_chord_end(at_31, k_3);
+        let _e23 = self.v_chord_end(at_31, (k_3 + rt::Scalar(1u32)));
         let long_1 = (_e23 - _e20);
-        let _e26 = self.v_shell_point(_e12, (along_16 * _e20), mean_3);
-        let _e31 = self.v_shell_point(_e12, (along_16 * (rt::Scalar(0.5f32) * (_e20 + _e23))), mean_3);
-        let _e33 = self.v_shell_point(_e12, (along_16 * _e23), mean_3);
+        let _e26 = self.v_shell_point(_e12, (along_17 * _e20), mean_3);
+        let _e31 = self.v_shell_point(_e12, (along_17 * (rt::Scalar(0.5f32) * (_e20 + _e23))), mean_3);
+        let _e33 = self.v_shell_point(_e12, (along_17 * _e23), mean_3);
         let _e35 = self.v_uv_of(pixel_33, _e26.weights);
         let _e37 = self.v_uv_of(pixel_33, _e33.weights);
         let duv_6 = ((_e37 - _e35) / rt::Vec2::splat_from_scalar(long_1));
@@ -4160,7 +4284,7 @@ impl<'g> Resources<'g> {
         let change_3 = ((_e33.weights - _e26.weights) / rt::Vec3::splat_from_scalar(long_1));
         let _e67 = self.v_height_size(rt::Scalar(0u32));
         let _e70 = self.v_height_size(rt::Scalar(0u32));
-        let texel_7 = (at_29.metric.x().max(at_29.metric.z()).sqrt() / _e67.x().max(_e70.y()));
+        let texel_7 = (at_31.metric.x().max(at_31.metric.z()).sqrt() / _e67.x().max(_e70.y()));
         let edges = <rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length());
         let twice = (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length();
         let beyond_2 = (edges * ((_e54 + ((rt::Scalar(2f32) * params_17.x()) * texel_7)) / twice));
@@ -4184,7 +4308,7 @@ impl<'g> Resources<'g> {
             inside_2 = _e135;
         }
         let _e142 = inside_2.y();
-        path_17 = <Path>::new(_e35, duv_6, <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e26.height), (slope_6 / long_1), (bend_2 / (long_1 * long_1))), _e142, rt::Scalar(0f32), at_29.metric, RAY_VIEW, rt::Scalar(at_29.level), (_e11 + _e20), (rt::Scalar(1f32) / rt::Scalar(at_29.segments).cast_elem_as_f32()));
+        path_17 = <Path>::new(_e35, duv_6, <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e26.height), (slope_6 / long_1), (bend_2 / (long_1 * long_1))), _e142, rt::Scalar(0f32), at_31.metric, RAY_VIEW, rt::Scalar(at_31.level), (_e11 + _e20), (rt::Scalar(1f32) / rt::Scalar(at_31.segments).cast_elem_as_f32()));
         let _e155 = inside_2.y();
         let _e157 = inside_2.x();
         if rt::Scalar::into_branch_condition((!_e155.elementwise_gt(_e157))) {
@@ -4222,17 +4346,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_segment(
         &self,
         pixel_34: PixelIn,
-        at_30: Entered,
+        at_32: Entered,
         k_4: impl rt::Into<rt::Scalar<u32>>,
         params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_34, at_30, rt::into(k_4), rt::into(params_18)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_34, at_32, rt::into(k_4), rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_segment(
         &self,
         pixel_34: PixelIn,
-        at_30: Entered,
+        at_32: Entered,
         k_4: rt::Scalar<u32>,
         params_18: rt::Vec4<f32>,
     ) -> Path {
@@ -4242,26 +4366,26 @@ impl<'g> Resources<'g> {
         let mut path_18: Path;
         let mut inside_3: rt::Vec2<f32>;
 
-        let along_17 = pixel_34.direction.length();
-        let _e9 = self.v_across_of(at_30, (pixel_34.direction / rt::Vec3::splat_from_scalar(along_17)));
+        let along_18 = pixel_34.direction.length();
+        let _e9 = self.v_across_of(at_32, (pixel_34.direction / rt::Vec3::splat_from_scalar(along_18)));
         let _e10 = self.v_traced_scale_m();
         let _e11 = self.v_plane_normal(pixel_34);
         let _e12 = self.v_plane_distance(pixel_34, _e11);
-        let distance_1 = (_e12 * along_17);
-        let whole_1 = (at_30.span.y() - at_30.span.x());
-        let first_3 = (at_30.span.x() + (whole_1 * (k_4.cast_elem_as_f32() / params_18.z())));
-        let last_3 = (at_30.span.x() + (whole_1 * ((k_4 + rt::Scalar(1u32)).cast_elem_as_f32() / params_18.z())));
+        let distance_1 = (_e12 * along_18);
+        let whole_1 = (at_32.span.y() - at_32.span.x());
+        let first_3 = (at_32.span.x() + (whole_1 * (k_4.cast_elem_as_f32() / params_18.z())));
+        let last_3 = (at_32.span.x() + (whole_1 * ((k_4 + rt::Scalar(1u32)).cast_elem_as_f32() / params_18.z())));
         let long_2 = (last_3 - first_3);
         let _e38 = self.v_across_depth(_e9, first_3);
-        begin = (at_30.quadric.w() - (_e38 / _e10));
+        begin = (at_32.quadric.w() - (_e38 / _e10));
         if rt::Scalar::into_branch_condition(k_4.elementwise_eq(rt::Scalar(0u32))) {
             let _e44 = begin;
             begin = _e44.min(rt::Scalar(1f32));
         }
         let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_3 + last_3)));
-        let middle_9 = (at_30.quadric.w() - (_e52 / _e10));
+        let middle_9 = (at_32.quadric.w() - (_e52 / _e10));
         let _e57 = self.v_across_depth(_e9, last_3);
-        end = (at_30.quadric.w() - (_e57 / _e10));
+        end = (at_32.quadric.w() - (_e57 / _e10));
         if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_18.z().cast_elem_as_u32())) {
             let _e68 = end;
             local_17 = _e68.elementwise_lt(rt::Scalar(0.5f32));
@@ -4281,7 +4405,7 @@ impl<'g> Resources<'g> {
         let slope_7 = ((_e84 - _e85) - bend_3);
         let base_3 = (rt::Scalar(0f32) - first_3).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e98 = begin;
-        path_18 = <Path>::new((at_30.uv + (_e9.duv * first_3)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_7 / long_2), (bend_3 / (long_2 * long_2))), long_2, base_3, at_30.metric, RAY_VIEW, rt::Scalar(at_30.level), (distance_1 + first_3), (rt::Scalar(1f32) / params_18.z()));
+        path_18 = <Path>::new((at_32.uv + (_e9.duv * first_3)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_7 / long_2), (bend_3 / (long_2 * long_2))), long_2, base_3, at_32.metric, RAY_VIEW, rt::Scalar(at_32.level), (distance_1 + first_3), (rt::Scalar(1f32) / params_18.z()));
         inside_3 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_2);
         let _e117 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e117.elementwise_eq(WRAP_CLAMP)) {
@@ -4310,17 +4434,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_segment(
         &self,
         pixel_35: PixelIn,
-        at_31: Entered,
+        at_33: Entered,
         k_5: impl rt::Into<rt::Scalar<u32>>,
         params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_35, at_31, rt::into(k_5), rt::into(params_19)))
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_35, at_33, rt::into(k_5), rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_segment(
         &self,
         pixel_35: PixelIn,
-        at_31: Entered,
+        at_33: Entered,
         k_5: rt::Scalar<u32>,
         params_19: rt::Vec4<f32>,
     ) -> Path {
@@ -4332,19 +4456,19 @@ impl<'g> Resources<'g> {
         let mut path_19: Path;
         let mut local_20: rt::Scalar<bool>;
 
-        let along_18 = pixel_35.direction.length();
-        let direction_6 = (pixel_35.direction / rt::Vec3::splat_from_scalar(along_18));
-        let _e9 = self.v_climb(at_31, direction_6);
+        let along_19 = pixel_35.direction.length();
+        let direction_6 = (pixel_35.direction / rt::Vec3::splat_from_scalar(along_19));
+        let _e9 = self.v_climb(at_33, direction_6);
         let duv_7 = _e9.xy();
-        let descent_4 = (rt::Scalar(0f32) - at_31.normal.dot(direction_6));
+        let descent_4 = (rt::Scalar(0f32) - at_33.normal.dot(direction_6));
         let _e15 = self.v_traced_scale_m();
-        let height_8 = at_31.quadric.w();
+        let height_8 = at_33.quadric.w();
         let slope_8 = ((rt::Scalar(0f32) - descent_4) / _e15);
-        let _e23 = self.v_quadric_at(at_31.quadric.xyz(), duv_7);
+        let _e23 = self.v_quadric_at(at_33.quadric.xyz(), duv_7);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
         let _e27 = self.v_plane_normal(pixel_35);
         let _e28 = self.v_plane_distance(pixel_35, _e27);
-        let distance_2 = (_e28 * along_18);
+        let distance_2 = (_e28 * along_19);
         let eye_3 = (rt::Scalar(0f32) - distance_2);
         let _e35 = self.v_bent_descent(((height_8 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
@@ -4378,10 +4502,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e85.elementwise_eq(WRAP_CLAMP)) {
             let _e91 = enter_1;
             let _e92 = leave_5;
-            let _e94 = self.v_inside_unit(at_31.uv.x(), duv_7.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
+            let _e94 = self.v_inside_unit(at_33.uv.x(), duv_7.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
             interval_4 = _e94;
             let _e99 = interval_4;
-            let _e100 = self.v_inside_unit(at_31.uv.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(at_33.uv.y(), duv_7.y(), _e99);
             interval_4 = _e100;
             let _e102 = interval_4.x();
             enter_1 = _e102;
@@ -4399,7 +4523,7 @@ impl<'g> Resources<'g> {
         let _e131 = leave_5;
         let _e132 = enter_1;
         let _e137 = enter_1;
-        path_19 = <Path>::new((at_31.uv + (duv_7 * _e122)), duv_7, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_8 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_31.metric, RAY_VIEW, rt::Scalar(at_31.level), (distance_2 + _e137), rt::Scalar(1f32));
+        path_19 = <Path>::new((at_33.uv + (duv_7 * _e122)), duv_7, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_8 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_33.metric, RAY_VIEW, rt::Scalar(at_33.level), (distance_2 + _e137), rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
             let _e147 = rt::Scalar(path_19.exit);
             local_20 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
@@ -4416,43 +4540,43 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_segment_stage(
         &self,
         pixel_36: PixelIn,
-        at_32: Entered,
+        at_34: Entered,
         k_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_36, at_32, rt::into(k_6)))
+        rt::into(self.v_surface_segment_stage(pixel_36, at_34, rt::into(k_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_segment_stage(
         &self,
         pixel_36: PixelIn,
-        at_32: Entered,
+        at_34: Entered,
         k_6: rt::Scalar<u32>,
     ) -> Path {
         let _e7 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[0usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_36, at_32, k_6, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_36, at_34, k_6, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[0usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_36, at_32, k_6, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_36, at_34, k_6, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[0usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_36, at_32, k_6, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_36, at_34, k_6, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[0usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_36, at_32, k_6, _e30);
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_36, at_34, k_6, _e30);
                 return _e31;
             }
             _ => {
                 let _e36 = self.surface_settings.choices[0usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_36, at_32, k_6, _e36);
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_36, at_34, k_6, _e36);
                 return _e37;
             }
         }
@@ -4476,22 +4600,22 @@ impl<'g> Resources<'g> {
         &self,
         path_21: Path,
         middle_6: impl rt::Into<rt::Scalar<f32>>,
-        part_2: impl rt::Into<rt::Scalar<f32>>,
+        part_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_flattened(path_21, rt::into(middle_6), rt::into(part_2)))
+        rt::into(self.v_flattened(path_21, rt::into(middle_6), rt::into(part_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_flattened(
         &self,
         path_21: Path,
         middle_6: rt::Scalar<f32>,
-        part_2: rt::Scalar<f32>,
+        part_3: rt::Scalar<f32>,
     ) -> Path {
         let mut start: rt::Scalar<f32> = rt::Scalar(0f32);
 
-        let kept = (rt::Scalar(1f32) - part_2);
-        let top_4 = (middle_6 + ((rt::Scalar(1f32) - middle_6) * kept));
-        let above_5 = (path_21.h.x() - top_4);
+        let kept = (rt::Scalar(1f32) - part_3);
+        let top_5 = (middle_6 + ((rt::Scalar(1f32) - middle_6) * kept));
+        let above_5 = (path_21.h.x() - top_5);
         let begins = above_5.elementwise_gt(rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(begins) {
             let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_5, path_21.h.y(), path_21.h.z()), rt::Scalar(path_21.exit));
@@ -4500,41 +4624,41 @@ impl<'g> Resources<'g> {
         let height_9 = (middle_6 + ((path_21.h.x() - middle_6) / kept)).select(rt::Scalar(1f32), begins);
         let _e32 = start;
         let _e33 = self.v_path_slope(path_21, _e32);
-        let h_3 = <rt::Vec3<f32>>::from_scalars(height_9, (_e33 / kept), (path_21.h.z() / kept));
+        let h_4 = <rt::Vec3<f32>>::from_scalars(height_9, (_e33 / kept), (path_21.h.z() / kept));
         let _e40 = start;
         let rest_3 = (rt::Scalar(path_21.exit) - _e40);
-        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_3.x().max(rt::Scalar(0f32)), h_3.y(), h_3.z()), rest_3);
+        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_4.x().max(rt::Scalar(0f32)), h_4.y(), h_4.z()), rest_3);
         let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_3);
         let _e53 = start;
         let base_5 = (rt::Scalar(path_21.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e58 = start;
         let _e59 = self.v_path_uv(path_21, _e58);
         let _e65 = start;
-        return <Path>::new(_e59, path_21.duv, h_3, exit_1, base_5, path_21.metric, rt::Scalar(path_21.ray), rt::Scalar(path_21.level), (rt::Scalar(path_21.start) + _e65), rt::Scalar(path_21.share));
+        return <Path>::new(_e59, path_21.duv, h_4, exit_1, base_5, path_21.metric, rt::Scalar(path_21.ray), rt::Scalar(path_21.level), (rt::Scalar(path_21.start) + _e65), rt::Scalar(path_21.share));
     }
     pub(crate) fn segment_of(
         &self,
         pixel_37: PixelIn,
-        at_33: Entered,
+        at_35: Entered,
         k_7: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_37, at_33, rt::into(k_7)))
+        rt::into(self.v_segment_of(pixel_37, at_35, rt::into(k_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_segment_of(
         &self,
         pixel_37: PixelIn,
-        at_33: Entered,
+        at_35: Entered,
         k_7: rt::Scalar<u32>,
     ) -> Path {
         let mut path_22: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_37, at_33, k_7);
+        let _e3 = self.v_surface_segment_stage(pixel_37, at_35, k_7);
         path_22 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_33.fade).elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_35.fade).elementwise_gt(rt::Scalar(0f32))) {
             let _e8 = path_22;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_33.fade));
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_35.fade));
             path_22 = _e13;
             let _e16 = path_22.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
@@ -4703,27 +4827,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn height_and_slope(
         &self,
-        uv_12: impl rt::Into<rt::Vec2<f32>>,
+        uv_13: impl rt::Into<rt::Vec2<f32>>,
         level_15: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_12), rt::into(level_15)))
+        rt::into(self.v_height_and_slope(rt::into(uv_13), rt::into(level_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_height_and_slope(
         &self,
-        uv_12: rt::Vec2<f32>,
+        uv_13: rt::Vec2<f32>,
         level_15: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_height_size(level_15);
-        let point_14 = ((uv_12 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_14);
-        let f_1 = (point_14 - _e8);
+        let point_15 = ((uv_13 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_15);
+        let f_1 = (point_15 - _e8);
         let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_15);
-        let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
+        let top_6 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_2 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
-        let left_1 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
+        let left_2 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
         let right = (_e11.y() + ((_e11.w() - _e11.y()) * f_1.y()));
-        return <rt::Vec3<f32>>::from_scalars((top_5 + ((bottom_2 - top_5) * f_1.y())), ((right - left_1) * _e2.x()), ((bottom_2 - top_5) * _e2.y()));
+        return <rt::Vec3<f32>>::from_scalars((top_6 + ((bottom_2 - top_6) * f_1.y())), ((right - left_2) * _e2.x()), ((bottom_2 - top_6) * _e2.y()));
     }
     pub(crate) fn normal_z(
         &self,
@@ -5266,7 +5390,7 @@ impl<'g> Resources<'g> {
         found_11: Found,
         params_29: rt::Vec4<f32>,
     ) -> Hit {
-        let mut part_3: rt::Scalar<f32> = rt::Scalar(0.5f32);
+        let mut part_4: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BELOW)) {
             let _e6 = self.v_refine_none(path_35, found_11, params_29);
@@ -5282,14 +5406,14 @@ impl<'g> Resources<'g> {
         let backward = (rt::Scalar(found_11.far) - half_1).max(rt::Scalar(0f32));
         let forward_2 = (rt::Scalar(found_11.far) + half_1).min(rt::Scalar(path_35.exit));
         let _e28 = self.v_path_gap(path_35, backward);
-        let before_1 = _e28.abs();
+        let before_2 = _e28.abs();
         let _e30 = self.v_path_gap(path_35, forward_2);
-        let behind_1 = _e30.abs();
-        if rt::Scalar::into_branch_condition((before_1 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
-            part_3 = (before_1 / (before_1 + behind_1));
+        let behind_2 = _e30.abs();
+        if rt::Scalar::into_branch_condition((before_2 + behind_2).elementwise_gt(rt::Scalar(0f32))) {
+            part_4 = (before_2 / (before_2 + behind_2));
         }
         let cost_22 = ((found_11.cost + HEIGHTS_READ) + HEIGHTS_READ);
-        let _e45 = part_3;
+        let _e45 = part_4;
         let _e49 = self.v_hit_on_path(path_35, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_22);
         return _e49;
     }
@@ -5730,12 +5854,12 @@ impl<'g> Resources<'g> {
                     let end_4 = _e35.x().min(_e35.y()).min(rt::Scalar(path_42.exit));
                     let _e41 = t_22;
                     let span_8 = (end_4 - _e41).max(rt::Scalar(0f32));
-                    let top_6 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
+                    let top_7 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
                     let _e52 = t_22;
                     let _e53 = self.v_path_height(path_42, _e52);
                     let _e55 = t_22;
                     let _e56 = self.v_path_slope(path_42, _e55);
-                    let above_6 = <rt::Vec3<f32>>::from_scalars((_e53 - top_6), _e56, path_42.h.z());
+                    let above_6 = <rt::Vec3<f32>>::from_scalars((_e53 - top_7), _e56, path_42.h.z());
                     let _e63 = t_22;
                     let _e67 = t_22;
                     let of_heights = (rt::Scalar(0.0000009536743f32) * (path_42.h.x().abs() + (_e63 * (path_42.h.y().abs() + (_e67 * path_42.h.z().abs())))));
@@ -5777,8 +5901,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_11;
                         let _e119 = t_22;
-                        let at_86 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_2 = at_86.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_86), forward_3);
+                        let at_88 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_3 = at_88.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_88), forward_3);
                         let _e131 = t_22;
                         let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_2;
@@ -5786,9 +5910,9 @@ impl<'g> Resources<'g> {
                         let _e145 = t_22;
                         let rest_4 = (rt::Scalar(path_42.exit) - _e145);
                         let _e147 = slope_2;
-                        let _e152 = self.v_stays_above(above_6, _e147, left_2.x(), _e2.step.x(), lost_1.x(), rest_4);
+                        let _e152 = self.v_stays_above(above_6, _e147, left_3.x(), _e2.step.x(), lost_1.x(), rest_4);
                         let _e153 = slope_2;
-                        let _e158 = self.v_stays_above(above_6, _e153, left_2.y(), _e2.step.y(), lost_1.y(), rest_4);
+                        let _e158 = self.v_stays_above(above_6, _e153, left_3.y(), _e2.step.y(), lost_1.y(), rest_4);
                         let _e159 = next_1;
                         let _e160 = t_22;
                         next_1 = _e159.max((_e160 + _e152.min(_e158)));
@@ -5819,12 +5943,12 @@ impl<'g> Resources<'g> {
         let _e186 = cost_12;
         return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_42.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
-    pub(crate) fn nearest_corner(&self, at_34: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_34)))
+    pub(crate) fn nearest_corner(&self, at_36: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_nearest_corner(&self, at_34: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_34.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_36: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_36.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
@@ -5881,16 +6005,16 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_9 = (((slope_3 * slope_3) * aside_4.dot(path_43.duv)) - (gap_2 * rise_3));
-        let a_10 = (((slope_3 * slope_3) * path_43.duv.dot(path_43.duv)) - (rise_3 * rise_3));
-        let discriminant_2 = ((b_9 * b_9) - (a_10 * c_8));
+        let b_10 = (((slope_3 * slope_3) * aside_4.dot(path_43.duv)) - (gap_2 * rise_3));
+        let a_11 = (((slope_3 * slope_3) * path_43.duv.dot(path_43.duv)) - (rise_3 * rise_3));
+        let discriminant_2 = ((b_10 * b_10) - (a_11 * c_8));
         if rt::Scalar::into_branch_condition(discriminant_2.elementwise_ge(rt::Scalar(0f32))) {
             let root_3 = discriminant_2.sqrt();
-            if rt::Scalar::into_branch_condition(b_9.elementwise_ge(rt::Scalar(0f32))) {
-                leave_6 = ((rt::Scalar(0f32) - c_8) / (b_9 + root_3));
+            if rt::Scalar::into_branch_condition(b_10.elementwise_ge(rt::Scalar(0f32))) {
+                leave_6 = ((rt::Scalar(0f32) - c_8) / (b_10 + root_3));
             } else {
-                if rt::Scalar::into_branch_condition(a_10.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_6 = ((root_3 - b_9) / a_10);
+                if rt::Scalar::into_branch_condition(a_11.elementwise_gt(rt::Scalar(0f32))) {
+                    leave_6 = ((root_3 - b_10) / a_11);
                 }
             }
         }
@@ -5951,8 +6075,8 @@ impl<'g> Resources<'g> {
                     let span_9 = (end_6 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_12;
                     let _e49 = t_24;
-                    let at_87 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_87);
+                    let at_89 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_89);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_24;
                     next_2 = _e54;
@@ -6149,8 +6273,8 @@ impl<'g> Resources<'g> {
                     } else {
                         local_34 = rt::Scalar(false);
                     }
-                    let left_3 = local_34;
-                    if rt::Scalar::into_branch_condition(left_3) {
+                    let left_4 = local_34;
+                    if rt::Scalar::into_branch_condition(left_4) {
                         let _e98 = level_17;
                         let _e99 = top;
                         local_36 = _e98.elementwise_lt(_e99);
@@ -7223,18 +7347,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_polish(
         &self,
         pixel_38: PixelIn,
-        at_35: Entered,
+        at_37: Entered,
         path_54: Path,
         hit_8: Hit,
         params_42: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_38, at_35, path_54, hit_8, rt::into(params_42)))
+        rt::into(self.v_surface_plane_polish(pixel_38, at_37, path_54, hit_8, rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_polish(
         &self,
         pixel_38: PixelIn,
-        at_35: Entered,
+        at_37: Entered,
         path_54: Path,
         hit_8: Hit,
         params_42: rt::Vec4<f32>,
@@ -7244,18 +7368,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_prism_polish(
         &self,
         pixel_39: PixelIn,
-        at_36: Entered,
+        at_38: Entered,
         path_55: Path,
         hit_9: Hit,
         params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_39, at_36, path_55, hit_9, rt::into(params_43)))
+        rt::into(self.v_surface_prism_polish(pixel_39, at_38, path_55, hit_9, rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_polish(
         &self,
         pixel_39: PixelIn,
-        at_36: Entered,
+        at_38: Entered,
         path_55: Path,
         hit_9: Hit,
         params_43: rt::Vec4<f32>,
@@ -7267,9 +7391,9 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_39.shell.order).elementwise_ge(SHELL_FOLDED)) {
             return hit_9;
         }
-        let along_19 = pixel_39.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_39, along_19);
-        let _e12 = self.v_prism_of(pixel_39, along_19, _e11, params_43);
+        let along_20 = pixel_39.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_39, along_20);
+        let _e12 = self.v_prism_of(pixel_39, along_20, _e11, params_43);
         let _e14 = self.v_path_gap(path_55, rt::Scalar(hit_9.t));
         let _e15 = self.v_grid_of(path_55);
         let texels_4 = _e15.step.abs();
@@ -7278,7 +7402,7 @@ impl<'g> Resources<'g> {
         let _e34 = t_32;
         let _e38 = t_32;
         let _e39 = self.v_path_height(path_55, _e38);
-        let _e40 = self.v_shell_point(_e12, (along_19 * ((rt::Scalar(path_55.start) + _e34) - _e11)), _e39);
+        let _e40 = self.v_shell_point(_e12, (along_20 * ((rt::Scalar(path_55.start) + _e34) - _e11)), _e39);
         point_4 = _e40;
         'naga_break: loop {
             'naga_continue: {
@@ -7307,7 +7431,7 @@ impl<'g> Resources<'g> {
                     let _e79 = t_32;
                     let _e83 = t_32;
                     let _e84 = self.v_path_height(path_55, _e83);
-                    let _e85 = self.v_shell_point(_e12, (along_19 * ((rt::Scalar(path_55.start) + _e79) - _e11)), _e84);
+                    let _e85 = self.v_shell_point(_e12, (along_20 * ((rt::Scalar(path_55.start) + _e79) - _e11)), _e84);
                     point_4 = _e85;
                 }
             }
@@ -7321,18 +7445,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
         pixel_40: PixelIn,
-        at_37: Entered,
+        at_39: Entered,
         path_56: Path,
         hit_10: Hit,
         params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_40, at_37, path_56, hit_10, rt::into(params_44)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_40, at_39, path_56, hit_10, rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_polish(
         &self,
         pixel_40: PixelIn,
-        at_37: Entered,
+        at_39: Entered,
         path_56: Path,
         hit_10: Hit,
         params_44: rt::Vec4<f32>,
@@ -7342,18 +7466,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_polish(
         &self,
         pixel_41: PixelIn,
-        at_38: Entered,
+        at_40: Entered,
         path_57: Path,
         hit_11: Hit,
         params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_41, at_38, path_57, hit_11, rt::into(params_45)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_41, at_40, path_57, hit_11, rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_polish(
         &self,
         pixel_41: PixelIn,
-        at_38: Entered,
+        at_40: Entered,
         path_57: Path,
         hit_11: Hit,
         params_45: rt::Vec4<f32>,
@@ -7363,65 +7487,90 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_polish(
         &self,
         pixel_42: PixelIn,
-        at_39: Entered,
+        at_41: Entered,
         path_58: Path,
         hit_12: Hit,
         params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_42, at_39, path_58, hit_12, rt::into(params_46)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_42, at_41, path_58, hit_12, rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_polish(
         &self,
         pixel_42: PixelIn,
-        at_39: Entered,
+        at_41: Entered,
         path_58: Path,
         hit_12: Hit,
         params_46: rt::Vec4<f32>,
     ) -> Hit {
         return hit_12;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_43: PixelIn, at_40: Entered, path_59: Path, hit_13: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_43, at_40, path_59, hit_13))
+    pub(crate) fn surface_polish_stage(&self, pixel_43: PixelIn, at_42: Entered, path_59: Path, hit_13: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_43, at_42, path_59, hit_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_43: PixelIn, at_40: Entered, path_59: Path, hit_13: Hit) -> Hit {
+    fn v_surface_polish_stage(&self, pixel_43: PixelIn, at_42: Entered, path_59: Path, hit_13: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[0usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_43, at_40, path_59, hit_13, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_43, at_42, path_59, hit_13, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[0usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_43, at_40, path_59, hit_13, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_43, at_42, path_59, hit_13, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[0usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_43, at_40, path_59, hit_13, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_43, at_42, path_59, hit_13, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[0usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_43, at_40, path_59, hit_13, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_43, at_42, path_59, hit_13, _e31);
                 return _e32;
             }
             _ => {
                 let _e37 = self.surface_settings.choices[0usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_43, at_40, path_59, hit_13, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_43, at_42, path_59, hit_13, _e37);
                 return _e38;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_44: PixelIn, at_41: Entered, path_60: Path, hit_14: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_44, at_41, path_60, hit_14))
+    pub(crate) fn polish_hit(&self, pixel_44: PixelIn, at_43: Entered, path_60: Path, hit_14: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_44, at_43, path_60, hit_14))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_polish_hit(&self, pixel_44: PixelIn, at_41: Entered, path_60: Path, hit_14: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_44, at_41, path_60, hit_14);
+    fn v_polish_hit(&self, pixel_44: PixelIn, at_43: Entered, path_60: Path, hit_14: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_44, at_43, path_60, hit_14);
         return _e4;
+    }
+    pub(crate) fn in_hole(&self, uv_14: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_in_hole(rt::into(uv_14)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_in_hole(&self, uv_14: rt::Vec2<f32>) -> rt::Scalar<bool> {
+        let _e3 = rt::Scalar(self.surface_settings.has_holes);
+        if rt::Scalar::into_branch_condition(_e3.elementwise_ne(rt::Scalar(1u32))) {
+            return rt::Scalar(false);
+        }
+        let _e8 = self.v_height_texels(rt::Scalar(0u32));
+        let _e10 = self.v_height_size(rt::Scalar(0u32));
+        let _e16 = self.v_cell_of(((uv_14 * _e10) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let cell_20 = _e16.cast_elem_as_i32();
+        let _e20 = self.v_wrap_index(cell_20.x(), _e8.x());
+        let _e25 = self.v_wrap_index((cell_20.x() + rt::Scalar(1i32)), _e8.x());
+        let _e28 = self.v_wrap_index(cell_20.y(), _e8.y());
+        let _e33 = self.v_wrap_index((cell_20.y() + rt::Scalar(1i32)), _e8.y());
+        let _e37 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e20, _e28), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e42 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e25, _e28), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let above_7 = _e37.x().max(_e42.x());
+        let _e48 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e20, _e33), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e53 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e25, _e33), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let below_5 = _e48.x().max(_e53.x());
+        return above_7.max(below_5).elementwise_gt(rt::Scalar(0f32));
     }
     pub(crate) fn key_of(&self, depth_5: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_key_of(rt::into(depth_5)))
@@ -7432,11 +7581,11 @@ impl<'g> Resources<'g> {
         let _e6 = rt::Scalar(self.frame.near);
         return (_e3 / (_e6 + depth_5.max(rt::Scalar(0f32))));
     }
-    pub(crate) fn first_hit(&self, pixel_45: PixelIn, at_42: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_45, at_42))
+    pub(crate) fn first_hit(&self, pixel_45: PixelIn, at_44: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_45, at_44))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_hit(&self, pixel_45: PixelIn, at_42: Entered) -> FirstHit {
+    fn v_first_hit(&self, pixel_45: PixelIn, at_44: Entered) -> FirstHit {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
         let mut k_14: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut hit_15: Hit;
@@ -7444,13 +7593,13 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e6 = k_14;
-                if rt::Scalar::into_branch_condition(_e6.elementwise_lt(rt::Scalar(at_42.segments))) {
+                if rt::Scalar::into_branch_condition(_e6.elementwise_lt(rt::Scalar(at_44.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e9 = k_14;
-                    let _e10 = self.v_segment_of(pixel_45, at_42, _e9);
+                    let _e10 = self.v_segment_of(pixel_45, at_44, _e9);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e10.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e14 = self.v_trace(_e10);
                         hit_15 = _e14;
@@ -7462,58 +7611,62 @@ impl<'g> Resources<'g> {
                             let _e25 = cost_21;
                             hit_15.cost = _e25;
                             let _e26 = hit_15;
-                            let _e27 = self.v_polish_hit(pixel_45, at_42, _e10, _e26);
+                            let _e27 = self.v_polish_hit(pixel_45, at_44, _e10, _e26);
                             hit_15 = _e27;
-                            let _e28 = hit_15;
-                            let _e29 = k_14;
-                            let _e30 = hit_15;
-                            let _e31 = self.v_depth_on_ray(pixel_45, _e10, _e30);
-                            let _e32 = self.v_key_of(_e31);
-                            return <FirstHit>::new(_e28, _e29, _e32);
+                            let _e29 = hit_15.uv;
+                            let _e30 = self.v_in_hole(_e29);
+                            if rt::Scalar::into_branch_condition((!_e30)) {
+                                let _e32 = hit_15;
+                                let _e33 = k_14;
+                                let _e34 = hit_15;
+                                let _e35 = self.v_depth_on_ray(pixel_45, _e10, _e34);
+                                let _e36 = self.v_key_of(_e35);
+                                return <FirstHit>::new(_e32, _e33, _e36);
+                            }
                         }
                     }
-                    let _e34 = k_14;
-                    k_14 = (_e34 + rt::Scalar(1u32));
+                    let _e38 = k_14;
+                    k_14 = (_e38 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e37 = cost_21;
-        let _e38 = self.v_miss(_e37);
-        return <FirstHit>::new(_e38, rt::Scalar(0u32), rt::Scalar(0f32));
+        let _e41 = cost_21;
+        let _e42 = self.v_miss(_e41);
+        return <FirstHit>::new(_e42, rt::Scalar(0u32), rt::Scalar(0f32));
     }
-    pub(crate) fn footprint_m(&self, at_43: Entered) -> f32 {
-        rt::into(self.v_footprint_m(at_43))
+    pub(crate) fn footprint_m(&self, at_45: Entered) -> f32 {
+        rt::into(self.v_footprint_m(at_45))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_footprint_m(&self, at_43: Entered) -> rt::Scalar<f32> {
+    fn v_footprint_m(&self, at_45: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        return ((rt::Scalar(at_43.footprint) * at_43.metric.x().sqrt()) / _e7.x());
+        return ((rt::Scalar(at_45.footprint) * at_45.metric.x().sqrt()) / _e7.x());
     }
-    pub(crate) fn near_uv(&self, uv_13: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_13)))
+    pub(crate) fn near_uv(&self, uv_15: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_near_uv(&self, uv_13: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_near_uv(&self, uv_15: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_13 - uv_13.floor());
+            return (uv_15 - uv_15.floor());
         }
         let _e10 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_13 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_13).floor()));
+            return (uv_15 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_15).floor()));
         }
-        return uv_13;
+        return uv_15;
     }
-    pub(crate) fn from_hit(&self, at_44: Entered, hit_16: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_44, hit_16, light_1))
+    pub(crate) fn from_hit(&self, at_46: Entered, hit_16: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_46, hit_16, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_from_hit(&self, at_44: Entered, hit_16: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_44, light_1.direction);
+    fn v_from_hit(&self, at_46: Entered, hit_16: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_46, light_1.direction);
         let _e6 = self.v_near_uv(hit_16.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_44.level));
-        let h_4 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_4, rt::Scalar(0f32), rt::Scalar(0f32), at_44.metric, RAY_SHADOW, rt::Scalar(at_44.level), rt::Scalar(0f32), rt::Scalar(1f32));
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_46.level));
+        let h_5 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
+        return <Path>::new(_e6, _e4.xy(), h_5, rt::Scalar(0f32), rt::Scalar(0f32), at_46.metric, RAY_SHADOW, rt::Scalar(at_46.level), rt::Scalar(0f32), rt::Scalar(1f32));
     }
     pub(crate) fn way_out(&self, path_61: Path, light_2: Toward) -> f32 {
         rt::into(self.v_way_out(path_61, light_2))
@@ -7538,14 +7691,14 @@ impl<'g> Resources<'g> {
         let _e34 = way;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_45: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_45, hit_17, light_3))
+    pub(crate) fn light_ray(&self, at_47: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_47, hit_17, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_45: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
+    fn v_light_ray(&self, at_47: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
         let mut local_48: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_45, hit_17, light_3);
+        let _e3 = self.v_from_hit(at_47, hit_17, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -7574,8 +7727,8 @@ impl<'g> Resources<'g> {
         let _e51 = self.v_path_uv(_e3, end_13);
         let gap_7 = (end_13 * (_e31.y() + (_e31.z() * end_13)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
-        let h_5 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_69 = <Path>::new(_e51, _e3.duv, h_5, (_e11 - end_13), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_13, rt::Scalar(1f32));
+        let h_6 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
+        let path_69 = <Path>::new(_e51, _e3.duv, h_6, (_e11 - end_13), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_13, rt::Scalar(1f32));
         return <LightRay>::new(LIGHT_RAY_OPEN, path_69);
     }
     pub(crate) fn shadow_search_stage(&self, path_62: Path) -> Found {
@@ -7647,12 +7800,12 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn free_way(&self, at_46: Entered, hit_18: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_46, hit_18, light_4))
+    pub(crate) fn free_way(&self, at_48: Entered, hit_18: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_48, hit_18, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_free_way(&self, at_46: Entered, hit_18: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_46, hit_18, light_4);
+    fn v_free_way(&self, at_48: Entered, hit_18: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_48, hit_18, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -7716,31 +7869,31 @@ impl<'g> Resources<'g> {
         view_7: LightView,
         point_5: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_88 = <rt::Vec4<f32>>::new_31(point_5, rt::Scalar(1f32));
-        let depth_7 = view_7.depth.dot(at_88);
+        let at_90 = <rt::Vec4<f32>>::new_31(point_5, rt::Scalar(1f32));
+        let depth_7 = view_7.depth.dot(at_90);
         let over_2 = rt::Scalar(1f32).select(depth_7, rt::Scalar(view_7.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_7.column.dot(at_88), view_7.row.dot(at_88)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_7.column.dot(at_90), view_7.row.dot(at_90)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
     }
     pub(crate) fn patch_normal(
         &self,
-        at_47: Entered,
-        uv_14: impl rt::Into<rt::Vec2<f32>>,
+        at_49: Entered,
+        uv_16: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_47, rt::into(uv_14)))
+        rt::into(self.v_patch_normal(at_49, rt::into(uv_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_patch_normal(
         &self,
-        at_47: Entered,
-        uv_14: rt::Vec2<f32>,
+        at_49: Entered,
+        uv_16: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_height_and_slope(uv_14, rt::Scalar(at_47.level));
+        let _e3 = self.v_height_and_slope(uv_16, rt::Scalar(at_49.level));
         let _e9 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_2 = (at_47.tangent + (at_47.normal * (_e3.y() * _e9)));
+        let along_u_2 = (at_49.tangent + (at_49.normal * (_e3.y() * _e9)));
         let _e18 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_2 = (at_47.bitangent + (at_47.normal * (_e3.z() * _e18)));
+        let along_v_2 = (at_49.bitangent + (at_49.normal * (_e3.z() * _e18)));
         let across_4 = along_v_2.cross(along_u_2).normalize();
-        return (across_4 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_4.dot(at_47.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_4 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_4.dot(at_49.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
@@ -7783,24 +7936,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn row_sees(
         &self,
-        at_48: InView,
+        at_50: InView,
         row: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_48, rt::into(row), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_50, rt::into(row), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_row_sees(
         &self,
-        at_48: InView,
+        at_50: InView,
         row: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column: rt::Scalar<f32>;
 
-        let view_16 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_48.number))];
-        column = at_48.low.x().floor();
+        let view_16 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_50.number))];
+        column = at_50.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = column;
@@ -7811,13 +7964,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e18 = column;
                     let _e24 = column;
-                    let wide_2 = (at_48.high.x().min((_e18 + rt::Scalar(1f32))) - at_48.low.x().max(_e24));
+                    let wide_2 = (at_50.high.x().min((_e18 + rt::Scalar(1f32))) - at_50.low.x().max(_e24));
                     let _e27 = column;
                     let place_14 = <rt::Vec2<f32>>::from_scalars(_e27, row);
-                    let _e35 = self.v_plane_depth(view_16, at_48.point, at_48.normal, (place_14 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_8 = _e35.clamp(rt::Scalar(at_48.least_depth), rt::Scalar(at_48.most_depth));
+                    let _e35 = self.v_plane_depth(view_16, at_50.point, at_50.normal, (place_14 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_8 = _e35.clamp(rt::Scalar(at_50.least_depth), rt::Scalar(at_50.most_depth));
                     let key = (rt::Scalar(view_16.near) / (rt::Scalar(view_16.near) + depth_8.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_14.cast_elem_as_i32(), rt::Scalar(at_48.number).cast_elem_as_i32());
+                    let _e48 = self.v_light_texel(place_14.cast_elem_as_i32(), rt::Scalar(at_50.number).cast_elem_as_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -7833,19 +7986,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn seen_part(
         &self,
         number_3: impl rt::Into<rt::Scalar<u32>>,
-        at_49: Entered,
+        at_51: Entered,
         normal_12: impl rt::Into<rt::Vec3<f32>>,
         place_8: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_3), at_49, rt::into(normal_12), rt::into(place_8), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_3), at_51, rt::into(normal_12), rt::into(place_8), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
         &self,
         number_3: rt::Scalar<u32>,
-        at_49: Entered,
+        at_51: Entered,
         normal_12: rt::Vec3<f32>,
         place_8: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
@@ -7856,13 +8009,13 @@ impl<'g> Resources<'g> {
 
         let view_17 = self.frame.light_views[rt::Scalar::into_array_index(number_3)];
         let texel_m = (rt::Scalar(view_17.texel_m) * rt::Scalar(1f32).select(place_8.z(), rt::Scalar(view_17.from_point).elementwise_eq(rt::Scalar(1u32))));
-        let _e19 = self.v_footprint_m(at_49);
-        let point_15 = (at_49.point + (normal_12 * (bias * texel_m.max(_e19))));
+        let _e19 = self.v_footprint_m(at_51);
+        let point_16 = (at_51.point + (normal_12 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
         let low_4 = (place_8.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_1 = (low_4 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
         let last_7 = high_1.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_17.size).cast_elem_as_f32(), rt::Scalar(view_17.size).cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_3, point_15, normal_12, low_4, high_1, (place_8.z() - reach_1), (place_8.z() + reach_1));
+        let in_view = <InView>::new(number_3, point_16, normal_12, low_4, high_1, (place_8.z() - reach_1), (place_8.z() + reach_1));
         row_1 = low_4.y().floor();
         'naga_break: loop {
             'naga_continue: {
@@ -7889,20 +8042,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_seen(
         &self,
-        at_50: Entered,
-        uv_15: impl rt::Into<rt::Vec2<f32>>,
+        at_52: Entered,
+        uv_17: impl rt::Into<rt::Vec2<f32>>,
         number_4: impl rt::Into<rt::Scalar<u32>>,
         toward: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_50, rt::into(uv_15), rt::into(number_4), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_52, rt::into(uv_17), rt::into(number_4), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
-        at_50: Entered,
-        uv_15: rt::Vec2<f32>,
+        at_52: Entered,
+        uv_17: rt::Vec2<f32>,
         number_4: rt::Scalar<u32>,
         toward: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
@@ -7914,7 +8067,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_50, uv_15);
+        let _e14 = self.v_patch_normal(at_52, uv_17);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -7930,13 +8083,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e31 = k_15;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_light_place(_e33, at_50.point);
+                    let _e35 = self.v_light_place(_e33, at_52.point);
                     let _e38 = k_15;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
                     let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_4));
                     if rt::Scalar::into_branch_condition(_e43) {
                         let _e44 = k_15;
-                        let _e45 = self.v_seen_part(_e44, at_50, _e14, _e35, width_4, bias_1);
+                        let _e45 = self.v_seen_part(_e44, at_52, _e14, _e35, width_4, bias_1);
                         return _e45;
                     }
                     let _e46 = k_15;
@@ -7992,53 +8145,53 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_51: Entered,
+        at_53: Entered,
         v: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_51, rt::into(v)))
+        rt::into(self.v_to_tangent_space(at_53, rt::into(v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_to_tangent_space(
         &self,
-        at_51: Entered,
+        at_53: Entered,
         v: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_3 = at_51.tangent.normalize();
-        let along_v_3 = at_51.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v), (-along_v_3.dot(v)), at_51.normal.dot(v));
+        let along_u_3 = at_53.tangent.normalize();
+        let along_v_3 = at_53.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v), (-along_v_3.dot(v)), at_53.normal.dot(v));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_52: Entered,
-        uv_16: impl rt::Into<rt::Vec2<f32>>,
+        at_54: Entered,
+        uv_18: impl rt::Into<rt::Vec2<f32>>,
         level_20: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_52, rt::into(uv_16), rt::into(level_20)))
+        rt::into(self.v_normals_of_level(at_54, rt::into(uv_18), rt::into(level_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_52: Entered,
-        uv_16: rt::Vec2<f32>,
+        at_54: Entered,
+        uv_18: rt::Vec2<f32>,
         level_20: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_20.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_52, uv_16);
-            let _e6 = self.v_to_tangent_space(at_52, _e5);
+            let _e5 = self.v_finest_normal(at_54, uv_18);
+            let _e6 = self.v_to_tangent_space(at_54, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_16, rt::Scalar(0i32), level_20);
-            let _e16 = self.v_normal_at(uv_16, rt::Scalar(1i32), level_20);
+            let _e14 = self.v_normal_at(uv_18, rt::Scalar(0i32), level_20);
+            let _e16 = self.v_normal_at(uv_18, rt::Scalar(1i32), level_20);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_2 = ((tile.x() * at_52.tangent.normalize().dot(at_52.tangent)) / at_52.tangent.dot(at_52.tangent));
-        let y_1 = ((tile.y() * at_52.bitangent.normalize().dot(at_52.bitangent)) / at_52.bitangent.dot(at_52.bitangent));
-        let _e44 = self.v_normal_at(uv_16, rt::Scalar(0i32), (level_20 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_16, rt::Scalar(1i32), (level_20 - rt::Scalar(1u32)));
+        let x_2 = ((tile.x() * at_54.tangent.normalize().dot(at_54.tangent)) / at_54.tangent.dot(at_54.tangent));
+        let y_1 = ((tile.y() * at_54.bitangent.normalize().dot(at_54.bitangent)) / at_54.bitangent.dot(at_54.bitangent));
+        let _e44 = self.v_normal_at(uv_18, rt::Scalar(0i32), (level_20 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_18, rt::Scalar(1i32), (level_20 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_2), (_e44.y() * y_1), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
         let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_2) * x_2), ((_e48.y() * x_2) * y_1), ((_e48.z() * y_1) * y_1)) * longer_1);
@@ -8053,16 +8206,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_53: Entered,
+        at_55: Entered,
         normals: Normals,
         view_10: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_53, normals, rt::into(view_10)))
+        rt::into(self.v_seen_normals(at_55, normals, rt::into(view_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_53: Entered,
+        at_55: Entered,
         normals: Normals,
         view_10: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -8072,65 +8225,65 @@ impl<'g> Resources<'g> {
         let upright_1 = first_8.z().max(rt::Scalar(0.05f32));
         let x_3 = (first_8.x() / upright_1);
         let y_2 = (first_8.y() / upright_1);
-        let a_11 = ((second_2.x() / upright_1) - (x_3 * x_3)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_10 = (((second_2.y() / upright_1) - (x_3 * y_2)) / a_11);
+        let a_12 = ((second_2.x() / upright_1) - (x_3 * x_3)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_11 = (((second_2.y() / upright_1) - (x_3 * y_2)) / a_12);
         let spread = ((second_2.z() / upright_1) - (y_2 * y_2)).max(rt::Scalar(0f32));
-        let d_1 = (spread - (b_10 * b_10)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let d_1 = (spread - (b_11 * b_11)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
         let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_2.x(), second_2.y(), first_8.x())) - (first_8.xyz() * slope_10.x()));
         let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_2.y(), second_2.z(), first_8.y())) - (first_8.xyz() * slope_10.y()));
-        let most_7 = ((a_11 * a_11) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_20 = (with_x / rt::Vec3::splat_from_scalar(a_11.max((with_x.length() / most_7))));
-        let rest_7 = (with_y - (along_20 * b_10));
+        let most_7 = ((a_12 * a_12) + spread).sqrt().min(rt::Scalar(1f32));
+        let along_21 = (with_x / rt::Vec3::splat_from_scalar(a_12.max((with_x.length() / most_7))));
+        let rest_7 = (with_y - (along_21 * b_11));
         let across_5 = (rest_7 / rt::Vec3::splat_from_scalar(d_1.max((rest_7.length() / most_7))));
-        let _e77 = self.v_to_tangent_space(at_53, view_10);
+        let _e77 = self.v_to_tangent_space(at_55, view_10);
         let middle_11 = (_e77.z() - _e77.xy().dot(slope_10));
-        let _e91 = self.v_facing_four(middle_11, (-((_e77.x() * a_11) + (_e77.y() * b_10))), (-(_e77.y() * d_1)));
+        let _e91 = self.v_facing_four(middle_11, (-((_e77.x() * a_12) + (_e77.y() * b_11))), (-(_e77.y() * d_1)));
         let one = middle_11.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one, _e94);
         let all = _e95.max(rt::Scalar(0.001f32));
-        let aside_7 = ((along_20 * ((_e91.x() - _e91.y()) / all)) + (across_5 * ((_e91.z() - _e91.w()) / all)));
-        let _e113 = self.v_from_tangent_space(at_53, (first_8.xyz() + (aside_7 * rt::Scalar(0.28867513f32))));
+        let aside_7 = ((along_21 * ((_e91.x() - _e91.y()) / all)) + (across_5 * ((_e91.z() - _e91.w()) / all)));
+        let _e113 = self.v_from_tangent_space(at_55, (first_8.xyz() + (aside_7 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_8.xyz(), along_20, across_5, slope_10, <rt::Vec2<f32>>::from_scalars(a_11, b_10), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_8.xyz(), along_21, across_5, slope_10, <rt::Vec2<f32>>::from_scalars(a_12, b_11), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_54: Entered) -> f32 {
-        rt::into(self.v_table_part(at_54))
+    pub(crate) fn table_part(&self, at_56: Entered) -> f32 {
+        rt::into(self.v_table_part(at_56))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_table_part(&self, at_54: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_56: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_54.fade) * ((rt::Scalar(at_54.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_56.fade) * ((rt::Scalar(at_56.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_55: Entered,
+        at_57: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
-        part_4: impl rt::Into<rt::Scalar<f32>>,
+        part_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_55, seen_1, table, rt::into(part_4)))
+        rt::into(self.v_with_table(at_57, seen_1, table, rt::into(part_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_with_table(
         &self,
-        at_55: Entered,
+        at_57: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
-        part_4: rt::Scalar<f32>,
+        part_5: rt::Scalar<f32>,
     ) -> SeenNormals {
         let mut told: SeenNormals;
 
         told = seen_1;
-        let before_2 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_55, table.mean);
-        let mean_4 = (before_2 + ((_e9 - before_2) * part_4));
+        let before_3 = (seen_1.normal * rt::Scalar(seen_1.length));
+        let _e9 = self.v_from_tangent_space(at_57, table.mean);
+        let mean_4 = (before_3 + ((_e9 - before_3) * part_5));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
-        rt::Scalar(told.table_part) = part_4;
+        rt::Scalar(told.table_part) = part_5;
         told.table = table;
         let _e21 = told;
         return _e21;
@@ -8169,61 +8322,61 @@ impl<'g> Resources<'g> {
         &self,
         a_3: SeenTexel,
         b_3: SeenTexel,
-        part_5: impl rt::Into<rt::Scalar<f32>>,
+        part_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_between(a_3, b_3, rt::into(part_5)))
+        rt::into(self.v_seen_between(a_3, b_3, rt::into(part_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_between(
         &self,
         a_3: SeenTexel,
         b_3: SeenTexel,
-        part_5: rt::Scalar<f32>,
+        part_6: rt::Scalar<f32>,
     ) -> SeenTexel {
-        return <SeenTexel>::new((a_3.first + ((b_3.first - a_3.first) * part_5)), (a_3.second + ((b_3.second - a_3.second) * part_5)));
+        return <SeenTexel>::new((a_3.first + ((b_3.first - a_3.first) * part_6)), (a_3.second + ((b_3.second - a_3.second) * part_6)));
     }
     pub(crate) fn seen_texel(
         &self,
-        uv_17: impl rt::Into<rt::Vec2<f32>>,
+        uv_19: impl rt::Into<rt::Vec2<f32>>,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
         level_21: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_17), rt::into(azimuth), rt::into(elevation), rt::into(level_21)))
+        rt::into(self.v_seen_texel(rt::into(uv_19), rt::into(azimuth), rt::into(elevation), rt::into(level_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_texel(
         &self,
-        uv_17: rt::Vec2<f32>,
+        uv_19: rt::Vec2<f32>,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
         level_21: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_8 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_17, layer_8, level_21);
-        let _e12 = self.v_detail_texel_between(uv_17, (layer_8 + rt::Scalar(1i32)), level_21);
+        let _e9 = self.v_detail_texel_between(uv_19, layer_8, level_21);
+        let _e12 = self.v_detail_texel_between(uv_19, (layer_8 + rt::Scalar(1i32)), level_21);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
         &self,
-        uv_18: impl rt::Into<rt::Vec2<f32>>,
+        uv_20: impl rt::Into<rt::Vec2<f32>>,
         azimuth_1: impl rt::Into<rt::Scalar<i32>>,
         elevation_1: impl rt::Into<rt::Scalar<i32>>,
         levels_1: Levels,
     ) -> SeenTexel {
-        rt::into(self.v_seen_in_levels(rt::into(uv_18), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
+        rt::into(self.v_seen_in_levels(rt::into(uv_20), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_in_levels(
         &self,
-        uv_18: rt::Vec2<f32>,
+        uv_20: rt::Vec2<f32>,
         azimuth_1: rt::Scalar<i32>,
         elevation_1: rt::Scalar<i32>,
         levels_1: Levels,
     ) -> SeenTexel {
-        let _e5 = self.v_seen_texel(uv_18, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
+        let _e5 = self.v_seen_texel(uv_20, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
         if rt::Scalar::into_branch_condition(rt::Scalar(levels_1.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e12 = self.v_seen_texel(uv_18, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
+            let _e12 = self.v_seen_texel(uv_20, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
             let _e14 = self.v_seen_between(_e5, _e12, rt::Scalar(levels_1.part));
             return _e14;
         }
@@ -8231,22 +8384,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_56: Entered,
-        uv_19: impl rt::Into<rt::Vec2<f32>>,
+        at_58: Entered,
+        uv_21: impl rt::Into<rt::Vec2<f32>>,
         view_11: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_56, rt::into(uv_19), rt::into(view_11), levels_2))
+        rt::into(self.v_table_of(at_58, rt::into(uv_21), rt::into(view_11), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_56: Entered,
-        uv_19: rt::Vec2<f32>,
+        at_58: Entered,
+        uv_21: rt::Vec2<f32>,
         view_11: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_56, view_11);
+        let _e4 = self.v_climb(at_58, view_11);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_5 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
@@ -8259,15 +8412,15 @@ impl<'g> Resources<'g> {
         let e0_ = elevation_3.floor().cast_elem_as_i32();
         let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
         let across_6 = (azimuth_3 - azimuth_3.floor());
-        let _e48 = self.v_seen_in_levels(uv_19, a0_, e0_, levels_2);
-        let _e49 = self.v_seen_in_levels(uv_19, a1_, e0_, levels_2);
+        let _e48 = self.v_seen_in_levels(uv_21, a0_, e0_, levels_2);
+        let _e49 = self.v_seen_in_levels(uv_21, a1_, e0_, levels_2);
         let _e50 = self.v_seen_between(_e48, _e49, across_6);
-        let _e51 = self.v_seen_in_levels(uv_19, a0_, e1_1, levels_2);
-        let _e52 = self.v_seen_in_levels(uv_19, a1_, e1_1, levels_2);
+        let _e51 = self.v_seen_in_levels(uv_21, a0_, e1_1, levels_2);
+        let _e52 = self.v_seen_in_levels(uv_21, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_6);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_5 = ((tile_1.x() * at_56.tangent.normalize().dot(at_56.tangent)) / at_56.tangent.dot(at_56.tangent));
-        let y_4 = ((tile_1.y() * at_56.bitangent.normalize().dot(at_56.bitangent)) / at_56.bitangent.dot(at_56.bitangent));
+        let x_5 = ((tile_1.x() * at_58.tangent.normalize().dot(at_58.tangent)) / at_58.tangent.dot(at_58.tangent));
+        let y_4 = ((tile_1.y() * at_58.bitangent.normalize().dot(at_58.bitangent)) / at_58.bitangent.dot(at_58.bitangent));
         let mean_5 = _e56.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_5), (mean_5.y() * y_4), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
@@ -8276,28 +8429,28 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_57: Entered,
-        uv_20: impl rt::Into<rt::Vec2<f32>>,
+        at_59: Entered,
+        uv_22: impl rt::Into<rt::Vec2<f32>>,
         view_12: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_57, rt::into(uv_20), rt::into(view_12)))
+        rt::into(self.v_mesostructure_normals(at_59, rt::into(uv_22), rt::into(view_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_57: Entered,
-        uv_20: rt::Vec2<f32>,
+        at_59: Entered,
+        uv_22: rt::Vec2<f32>,
         view_12: rt::Vec3<f32>,
     ) -> SeenNormals {
         let mut local_51: rt::Scalar<bool>;
         let mut first_1: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
-        let upright_3 = at_57.normal.dot(view_12);
+        let upright_3 = at_59.normal.dot(view_12);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_5 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_57.fade)));
+        let width_5 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_59.fade)));
         let _e15 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_5 = ((rt::Scalar(at_57.footprint) * _e15) * width_5);
+        let texels_5 = ((rt::Scalar(at_59.footprint) * _e15) * width_5);
         let _e20 = rt::Scalar(self.surface_settings.normal_levels);
         let _e21 = self.v_levels_of(texels_5, _e20);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.fine).elementwise_eq(rt::Scalar(0u32))) {
@@ -8307,15 +8460,15 @@ impl<'g> Resources<'g> {
         }
         let _e32 = local_51;
         if rt::Scalar::into_branch_condition(_e32) {
-            let _e33 = self.v_finest_normal(at_57, uv_20);
+            let _e33 = self.v_finest_normal(at_59, uv_22);
             let _e34 = self.v_one_seen(_e33);
             return _e34;
         }
-        let _e36 = self.v_normals_of_level(at_57, uv_20, rt::Scalar(_e21.fine));
+        let _e36 = self.v_normals_of_level(at_59, uv_22, rt::Scalar(_e21.fine));
         first_1 = _e36.first;
         second = _e36.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e47 = self.v_normals_of_level(at_57, uv_20, (rt::Scalar(_e21.fine) + rt::Scalar(1u32)));
+            let _e47 = self.v_normals_of_level(at_59, uv_22, (rt::Scalar(_e21.fine) + rt::Scalar(1u32)));
             let _e48 = first_1;
             let _e50 = first_1;
             first_1 = (_e48 + ((_e47.first - _e50) * rt::Scalar(_e21.part)));
@@ -8325,15 +8478,15 @@ impl<'g> Resources<'g> {
         }
         let _e62 = first_1;
         let _e63 = second;
-        let _e65 = self.v_seen_normals(at_57, <Normals>::new(_e62, _e63), view_12);
-        let _e66 = self.v_table_part(at_57);
+        let _e65 = self.v_seen_normals(at_59, <Normals>::new(_e62, _e63), view_12);
+        let _e66 = self.v_table_part(at_59);
         if rt::Scalar::into_branch_condition(_e66.elementwise_gt(rt::Scalar(0f32))) {
             let _e72 = rt::Scalar(self.surface_settings.height_levels);
-            let _e73 = self.v_levels_of(rt::Scalar(at_57.footprint), _e72);
+            let _e73 = self.v_levels_of(rt::Scalar(at_59.footprint), _e72);
             let _e74 = self.v_has_table(_e73);
             if rt::Scalar::into_branch_condition(_e74) {
-                let _e75 = self.v_table_of(at_57, uv_20, view_12, _e73);
-                let _e76 = self.v_with_table(at_57, _e65, _e75, _e66);
+                let _e75 = self.v_table_of(at_59, uv_22, view_12, _e73);
+                let _e76 = self.v_with_table(at_59, _e65, _e75, _e66);
                 return _e76;
             }
         }
@@ -8341,37 +8494,37 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_58: Entered,
+        at_60: Entered,
         hit_19: Hit,
         light_5: Toward,
         params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_58, hit_19, light_5, rt::into(params_47)))
+        rt::into(self.v_shadow_ray(at_60, hit_19, light_5, rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_ray(
         &self,
-        at_58: Entered,
+        at_60: Entered,
         hit_19: Hit,
         light_5: Toward,
         params_47: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_58, hit_19, light_5);
+        let _e4 = self.v_free_way(at_60, hit_19, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_59: Entered,
+        at_61: Entered,
         hit_20: Hit,
         light_6: Toward,
         params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_59, hit_20, light_6, rt::into(params_48)))
+        rt::into(self.v_shadow_none(at_61, hit_20, light_6, rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_none(
         &self,
-        at_59: Entered,
+        at_61: Entered,
         hit_20: Hit,
         light_6: Toward,
         params_48: rt::Vec4<f32>,
@@ -8380,22 +8533,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_60: Entered,
+        at_62: Entered,
         hit_21: Hit,
         light_7: Toward,
         params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_60, hit_21, light_7, rt::into(params_49)))
+        rt::into(self.v_shadow_entry(at_62, hit_21, light_7, rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_60: Entered,
+        at_62: Entered,
         hit_21: Hit,
         light_7: Toward,
         params_49: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_60, hit_21, light_7);
+        let _e4 = self.v_from_hit(at_62, hit_21, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -8413,8 +8566,8 @@ impl<'g> Resources<'g> {
             return rt::Scalar(1f32);
         }
         let _e51 = self.v_height_size(rt::Scalar(_e4.level));
-        let apart_2 = ((_e41.uv - _e4.uv).abs() * _e51);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_2.x().max(apart_2.y()).elementwise_le(params_49.x()));
+        let apart_3 = ((_e41.uv - _e4.uv).abs() * _e51);
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_3.x().max(apart_3.y()).elementwise_le(params_49.x()));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
         rt::into(self.v_mixed(rt::into(seed)))
@@ -8467,9 +8620,9 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_sine_of(&self, turn_2: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let part_7 = (turn_2 - turn_2.floor());
-        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_7 - rt::Scalar(0.5f32)).abs()).abs()));
-        return _e11.select((rt::Scalar(0f32) - _e11), part_7.elementwise_gt(rt::Scalar(0.5f32)));
+        let part_10 = (turn_2 - turn_2.floor());
+        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_10 - rt::Scalar(0.5f32)).abs()).abs()));
+        return _e11.select((rt::Scalar(0f32) - _e11), part_10.elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn turned(&self, turn_3: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_turned(rt::into(turn_3)))
@@ -8507,22 +8660,22 @@ impl<'g> Resources<'g> {
         let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
         let up_1 = light_8.direction.cross(right_2);
         let toward_6 = ((light_8.direction + (right_2 * place_16.x())) + (up_1 * place_16.y()));
-        let along_21 = toward_6.length();
-        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_21)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_21), rt::Scalar(0f32), rt::Scalar(light_8.number));
+        let along_22 = toward_6.length();
+        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_22)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_22), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_61: Entered,
+        at_63: Entered,
         hit_23: Hit,
         light_9: Toward,
         params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_61, hit_23, light_9, rt::into(params_50)))
+        rt::into(self.v_shadow_soft(at_63, hit_23, light_9, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_61: Entered,
+        at_63: Entered,
         hit_23: Hit,
         light_9: Toward,
         params_50: rt::Vec4<f32>,
@@ -8543,7 +8696,7 @@ impl<'g> Resources<'g> {
                     let _e13 = free;
                     let _e14 = k_17;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_4);
-                    let _e16 = self.v_free_way(at_61, hit_23, _e15);
+                    let _e16 = self.v_free_way(at_63, hit_23, _e15);
                     free = (_e13 + _e16);
                     let _e18 = k_17;
                     k_17 = (_e18 + rt::Scalar(1u32));
@@ -8555,17 +8708,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_62: Entered,
+        at_64: Entered,
         hit_24: Hit,
         light_10: Toward,
         params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_62, hit_24, light_10, rt::into(params_51)))
+        rt::into(self.v_shadow_heuristic(at_64, hit_24, light_10, rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_62: Entered,
+        at_64: Entered,
         hit_24: Hit,
         light_10: Toward,
         params_51: rt::Vec4<f32>,
@@ -8573,7 +8726,7 @@ impl<'g> Resources<'g> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_18: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_62, hit_24, light_10);
+        let _e4 = self.v_from_hit(at_64, hit_24, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -8587,10 +8740,10 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e19 = k_18;
-                    let part_8 = (_e19 / params_51.x());
+                    let part_11 = (_e19 / params_51.x());
                     let _e22 = most_1;
-                    let _e24 = self.v_path_gap(_e4, (part_8 * _e11));
-                    most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_8)));
+                    let _e24 = self.v_path_gap(_e4, (part_11 * _e11));
+                    most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_11)));
                     let _e31 = k_18;
                     k_18 = (_e31 + rt::Scalar(1f32));
                 }
@@ -8621,21 +8774,21 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_21: impl rt::Into<rt::Vec2<f32>>,
+        uv_23: impl rt::Into<rt::Vec2<f32>>,
         layer_7: impl rt::Into<rt::Scalar<i32>>,
         level_23: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_21), rt::into(layer_7), rt::into(level_23)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_23), rt::into(layer_7), rt::into(level_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_texel_between(
         &self,
-        uv_21: rt::Vec2<f32>,
+        uv_23: rt::Vec2<f32>,
         layer_7: rt::Scalar<i32>,
         level_23: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_23);
-        let _e4 = self.v_texels_around(uv_21, _e3);
+        let _e4 = self.v_texels_around(uv_23, _e3);
         let k_29 = level_23.cast_elem_as_i32();
         let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_29);
         let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_29);
@@ -8674,109 +8827,109 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_63: Entered,
+        at_65: Entered,
         hit_25: Hit,
         light_11: Toward,
         params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_63, hit_25, light_11, rt::into(params_52)))
+        rt::into(self.v_shadow_horizon(at_65, hit_25, light_11, rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_63: Entered,
+        at_65: Entered,
         hit_25: Hit,
         light_11: Toward,
         params_52: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_63, light_11.direction);
+        let _e5 = self.v_climb(at_65, light_11.direction);
         let map_1 = self.surface_settings.maps[3usize];
-        let along_22 = (_e5.xy() * map_1.tile_m);
-        let _e13 = self.v_turn_of(along_22);
+        let along_23 = (_e5.xy() * map_1.tile_m);
+        let _e13 = self.v_turn_of(along_23);
         let azimuth_4 = (_e13 * params_52.x());
         let first_9 = azimuth_4.floor();
         let count_5 = params_52.x().cast_elem_as_i32();
-        let before_3 = (first_9.cast_elem_as_i32() % count_5);
-        let part_9 = (azimuth_4 - first_9);
-        let _e24 = self.v_shadow_texel_between(hit_25.uv, before_3, rt::Scalar(at_63.level));
+        let before_4 = (first_9.cast_elem_as_i32() % count_5);
+        let part_12 = (azimuth_4 - first_9);
+        let _e24 = self.v_shadow_texel_between(hit_25.uv, before_4, rt::Scalar(at_65.level));
         let low_5 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_25.uv, ((before_3 + rt::Scalar(1i32)) % count_5), rt::Scalar(at_63.level));
-        let sine_1 = (low_5 + ((_e31.x() - low_5) * part_9));
+        let _e31 = self.v_shadow_texel_between(hit_25.uv, ((before_4 + rt::Scalar(1i32)) % count_5), rt::Scalar(at_65.level));
+        let sine_1 = (low_5 + ((_e31.x() - low_5) * part_12));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
-        let far_9 = (squared_4 * along_22.dot(along_22)).sqrt();
-        let _e48 = self.v_from_hit(at_63, hit_25, light_11);
+        let far_9 = (squared_4 * along_23.dot(along_23)).sqrt();
+        let _e48 = self.v_from_hit(at_65, hit_25, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_8 = (_e49 * _e52);
         let horizon = far_9.max(near_8);
-        let up_2 = at_63.normal.dot(light_11.direction);
+        let up_2 = at_65.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_2.elementwise_gt(horizon));
         }
         let flat = (rt::Scalar(1f32) - (up_2 * up_2)).max(rt::Scalar(0f32));
-        let beside_2 = (flat + (up_2 * horizon));
-        if rt::Scalar::into_branch_condition((!beside_2.elementwise_gt(rt::Scalar(0f32)))) {
+        let beside_3 = (flat + (up_2 * horizon));
+        if rt::Scalar::into_branch_condition((!beside_3.elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_2.elementwise_gt(horizon));
         }
-        let _e86 = self.v_part_above(((flat.sqrt() * (up_2 - horizon)) / (beside_2 * rt::Scalar(light_11.radius))));
+        let _e86 = self.v_part_above(((flat.sqrt() * (up_2 - horizon)) / (beside_3 * rt::Scalar(light_11.radius))));
         return _e86;
     }
     pub(crate) fn open_part(
         &self,
-        at_64: Entered,
+        at_66: Entered,
         hit_26: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_64, hit_26, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_66, hit_26, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_open_part(
         &self,
-        at_64: Entered,
+        at_66: Entered,
         hit_26: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_26.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_64.level));
+        let _e9 = self.v_shadow_texel_between(hit_26.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_66.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_65: Entered,
+        at_67: Entered,
         hit_27: Hit,
         light_12: Toward,
         params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_65, hit_27, light_12, rt::into(params_53)))
+        rt::into(self.v_shadow_visibility(at_67, hit_27, light_12, rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_65: Entered,
+        at_67: Entered,
         hit_27: Hit,
         light_12: Toward,
         params_53: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_65, light_12.direction);
+        let _e5 = self.v_climb(at_67, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_2 = self.surface_settings.maps[3usize];
-        let along_23 = (_e5.xy() * map_2.tile_m);
+        let along_24 = (_e5.xy() * map_2.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_11 = (_e5.z() * _e21);
-        let squared_5 = ((height_11 * height_11) / (along_23.dot(along_23) + (height_11 * height_11)));
+        let squared_5 = ((height_11 * height_11) / (along_24.dot(along_24) + (height_11 * height_11)));
         let azimuths = params_53.x().cast_elem_as_i32();
         let elevations_1 = params_53.y().cast_elem_as_i32();
-        let _e32 = self.v_turn_of(along_23);
+        let _e32 = self.v_turn_of(along_24);
         let azimuth_5 = (_e32 * params_53.x());
         let elevation_4 = ((squared_5 * params_53.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_53.y() - rt::Scalar(1f32)));
         if rt::Scalar::into_branch_condition(params_53.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_12 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
-            let _e56 = self.v_open_part(at_65, hit_27, a_12, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
+            let a_13 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
+            let _e56 = self.v_open_part(at_67, hit_27, a_13, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().cast_elem_as_i32() % azimuths);
@@ -8785,119 +8938,119 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_65, hit_27, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_65, hit_27, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_67, hit_27, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_67, hit_27, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_65, hit_27, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_67, hit_27, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_65, hit_27, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_67, hit_27, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_66: Entered,
+        at_68: Entered,
         hit_28: Hit,
         light_13: Toward,
         params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_66, hit_28, light_13, rt::into(params_54)))
+        rt::into(self.v_shadow_map(at_68, hit_28, light_13, rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_map(
         &self,
-        at_66: Entered,
+        at_68: Entered,
         hit_28: Hit,
         light_13: Toward,
         params_54: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_66, hit_28.uv, rt::Scalar(light_13.number), light_13.direction, params_54.z(), params_54.w());
+        let _e9 = self.v_light_seen(at_68, hit_28.uv, rt::Scalar(light_13.number), light_13.direction, params_54.z(), params_54.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_67: Entered,
+        at_69: Entered,
         hit_29: Hit,
         light_14: Toward,
         params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_67, hit_29, light_14, rt::into(params_55)))
+        rt::into(self.v_shadow_scene(at_69, hit_29, light_14, rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_scene(
         &self,
-        at_67: Entered,
+        at_69: Entered,
         hit_29: Hit,
         light_14: Toward,
         params_55: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_68: Entered, hit_30: Hit, light_15: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_68, hit_30, light_15))
+    pub(crate) fn shadow_stage(&self, at_70: Entered, hit_30: Hit, light_15: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_70, hit_30, light_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_68: Entered, hit_30: Hit, light_15: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_70: Entered, hit_30: Hit, light_15: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[5usize].params;
-                let _e13 = self.v_shadow_ray(at_68, hit_30, light_15, _e12);
+                let _e13 = self.v_shadow_ray(at_70, hit_30, light_15, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[5usize].params;
-                let _e19 = self.v_shadow_none(at_68, hit_30, light_15, _e18);
+                let _e19 = self.v_shadow_none(at_70, hit_30, light_15, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[5usize].params;
-                let _e25 = self.v_shadow_entry(at_68, hit_30, light_15, _e24);
+                let _e25 = self.v_shadow_entry(at_70, hit_30, light_15, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[5usize].params;
-                let _e31 = self.v_shadow_soft(at_68, hit_30, light_15, _e30);
+                let _e31 = self.v_shadow_soft(at_70, hit_30, light_15, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[5usize].params;
-                let _e37 = self.v_shadow_heuristic(at_68, hit_30, light_15, _e36);
+                let _e37 = self.v_shadow_heuristic(at_70, hit_30, light_15, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[5usize].params;
-                let _e43 = self.v_shadow_horizon(at_68, hit_30, light_15, _e42);
+                let _e43 = self.v_shadow_horizon(at_70, hit_30, light_15, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[5usize].params;
-                let _e49 = self.v_shadow_visibility(at_68, hit_30, light_15, _e48);
+                let _e49 = self.v_shadow_visibility(at_70, hit_30, light_15, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[5usize].params;
-                let _e55 = self.v_shadow_map(at_68, hit_30, light_15, _e54);
+                let _e55 = self.v_shadow_map(at_70, hit_30, light_15, _e54);
                 return _e55;
             }
             _ => {
                 let _e60 = self.surface_settings.choices[5usize].params;
-                let _e61 = self.v_shadow_scene(at_68, hit_30, light_15, _e60);
+                let _e61 = self.v_shadow_scene(at_70, hit_30, light_15, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_46: PixelIn, at_69: Entered, hit_31: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_46, at_69, hit_31))
+    pub(crate) fn mirrored_light(&self, pixel_46: PixelIn, at_71: Entered, hit_31: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_46, at_71, hit_31))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_mirrored_light(&self, pixel_46: PixelIn, at_69: Entered, hit_31: Hit) -> rt::Scalar<f32> {
+    fn v_mirrored_light(&self, pixel_46: PixelIn, at_71: Entered, hit_31: Hit) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_31.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
         let down_2 = pixel_46.direction.normalize();
-        let up_3 = (down_2 - (at_69.normal * (rt::Scalar(2f32) * down_2.dot(at_69.normal))));
-        let _e24 = self.v_shadow_stage(at_69, hit_31, <Toward>::new(up_3, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
+        let up_3 = (down_2 - (at_71.normal * (rt::Scalar(2f32) * down_2.dot(at_71.normal))));
+        let _e24 = self.v_shadow_stage(at_71, hit_31, <Toward>::new(up_3, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
         return _e24;
     }
     pub(crate) fn pixel_direction(&self, pixel_47: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
@@ -8948,31 +9101,31 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_place(
         &self,
         pixel_49: PixelIn,
-        at_70: Entered,
+        at_72: Entered,
         path_63: Path,
         hit_32: Hit,
         params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_49, at_70, path_63, hit_32, rt::into(params_56)))
+        rt::into(self.v_surface_plane_place(pixel_49, at_72, path_63, hit_32, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_place(
         &self,
         pixel_49: PixelIn,
-        at_70: Entered,
+        at_72: Entered,
         path_63: Path,
         hit_32: Hit,
         params_56: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_8 = (hit_32.uv - at_70.uv);
+        let aside_8 = (hit_32.uv - at_72.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_32.uv, rt::Scalar(at_70.level));
+        let _e16 = self.v_height_at(hit_32.uv, rt::Scalar(at_72.level));
         let height_12 = (_e10 + (_e13 * _e16));
-        placed = at_70;
-        placed.point = (((at_70.point + (at_70.tangent * aside_8.x())) + (at_70.bitangent * aside_8.y())) + (at_70.normal * height_12));
+        placed = at_72;
+        placed.point = (((at_72.point + (at_72.tangent * aside_8.x())) + (at_72.bitangent * aside_8.y())) + (at_72.normal * height_12));
         placed.uv = hit_32.uv;
         let _e35 = placed;
         return _e35;
@@ -8980,63 +9133,63 @@ impl<'g> Resources<'g> {
     pub(crate) fn placed_at(
         &self,
         pixel_50: PixelIn,
-        at_71: Entered,
+        at_73: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_8: impl rt::Into<rt::Vec3<f32>>,
-        uv_22: impl rt::Into<rt::Vec2<f32>>,
+        uv_24: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_50, at_71, rt::into(weights_4), rt::into(point_8), rt::into(uv_22)))
+        rt::into(self.v_placed_at(pixel_50, at_73, rt::into(weights_4), rt::into(point_8), rt::into(uv_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_placed_at(
         &self,
         pixel_50: PixelIn,
-        at_71: Entered,
+        at_73: Entered,
         weights_4: rt::Vec3<f32>,
         point_8: rt::Vec3<f32>,
-        uv_22: rt::Vec2<f32>,
+        uv_24: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_50, weights_4, point_8, uv_22, at_71.facing);
+        let _e6 = self.v_frame_at(pixel_50, weights_4, point_8, uv_24, at_73.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_71.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_71.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_71.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_73.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_73.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_73.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_tetrahedra_place(
         &self,
         pixel_51: PixelIn,
-        at_72: Entered,
+        at_74: Entered,
         path_64: Path,
         hit_33: Hit,
         params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_51, at_72, path_64, hit_33, rt::into(params_57)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_51, at_74, path_64, hit_33, rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
         pixel_51: PixelIn,
-        at_72: Entered,
+        at_74: Entered,
         path_64: Path,
         hit_33: Hit,
         params_57: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
-        let mut beside: rt::Scalar<f32>;
+        let mut beside_1: rt::Scalar<f32>;
         let mut number_5: rt::Scalar<u32> = rt::Scalar(1u32);
 
-        let along_24 = pixel_51.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_51, along_24);
+        let along_25 = pixel_51.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_51, along_25);
         let t_36 = ((rt::Scalar(path_64.start) + rt::Scalar(hit_33.t)) - _e7);
-        let _e13 = self.v_tetrahedron(pixel_51, along_24, _e7, rt::Scalar(0u32));
+        let _e13 = self.v_tetrahedron(pixel_51, along_25, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
-        beside = (_e17 - t_36).max((t_36 - _e21));
+        beside_1 = (_e17 - t_36).max((t_36 - _e21));
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = number_5;
@@ -9046,12 +9199,12 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e30 = number_5;
-                    let _e31 = self.v_tetrahedron(pixel_51, along_24, _e7, _e30);
+                    let _e31 = self.v_tetrahedron(pixel_51, along_25, _e7, _e30);
                     let aside_9 = (_e31.inside.x() - t_36).max((t_36 - _e31.inside.y()));
-                    let _e39 = beside;
+                    let _e39 = beside_1;
                     if rt::Scalar::into_branch_condition(aside_9.elementwise_lt(_e39)) {
                         nearest = _e31;
-                        beside = aside_9;
+                        beside_1 = aside_9;
                     }
                     let _e41 = number_5;
                     number_5 = (_e41 + rt::Scalar(1u32));
@@ -9061,60 +9214,60 @@ impl<'g> Resources<'g> {
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
         let weights_5 = (_e45 + (_e47 * t_36));
-        let point_16 = (pixel_51.origin + (along_24 * (rt::Scalar(path_64.start) + rt::Scalar(hit_33.t))));
-        let _e58 = self.v_placed_at(pixel_51, at_72, weights_5.xyz(), point_16, hit_33.uv);
+        let point_17 = (pixel_51.origin + (along_25 * (rt::Scalar(path_64.start) + rt::Scalar(hit_33.t))));
+        let _e58 = self.v_placed_at(pixel_51, at_74, weights_5.xyz(), point_17, hit_33.uv);
         return _e58;
     }
     pub(crate) fn surface_prism_place(
         &self,
         pixel_52: PixelIn,
-        at_73: Entered,
+        at_75: Entered,
         path_65: Path,
         hit_34: Hit,
         params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_52, at_73, path_65, hit_34, rt::into(params_58)))
+        rt::into(self.v_surface_prism_place(pixel_52, at_75, path_65, hit_34, rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_place(
         &self,
         pixel_52: PixelIn,
-        at_73: Entered,
+        at_75: Entered,
         path_65: Path,
         hit_34: Hit,
         params_58: rt::Vec4<f32>,
     ) -> Entered {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_52.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e9 = self.v_surface_tetrahedra_place(pixel_52, at_73, path_65, hit_34, params_58);
+            let _e9 = self.v_surface_tetrahedra_place(pixel_52, at_75, path_65, hit_34, params_58);
             return _e9;
         }
-        let along_25 = pixel_52.direction.normalize();
-        let _e12 = self.v_middle_of(pixel_52, along_25);
-        let _e13 = self.v_prism_of(pixel_52, along_25, _e12, params_58);
+        let along_26 = pixel_52.direction.normalize();
+        let _e12 = self.v_middle_of(pixel_52, along_26);
+        let _e13 = self.v_prism_of(pixel_52, along_26, _e12, params_58);
         let s_4 = ((rt::Scalar(path_65.start) + rt::Scalar(hit_34.t)) - _e12);
-        let _e20 = self.v_shell_point(_e13, (along_25 * s_4), rt::Scalar(hit_34.height));
+        let _e20 = self.v_shell_point(_e13, (along_26 * s_4), rt::Scalar(hit_34.height));
         let weights_6 = _e20.weights;
-        let _e29 = self.v_placed_at(pixel_52, at_73, weights_6, (pixel_52.origin + (along_25 * (rt::Scalar(path_65.start) + rt::Scalar(hit_34.t)))), hit_34.uv);
+        let _e29 = self.v_placed_at(pixel_52, at_75, weights_6, (pixel_52.origin + (along_26 * (rt::Scalar(path_65.start) + rt::Scalar(hit_34.t)))), hit_34.uv);
         return _e29;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_74: Entered,
+        at_76: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_74, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_76, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_frame(
         &self,
-        at_74: Entered,
+        at_76: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
         let mut local_52: rt::Scalar<bool>;
 
-        placed_2 = at_74;
-        let _e5 = self.v_quadric_slope(at_74.quadric.xyz(), aside);
+        placed_2 = at_76;
+        let _e5 = self.v_quadric_slope(at_76.quadric.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
             local_52 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
@@ -9125,13 +9278,13 @@ impl<'g> Resources<'g> {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_2 = at_74.metric;
+        let m_2 = at_76.metric;
         let area_5 = ((m_2.x() * m_2.z()) - (m_2.y() * m_2.y()));
         let along_t = (((_e5.x() * m_2.z()) - (_e5.y() * m_2.y())) / area_5);
         let along_b = (((_e5.y() * m_2.x()) - (_e5.x() * m_2.y())) / area_5);
-        placed_2.tangent = (at_74.tangent + (at_74.normal * _e5.x()));
-        placed_2.bitangent = (at_74.bitangent + (at_74.normal * _e5.y()));
-        placed_2.normal = ((at_74.normal - (at_74.tangent * along_t)) - (at_74.bitangent * along_b)).normalize();
+        placed_2.tangent = (at_76.tangent + (at_76.normal * _e5.x()));
+        placed_2.bitangent = (at_76.bitangent + (at_76.normal * _e5.y()));
+        placed_2.normal = ((at_76.normal - (at_76.tangent * along_t)) - (at_76.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_1 = _e63.dot(_e65);
@@ -9148,25 +9301,25 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
         pixel_53: PixelIn,
-        at_75: Entered,
+        at_77: Entered,
         path_66: Path,
         hit_35: Hit,
         params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_53, at_75, path_66, hit_35, rt::into(params_59)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_53, at_77, path_66, hit_35, rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_place(
         &self,
         pixel_53: PixelIn,
-        at_75: Entered,
+        at_77: Entered,
         path_66: Path,
         hit_35: Hit,
         params_59: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_75, (hit_35.uv - at_75.uv));
+        let _e8 = self.v_quadric_frame(at_77, (hit_35.uv - at_77.uv));
         placed_3 = _e8;
         placed_3.point = (pixel_53.origin + (pixel_53.direction.normalize() * (rt::Scalar(path_66.start) + rt::Scalar(hit_35.t))));
         placed_3.uv = hit_35.uv;
@@ -9176,70 +9329,70 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_place(
         &self,
         pixel_54: PixelIn,
-        at_76: Entered,
+        at_78: Entered,
         path_67: Path,
         hit_36: Hit,
         params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_54, at_76, path_67, hit_36, rt::into(params_60)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_54, at_78, path_67, hit_36, rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
         pixel_54: PixelIn,
-        at_76: Entered,
+        at_78: Entered,
         path_67: Path,
         hit_36: Hit,
         params_60: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_10 = (hit_36.uv - at_76.uv);
+        let aside_10 = (hit_36.uv - at_78.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_36.uv, rt::Scalar(at_76.level));
+        let _e16 = self.v_height_at(hit_36.uv, rt::Scalar(at_78.level));
         let height_13 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_76.quadric.xyz(), aside_10);
-        let lifted_2 = (((_e19 - at_76.quadric.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_76, aside_10);
+        let _e27 = self.v_quadric_at(at_78.quadric.xyz(), aside_10);
+        let lifted_2 = (((_e19 - at_78.quadric.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_78, aside_10);
         placed_4 = _e29;
-        placed_4.point = (((at_76.point + (at_76.tangent * aside_10.x())) + (at_76.bitangent * aside_10.y())) + (at_76.normal * (height_13 + lifted_2)));
+        placed_4.point = (((at_78.point + (at_78.tangent * aside_10.x())) + (at_78.bitangent * aside_10.y())) + (at_78.normal * (height_13 + lifted_2)));
         placed_4.uv = hit_36.uv;
         let _e47 = placed_4;
         return _e47;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_55: PixelIn, at_77: Entered, path_68: Path, hit_37: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_55, at_77, path_68, hit_37))
+    pub(crate) fn surface_place_stage(&self, pixel_55: PixelIn, at_79: Entered, path_68: Path, hit_37: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_55, at_79, path_68, hit_37))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_55: PixelIn, at_77: Entered, path_68: Path, hit_37: Hit) -> Entered {
+    fn v_surface_place_stage(&self, pixel_55: PixelIn, at_79: Entered, path_68: Path, hit_37: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[0usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_55, at_77, path_68, hit_37, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_55, at_79, path_68, hit_37, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[0usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_55, at_77, path_68, hit_37, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_55, at_79, path_68, hit_37, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[0usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_55, at_77, path_68, hit_37, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_55, at_79, path_68, hit_37, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[0usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_55, at_77, path_68, hit_37, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_55, at_79, path_68, hit_37, _e31);
                 return _e32;
             }
             _ => {
                 let _e37 = self.surface_settings.choices[0usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_55, at_77, path_68, hit_37, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_55, at_79, path_68, hit_37, _e37);
                 return _e38;
             }
         }
@@ -9247,24 +9400,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn place_hit(
         &self,
         pixel_56: PixelIn,
-        at_78: Entered,
+        at_80: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
         hit_38: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_56, at_78, rt::into(segment), hit_38))
+        rt::into(self.v_place_hit(pixel_56, at_80, rt::into(segment), hit_38))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_place_hit(
         &self,
         pixel_56: PixelIn,
-        at_78: Entered,
+        at_80: Entered,
         segment: rt::Scalar<u32>,
         hit_38: Hit,
     ) -> Entered {
         let mut placed_5: Entered;
 
-        let _e4 = self.v_segment_of(pixel_56, at_78, segment);
-        let _e5 = self.v_surface_place_stage(pixel_56, at_78, _e4, hit_38);
+        let _e4 = self.v_segment_of(pixel_56, at_80, segment);
+        let _e5 = self.v_surface_place_stage(pixel_56, at_80, _e4, hit_38);
         placed_5 = _e5;
         let _e8 = self.v_depth_on_ray(pixel_56, _e4, hit_38);
         rt::Scalar(placed_5.depth) = _e8;
@@ -9296,24 +9449,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn point_of_light(
         &self,
-        at_79: Entered,
+        at_81: Entered,
         hit_39: Hit,
         number_7: impl rt::Into<rt::Scalar<u32>>,
         k_19: impl rt::Into<rt::Scalar<u32>>,
         count_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_79, hit_39, rt::into(number_7), rt::into(k_19), rt::into(count_2)))
+        rt::into(self.v_point_of_light(at_81, hit_39, rt::into(number_7), rt::into(k_19), rt::into(count_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_point_of_light(
         &self,
-        at_79: Entered,
+        at_81: Entered,
         hit_39: Hit,
         number_7: rt::Scalar<u32>,
         k_19: rt::Scalar<u32>,
         count_2: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_7, at_79.point);
+        let _e6 = self.v_toward_light(number_7, at_81.point);
         if rt::Scalar::into_branch_condition(count_2.elementwise_gt(rt::Scalar(0u32))) {
             let _e9 = self.v_seed_of(hit_39);
             let _e10 = self.v_point_of_disc(_e6, _e9, k_19, count_2);
@@ -9323,25 +9476,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_80: Entered,
+        at_82: Entered,
         hit_40: Hit,
         number_8: impl rt::Into<rt::Scalar<u32>>,
         k_20: impl rt::Into<rt::Scalar<u32>>,
         count_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_80, hit_40, rt::into(number_8), rt::into(k_20), rt::into(count_3)))
+        rt::into(self.v_ray_to_light(at_82, hit_40, rt::into(number_8), rt::into(k_20), rt::into(count_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ray_to_light(
         &self,
-        at_80: Entered,
+        at_82: Entered,
         hit_40: Hit,
         number_8: rt::Scalar<u32>,
         k_20: rt::Scalar<u32>,
         count_3: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_80, hit_40, number_8, k_20, count_3);
-        let _e6 = self.v_light_ray(at_80, hit_40, _e5);
+        let _e5 = self.v_point_of_light(at_82, hit_40, number_8, k_20, count_3);
+        let _e6 = self.v_light_ray(at_82, hit_40, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
@@ -9369,16 +9522,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_81: Entered,
+        at_83: Entered,
         seen_2: SeenNormals,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_81, seen_2, rt::into(toward_2)))
+        rt::into(self.v_seen_cosine(at_83, seen_2, rt::into(toward_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_81: Entered,
+        at_83: Entered,
         seen_2: SeenNormals,
         toward_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -9387,7 +9540,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_2.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_2.normal.dot(toward_2).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_81, toward_2);
+        let _e10 = self.v_to_tangent_space(at_83, toward_2);
         let middle_12 = seen_2.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_12, seen_2.along.dot(_e10), seen_2.across.dot(_e10));
         let one_1 = (rt::Scalar(seen_2.middle_seen) * middle_12.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
@@ -9535,19 +9688,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn reflected_light(
         &self,
-        at_82: Entered,
+        at_84: Entered,
         hit_41: Hit,
         seen_3: SeenNormals,
         view_15: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_82, hit_41, seen_3, rt::into(view_15), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_84, hit_41, seen_3, rt::into(view_15), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_82: Entered,
+        at_84: Entered,
         hit_41: Hit,
         seen_3: SeenNormals,
         view_15: rt::Vec3<f32>,
@@ -9560,7 +9713,7 @@ impl<'g> Resources<'g> {
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_82, hit_41, (seen_3.normal * rt::Scalar(seen_3.length)), view_15, diffuse);
+        let _e20 = self.v_ambient_stage(at_84, hit_41, (seen_3.normal * rt::Scalar(seen_3.length)), view_15, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
@@ -9572,8 +9725,8 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e29 = k_21;
-                    let _e31 = self.v_toward_light(_e29, at_82.point);
-                    let _e33 = self.v_seen_cosine(at_82, seen_3, _e31.direction);
+                    let _e31 = self.v_toward_light(_e29, at_84.point);
+                    let _e33 = self.v_seen_cosine(at_84, seen_3, _e31.direction);
                     let _e37 = self.v_shade_stage(seen_3.normal, rt::Scalar(seen_3.length), _e33, view_15, _e31.direction, diffuse);
                     let _e38 = light_16;
                     let _e41 = k_21;
@@ -9603,32 +9756,32 @@ impl<'g> Resources<'g> {
         let _e27 = self.frame.clip.y();
         return (_e23 + (_e27 / depth_6.max(rt::Scalar(0f32)))).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
     }
-    pub(crate) fn shade_hit(&self, pixel_57: PixelIn, at_83: Entered, hit_42: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_57, at_83, hit_42, visible_1))
+    pub(crate) fn shade_hit(&self, pixel_57: PixelIn, at_85: Entered, hit_42: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_57, at_85, hit_42, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_57: PixelIn, at_83: Entered, hit_42: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+    fn v_shade_hit(&self, pixel_57: PixelIn, at_85: Entered, hit_42: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_42.found).elementwise_eq(rt::Scalar(0u32))) {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_42.cost.x(), hit_42.cost.y(), hit_42.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_42.uv, rt::Scalar(at_83.level));
-        let view_18 = (pixel_57.origin - at_83.point).normalize();
-        let _e50 = self.v_mesostructure_normals(at_83, hit_42.uv, view_18);
-        let _e53 = self.v_color_or_white(hit_42.uv, rt::Scalar(at_83.footprint));
-        let _e54 = self.v_reflected_light(at_83, hit_42, _e50, view_18, _e53, visible_1);
+        let _e44 = self.v_height_at(hit_42.uv, rt::Scalar(at_85.level));
+        let view_18 = (pixel_57.origin - at_85.point).normalize();
+        let _e50 = self.v_mesostructure_normals(at_85, hit_42.uv, view_18);
+        let _e53 = self.v_color_or_white(hit_42.uv, rt::Scalar(at_85.footprint));
+        let _e54 = self.v_reflected_light(at_85, hit_42, _e50, view_18, _e53, visible_1);
         let _e60 = self.frame.forward;
-        let depth_9 = (at_83.point - pixel_57.origin).dot(_e60.xyz());
+        let depth_9 = (at_85.point - pixel_57.origin).dot(_e60.xyz());
         let _e65 = self.v_height_size(rt::Scalar(0u32));
         let _e71 = self.v_cell_of(((hit_42.uv * _e65) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e91 = self.v_z_of(rt::Scalar(at_83.depth));
+        let _e91 = self.v_z_of(rt::Scalar(at_85.depth));
         let _e94 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e54, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_42.exhausted), hit_42.uv, _e44, at_83.point, _e50.normal, depth_9, rt::Scalar(hit_42.t), _e71.cast_elem_as_i32(), hit_42.cost.x(), hit_42.cost.y(), hit_42.cost.z(), visible_1[0usize].x(), rt::Scalar(at_83.level), _e91, _e94);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e54, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_42.exhausted), hit_42.uv, _e44, at_85.point, _e50.normal, depth_9, rt::Scalar(hit_42.t), _e71.cast_elem_as_i32(), hit_42.cost.x(), hit_42.cost.y(), hit_42.cost.z(), visible_1[0usize].x(), rt::Scalar(at_85.level), _e91, _e94);
     }
-    pub(crate) fn visible_lights(&self, at_84: Entered, hit_43: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_84, hit_43))
+    pub(crate) fn visible_lights(&self, at_86: Entered, hit_43: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_86, hit_43))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_84: Entered, hit_43: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_86: Entered, hit_43: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut k_22: rt::Scalar<u32> = rt::Scalar(0u32);
 
@@ -9646,8 +9799,8 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e15 = k_22;
-                    let _e17 = self.v_toward_light(_e15, at_84.point);
-                    let _e18 = self.v_shadow_stage(at_84, hit_43, _e17);
+                    let _e17 = self.v_toward_light(_e15, at_86.point);
+                    let _e18 = self.v_shadow_stage(at_86, hit_43, _e17);
                     let _e19 = k_22;
                     visible_2[rt::Scalar::into_array_index(_e19)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e25 = k_22;
@@ -9682,6 +9835,7 @@ impl<'g> Resources<'g> {
             environment_map: bound.slot(crate::MapSlot::Environment),
             frame: bound.frame,
             height_map: bound.height_map,
+            hole_map: bound.hole_map,
             light_map: bound.slot(crate::MapSlot::Lights),
             normal_map: bound.normal_map,
             search_map: bound.slot(crate::MapSlot::Search),

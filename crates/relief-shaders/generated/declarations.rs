@@ -39,7 +39,7 @@ pub const MODULES: &[Module] = &[
 //
 // Made from the rays of the neighbouring pixels, not from derivatives, so that any ray has a footprint.
 "# },
-    Module { path: "shared/height", head: r#"// The one module that reads the textures of a surface: heights, colours and normals.
+    Module { path: "shared/height", head: r#"// The one module that reads the textures of a surface: heights, holes, colours and normals.
 //
 // `exact` loads texels and interpolates in plain arithmetic, which gives the same bits on every machine.
 // `fast` lets a sampler do it, in the precision and with the wrap of the sampler.
@@ -72,6 +72,12 @@ pub const MODULES: &[Module] = &[
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 2.1, equation 9: derivatives of the height by central
 // differences over two texels, or a tangent-space normal map.
+//
+// A normal field that is interpolated shows artefacts where it is discontinuous, as at creases (section 2.2).
+// A central difference is a mean of slopes: half of it is that of the point's own dual cell, the rest those
+// of the cells before and behind, by how near they are. With creases kept a neighbour's part is taken from
+// the own cell as far as there is a crease between both. Between two creases that leaves the derivative of
+// the own bilinear patch, beside one a difference to the other side, and elsewhere the central one.
 "# },
     Module { path: "shared/numbered", head: r#"// The base triangles of a surface, by their number.
 "# },
@@ -506,6 +512,13 @@ pub const DECLARATIONS: &[Declaration] = &[
         sampling: None,
         uses: &["PassSettings"],
         text: r#"@group(0) @binding(13) var<uniform> pass_settings: PassSettings;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "hole_map",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(0) @binding(14) var hole_map: texture_2d<f32>;"#,
     },
     Declaration {
         module: "bindings",
@@ -1827,6 +1840,28 @@ fn height_cell(cell: vec2i, level: u32) -> vec4f {
     },
     Declaration {
         module: "shared/height",
+        name: "in_hole",
+        sampling: None,
+        uses: &["cell_of", "height_size", "height_texels", "hole_map", "surface_settings", "wrap_index"],
+        text: r#"// Whether texture coordinates lie in a hole: in a dual cell with a texel that is one. Whatever level is
+// traced it is a cell of the finest, so that holes are as large from afar.
+fn in_hole(uv: vec2f) -> bool {
+    if (surface_settings.has_holes != 1u) {
+        return false;
+    }
+    let n = height_texels(0u);
+    let cell = vec2i(cell_of(uv * height_size(0u) - vec2f(0.5, 0.5)));
+    let i0 = wrap_index(cell.x, n.x);
+    let i1 = wrap_index(cell.x + 1, n.x);
+    let j0 = wrap_index(cell.y, n.y);
+    let j1 = wrap_index(cell.y + 1, n.y);
+    let above = max(textureLoad(hole_map, vec2i(i0, j0), 0).x, textureLoad(hole_map, vec2i(i1, j0), 0).x);
+    let below = max(textureLoad(hole_map, vec2i(i0, j1), 0).x, textureLoad(hole_map, vec2i(i1, j1), 0).x);
+    return max(above, below) > 0.0;
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
         name: "height_at",
         sampling: Some(Sampling::Exact),
         uses: &["cell_of", "height_cell", "height_size"],
@@ -2502,17 +2537,108 @@ fn detail_texel_between(uv: vec2f, layer: i32, level: u32) -> vec4f {
     },
     Declaration {
         module: "shared/normal",
+        name: "LEAST_CREASE",
+        sampling: None,
+        uses: &[],
+        text: r#"// Tangents of the angle between two slopes from which on there is something of a crease between them, and
+// where there is all of one: some 27 and 45 degrees. Smaller, and round things become facets; larger, and
+// edges are smeared.
+const LEAST_CREASE = 0.5;"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "WHOLE_CREASE",
+        sampling: None,
+        uses: &[],
+        text: r#"const WHOLE_CREASE = 1.0;"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "slope_beside",
+        sampling: None,
+        uses: &["LEAST_CREASE", "WHOLE_CREASE"],
+        text: r#"// The slope of a neighbouring cell, as far as there is no crease between it and the own one. `rate` makes of
+// a difference of heights a slope in metres.
+fn slope_beside(own: f32, beside: f32, rate: f32) -> f32 {
+    let a = own * rate;
+    let b = beside * rate;
+    // Of the angle between both the tangent is |a - b| over this; from a right angle on it is not positive.
+    let along = 1.0 + a * b;
+    let apart = abs(a - b);
+    if (apart <= LEAST_CREASE * along) {
+        return beside;
+    }
+    if (apart >= WHOLE_CREASE * along) {
+        return own;
+    }
+    let part = (apart / along - LEAST_CREASE) / (WHOLE_CREASE - LEAST_CREASE);
+    return beside + (own - beside) * part;
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "cell_slopes",
+        sampling: None,
+        uses: &[],
+        text: r#"// The changes of the height from texel to texel along u and v in a dual cell, at that place in it.
+fn cell_slopes(h: vec4f, part: vec2f) -> vec2f {
+    let top = h.y - h.x;
+    let left = h.z - h.x;
+    let twist = (h.w - h.z) - top;
+    return vec2f(top + twist * part.y, left + twist * part.x);
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "slopes_between_creases",
+        sampling: None,
+        uses: &["Entered", "cell_of", "cell_slopes", "height_cell", "height_size", "slope_beside", "surface_settings"],
+        text: r#"// The same as central differences have them, but not across creases.
+fn slopes_between_creases(at: Entered, uv: vec2f) -> vec2f {
+    let size = height_size(0u);
+    let point = uv * size - vec2f(0.5, 0.5);
+    let cell = cell_of(point);
+    let part = point - cell;
+    let i = vec2i(cell);
+    let own = cell_slopes(height_cell(i, 0u), part);
+    let before_u = cell_slopes(height_cell(i - vec2i(1, 0), 0u), part).x;
+    let behind_u = cell_slopes(height_cell(i + vec2i(1, 0), 0u), part).x;
+    let before_v = cell_slopes(height_cell(i - vec2i(0, 1), 0u), part).y;
+    let behind_v = cell_slopes(height_cell(i + vec2i(0, 1), 0u), part).y;
+    let rate_u = size.x * surface_settings.scale_m / length(at.tangent);
+    let rate_v = size.y * surface_settings.scale_m / length(at.bitangent);
+    let before = vec2f(slope_beside(own.x, before_u, rate_u), slope_beside(own.y, before_v, rate_v));
+    let behind = vec2f(slope_beside(own.x, behind_u, rate_u), slope_beside(own.y, behind_v, rate_v));
+    return 0.5 * (own + before + (behind - before) * part);
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
         name: "normal_from_height",
         sampling: None,
-        uses: &["Entered", "height_at", "height_size", "surface_settings"],
+        uses: &["Entered", "height_at", "height_size", "normal_of_slopes", "slopes_between_creases", "surface_settings"],
         text: r#"fn normal_from_height(at: Entered, uv: vec2f) -> vec3f {
     let size = height_size(0u);
+    if (surface_settings.has_creases == 1u) {
+        let slopes = slopes_between_creases(at, uv) * size * surface_settings.scale_m;
+        return normal_of_slopes(at, slopes.x, slopes.y);
+    }
     let du = vec2f(1.0 / size.x, 0.0);
     let dv = vec2f(0.0, 1.0 / size.y);
     let rise_u = height_at(uv + du, 0u) - height_at(uv - du, 0u);
     let rise_v = height_at(uv + dv, 0u) - height_at(uv - dv, 0u);
     let slope_u = rise_u * (0.5 * size.x * surface_settings.scale_m);
     let slope_v = rise_v * (0.5 * size.y * surface_settings.scale_m);
+    return normal_of_slopes(at, slope_u, slope_v);
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "normal_of_slopes",
+        sampling: None,
+        uses: &["Entered"],
+        text: r#"// The normal of a relief that rises by so many metres in a tile along u and v.
+fn normal_of_slopes(at: Entered, slope_u: f32, slope_v: f32) -> vec3f {
     let along_u = at.tangent + at.normal * slope_u;
     let along_v = at.bitangent + at.normal * slope_v;
     let across = normalize(cross(along_v, along_u));
@@ -2812,8 +2938,8 @@ fn trace(path: Path) -> Hit {
         module: "shared/pixel",
         name: "first_hit",
         sampling: None,
-        uses: &["Entered", "FirstHit", "NO_COST", "PixelIn", "depth_on_ray", "key_of", "miss", "polish_hit", "segment_of", "trace"],
-        text: r#"// The first hit of a pixel's ray, segment after segment.
+        uses: &["Entered", "FirstHit", "NO_COST", "PixelIn", "depth_on_ray", "in_hole", "key_of", "miss", "polish_hit", "segment_of", "trace"],
+        text: r#"// The first hit of a pixel's ray, segment after segment. A segment whose hit lies in a hole has none.
 fn first_hit(pixel: PixelIn, at: Entered) -> FirstHit {
     var cost = NO_COST;
     var k = 0u;
@@ -2825,7 +2951,9 @@ fn first_hit(pixel: PixelIn, at: Entered) -> FirstHit {
             if (hit.found == 1u) {
                 hit.cost = cost;
                 hit = polish_hit(pixel, at, path, hit);
-                return FirstHit(hit, k, key_of(depth_on_ray(pixel, path, hit)));
+                if (!in_hole(hit.uv)) {
+                    return FirstHit(hit, k, key_of(depth_on_ray(pixel, path, hit)));
+                }
             }
         }
         k = k + 1u;
@@ -3945,6 +4073,10 @@ struct SurfaceSettings {
     shininess: u32,
     has_color: u32,
     has_normal: u32,
+    // 1 where hits in holes of the height map are none.
+    has_holes: u32,
+    // 1 where normals that are derived from heights are not taken across creases.
+    has_creases: u32,
     // 0 where the relief casts no shadows.
     has_shadows: u32,
     scale_m: f32,

@@ -208,16 +208,18 @@ impl Shared for SurfaceSettings {
         self.shininess.write(&mut bytes[796..]);
         self.has_color.write(&mut bytes[800..]);
         self.has_normal.write(&mut bytes[804..]);
-        self.has_shadows.write(&mut bytes[808..]);
-        self.scale_m.write(&mut bytes[812..]);
-        self.bias_m.write(&mut bytes[816..]);
-        self.shell_m.write(&mut bytes[824..]);
-        self.mean_height.write(&mut bytes[832..]);
-        self.transmission.write(&mut bytes[836..]);
-        self.ior.write(&mut bytes[840..]);
-        self.number.write(&mut bytes[844..]);
-        self.environment_side.write(&mut bytes[848..]);
-        self.environment_levels.write(&mut bytes[852..]);
+        self.has_holes.write(&mut bytes[808..]);
+        self.has_creases.write(&mut bytes[812..]);
+        self.has_shadows.write(&mut bytes[816..]);
+        self.scale_m.write(&mut bytes[820..]);
+        self.bias_m.write(&mut bytes[824..]);
+        self.shell_m.write(&mut bytes[832..]);
+        self.mean_height.write(&mut bytes[840..]);
+        self.transmission.write(&mut bytes[844..]);
+        self.ior.write(&mut bytes[848..]);
+        self.number.write(&mut bytes[852..]);
+        self.environment_side.write(&mut bytes[856..]);
+        self.environment_levels.write(&mut bytes[860..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -239,16 +241,18 @@ impl Shared for SurfaceSettings {
             shininess: Shared::read(&bytes[796..]),
             has_color: Shared::read(&bytes[800..]),
             has_normal: Shared::read(&bytes[804..]),
-            has_shadows: Shared::read(&bytes[808..]),
-            scale_m: Shared::read(&bytes[812..]),
-            bias_m: Shared::read(&bytes[816..]),
-            shell_m: Shared::read(&bytes[824..]),
-            mean_height: Shared::read(&bytes[832..]),
-            transmission: Shared::read(&bytes[836..]),
-            ior: Shared::read(&bytes[840..]),
-            number: Shared::read(&bytes[844..]),
-            environment_side: Shared::read(&bytes[848..]),
-            environment_levels: Shared::read(&bytes[852..]),
+            has_holes: Shared::read(&bytes[808..]),
+            has_creases: Shared::read(&bytes[812..]),
+            has_shadows: Shared::read(&bytes[816..]),
+            scale_m: Shared::read(&bytes[820..]),
+            bias_m: Shared::read(&bytes[824..]),
+            shell_m: Shared::read(&bytes[832..]),
+            mean_height: Shared::read(&bytes[840..]),
+            transmission: Shared::read(&bytes[844..]),
+            ior: Shared::read(&bytes[848..]),
+            number: Shared::read(&bytes[852..]),
+            environment_side: Shared::read(&bytes[856..]),
+            environment_levels: Shared::read(&bytes[860..]),
         }
     }
 }

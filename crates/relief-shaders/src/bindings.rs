@@ -77,7 +77,7 @@ const fn traced(number: u32, name: &'static str, kind: BindingKind, holds: &'sta
 
 /// All bindings. Group 0 is the same for every program; a program of the other groups binds those of them
 /// that it names.
-pub const BINDINGS: [Binding; 26] = [
+pub const BINDINGS: [Binding; 27] = [
     uniform(0, "surface_settings", "SurfaceSettings", "what changes with the surface"),
     filtered(1, "height_map", false, "heights"),
     filtered(
@@ -108,6 +108,13 @@ pub const BINDINGS: [Binding; 26] = [
     slot(MapSlot::Lights),
     uniform(12, "frame", "Frame", "what changes with the frame"),
     uniform(13, "pass_settings", "PassSettings", "what changes with the pass"),
+    Binding {
+        group: 0,
+        number: 14,
+        name: "hole_map",
+        kind: BindingKind::Texture { layers: false, filtered: false },
+        holds: "above 0 the texels that are holes; a single texel where the settings say that there are none",
+    },
     storage(1, 0, "triangles", "Triangle", true, "the base mesh"),
     storage(1, 1, "pixels", "PixelIn", true, "rays to probe"),
     storage(1, 2, "probes", "Probe", false, "the stages' results for these rays"),

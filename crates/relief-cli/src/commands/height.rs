@@ -1,5 +1,6 @@
-//! `relief height`: the way back, from a normal map or from photographs to a height map.
+//! `relief height`: height maps from normal maps and photographs, and for a mesh.
 
+mod for_mesh;
 mod from_normals;
 mod from_photos;
 mod lights;
@@ -32,6 +33,8 @@ enum Origin {
     FromNormals(Box<from_normals::Arguments>),
     /// Make a height map from photographs of one view under at least three known lights
     FromPhotos(Box<from_photos::Arguments>),
+    /// Make of a height map one for a mesh: over its smooth base, or without what it does not show
+    ForMesh(Box<for_mesh::Arguments>),
 }
 
 const AFTER_HELP: &str = "Examples:\n  relief height from-normals rock_normal.png -o rock.exr\n  \
@@ -108,19 +111,22 @@ impl Common {
 
     /// Whether so many texels of so many bytes are allowed.
     fn check_memory(&self, size: [u32; 2], bytes_per_texel: u64) -> Result<(), Failure> {
-        let [width, height] = size;
-        let needed = (u64::from(width) * u64::from(height)).saturating_mul(bytes_per_texel);
-        let limit = self.max_bytes();
-        if needed <= limit {
-            return Ok(());
-        }
-        Err(Failure::Work(format!(
-            "{width}x{height} texels need {} MiB of memory to become heights, {} MiB are allowed: make the pictures smaller \
-             or raise --max-memory",
-            needed.div_ceil(1 << 20),
-            limit >> 20
-        )))
+        check_memory(size, bytes_per_texel, self.max_bytes())
     }
+}
+
+/// Whether so many texels of so many bytes are within the limit.
+fn check_memory([width, height]: [u32; 2], bytes_per_texel: u64, limit: u64) -> Result<(), Failure> {
+    let needed = (u64::from(width) * u64::from(height)).saturating_mul(bytes_per_texel);
+    if needed <= limit {
+        return Ok(());
+    }
+    Err(Failure::Work(format!(
+        "{width}x{height} texels need {} MiB of memory to become heights, {} MiB are allowed: make the pictures \
+         smaller or raise --max-memory",
+        needed.div_ceil(1 << 20),
+        limit >> 20
+    )))
 }
 
 impl Arguments {
@@ -129,6 +135,7 @@ impl Arguments {
         match &mut self.origin {
             Origin::FromNormals(arguments) => arguments.files(),
             Origin::FromPhotos(arguments) => arguments.files(),
+            Origin::ForMesh(arguments) => arguments.files(),
         }
     }
 
@@ -137,6 +144,7 @@ impl Arguments {
         match &self.origin {
             Origin::FromNormals(arguments) => arguments.common.json,
             Origin::FromPhotos(arguments) => arguments.common.json,
+            Origin::ForMesh(arguments) => arguments.json,
         }
     }
 }
@@ -146,6 +154,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.origin {
         Origin::FromNormals(arguments) => from_normals::run(arguments),
         Origin::FromPhotos(arguments) => from_photos::run(arguments),
+        Origin::ForMesh(arguments) => for_mesh::run(arguments),
     }
 }
 

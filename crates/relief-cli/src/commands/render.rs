@@ -43,6 +43,9 @@ pub struct Arguments {
     /// `exact`, reads and steps are nodes and cells of its tracer
     #[arg(long, value_name = "FILE.exr")]
     aov: Option<PathBuf>,
+    /// Draw the edges of the base meshes over the picture, faint where they are behind what is seen
+    #[arg(long, hide_short_help = true)]
+    wire: bool,
     /// Print one JSON object about the picture
     #[arg(long)]
     pub json: bool,
@@ -55,7 +58,7 @@ pub struct Arguments {
 
 /// Renders and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let spec = arguments.scene.spec()?;
+    let spec = arguments.scene.spec()?.with_keys_of_meshes().map_err(of_scene)?;
     let outputs = Outputs::new(arguments, &spec)?;
     let scene = {
         let _reading = Progress::spinner("reading", arguments.json);

@@ -66,6 +66,14 @@ pub struct SceneArguments {
         hide_short_help = true
     )]
     green: Option<GreenSign>,
+    /// Show what is behind texels of the height map without a value, which are filled otherwise; shadows see
+    /// them filled still
+    #[arg(long, help_heading = "Maps and mesh", hide_short_help = true)]
+    holes: bool,
+    /// Let normals from the height map end at creases, where its slope changes by some 27 to 45 degrees at
+    /// once, and not smear them
+    #[arg(long, help_heading = "Maps and mesh", hide_short_help = true)]
+    creases: bool,
     /// Base mesh: plane (in the proportions of the height map), square, cube, cylinder, sphere or torus, or a
     /// glTF, GLB, OBJ, PLY or STL file, in metres with y up [default: plane]
     #[arg(long, value_name = "NAME|FILE", help_heading = "Maps and mesh")]
@@ -351,9 +359,11 @@ impl SceneArguments {
             range: self.reading.range,
             raw: self.reading.file.raw,
             fill: given(self.reading.file.fill),
+            holes: given(self.holes),
             wrap: self.reading.wrap,
             scale: self.scale,
             bias: self.bias,
+            creases: given(self.creases),
             color: self.color.clone(),
             normal: self.normal.clone(),
             green: self.green,

@@ -5,6 +5,7 @@
 //! to whoever looks along `-z`.
 
 mod builtin;
+mod chart_texels;
 mod cube;
 mod cylinder;
 mod folds;
@@ -25,6 +26,7 @@ mod torus;
 use glam::{Vec2, Vec3};
 
 pub use builtin::Builtin;
+pub use chart_texels::{ChartError, ChartTexels};
 pub use cube::cube;
 pub use cylinder::cylinder;
 pub use measures::{MeshMeasures, Spread};

@@ -1,6 +1,7 @@
 //! Base meshes from files: glTF, OBJ, PLY and STL.
 
 mod builder;
+mod folder;
 mod gltf;
 mod obj;
 mod ply;
@@ -9,7 +10,7 @@ mod stl;
 mod text;
 
 use std::fmt;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use relief_core::mesh::{Framed, Mesh, UvProjection};
 
@@ -146,6 +147,50 @@ pub struct MeshFile {
 pub fn read_mesh<'a>(source: impl Into<Source<'a>>, options: &MeshOptions) -> Result<MeshFile, ReadError> {
     let source = source.into();
     read(source, options).map_err(|problem| source.error(problem))
+}
+
+/// What a mesh's file says for a program, as a JSON text: what its materials' `extras` hold under a name.
+/// None where they hold nothing of that name, and in all formats but glTF. Of a GLB only the JSON is read.
+///
+/// ```
+/// use relief_io::{Source, read_mesh_extras};
+///
+/// let text = br#"{"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "accessors": [
+///     {"count": 3, "componentType": 5126, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1]}],
+///   "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+///   "materials": [{"extras": {"relief": {"scale": 0.1}}}]}"#;
+/// let extras = read_mesh_extras(Source::bytes("wall.gltf", text), "relief", 1 << 20)?;
+/// assert_eq!(extras.as_deref(), Some(r#"{"scale":0.1}"#));
+/// # Ok::<(), relief_io::ReadError>(())
+/// ```
+///
+/// # Errors
+///
+/// When the file cannot be read, is no mesh's, is damaged, or takes more than `max_bytes` to be read; when
+/// its triangles have materials that say different things.
+pub fn read_mesh_extras<'a>(
+    source: impl Into<Source<'a>>,
+    name: &str,
+    max_bytes: u64,
+) -> Result<Option<String>, ReadError> {
+    let source = source.into();
+    let extras = match MeshFormat::by_name(source.name()) {
+        Some(MeshFormat::Gltf) => gltf::extras::read(source, name, &mut Builder::new(max_bytes)),
+        Some(_) => Ok(None),
+        None => Err(ReadProblem::NoMesh),
+    };
+    extras.map_err(|problem| source.error(problem))
+}
+
+/// The place of a file that a mesh's file names by a path from its folder on.
+///
+/// # Errors
+///
+/// When there is no such file, or it does not lie in that folder or below, links followed.
+pub fn beside_mesh(mesh: &Path, name: &Path) -> Result<PathBuf, ReadError> {
+    let folder = mesh.parent().unwrap_or(Path::new(""));
+    let place = folder::inside(folder, name, &name.to_string_lossy());
+    place.map_err(|problem| Source::from(mesh).error(problem))
 }
 
 fn read(source: Source<'_>, options: &MeshOptions) -> Result<MeshFile, ReadProblem> {

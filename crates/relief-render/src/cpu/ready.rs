@@ -196,7 +196,9 @@ impl<'a> Ready<'a> {
                 let hit = Hit::from(&tracer.trace(&(&path).into()).hit);
                 if hit.found == 1 {
                     let hit = self.program.polish(pixel, at, path, hit);
-                    return FirstHit { hit, segment: number, key: self.program.key(pixel, path, hit) };
+                    if !self.program.in_hole(hit.uv) {
+                        return FirstHit { hit, segment: number, key: self.program.key(pixel, path, hit) };
+                    }
                 }
             }
         }

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use relief_core::{BakedMap, HeightMap, Wrap};
+use relief_core::{BakedMap, HeightMap, TexelMask, Wrap};
 use relief_shaders::MapSlot;
 use relief_shaders::cpu::{Shared, SurfaceSettings, Triangle, write_all};
 use relief_shaders::wgsl::Sampling;
@@ -112,6 +112,7 @@ pub struct Resident {
     heights: Option<Held<Arc<HeightMap>>>,
     /// How many levels of the height map are there.
     height_levels: u32,
+    holes: Option<Held<Arc<TexelMask>>>,
     color: Option<Held<Arc<Mipmaps>>>,
     normals: Option<Held<Arc<Mipmaps>>>,
     slots: [Option<Held<SlotSource>>; MapSlot::ALL.len()],
@@ -149,6 +150,7 @@ impl Resident {
             precision: None,
             heights: None,
             height_levels: 0,
+            holes: None,
             color: None,
             normals: None,
             slots: [const { None }; MapSlot::ALL.len()],
@@ -238,6 +240,9 @@ impl Resident {
         if changed {
             self.height_levels = levels;
         }
+        changed |= hold(&mut self.holes, surface.holes(), Arc::ptr_eq, || {
+            textures::holes(gpu, surface.holes().map(Arc::as_ref))
+        })?;
         changed |= hold(&mut self.color, surface.color.as_ref(), Arc::ptr_eq, || {
             textures::picture(gpu, "colour map", surface.color.as_deref(), precision, false)
         })?;
@@ -285,6 +290,7 @@ impl Resident {
         ];
         let views = [
             ("height_map", self.heights.as_ref().map(|held| &held.view)),
+            ("hole_map", self.holes.as_ref().map(|held| &held.view)),
             ("color_map", self.color.as_ref().map(|held| &held.view)),
             ("normal_map", self.normals.as_ref().map(|held| &held.view)),
         ];

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use relief_core::area_mean::coarser_size;
 use relief_core::encoding::half;
-use relief_core::{BakedMap, HeightMap, MapTexels, Rounding, Wrap};
+use relief_core::{BakedMap, HeightMap, MapTexels, Rounding, TexelMask, Wrap};
 use relief_shaders::MapSlot;
 use relief_shaders::wgsl::Sampling;
 use wgpu::{
@@ -55,6 +55,20 @@ pub fn heights(
         upload_level(gpu, &texture, level, [map.width(), map.height()], &stored(map.texels(), precision))?;
     }
     Ok(view(&texture, false))
+}
+
+/// The holes of a map, a byte a texel; a single texel where there are none.
+pub fn holes(gpu: &Gpu, holes: Option<&TexelMask>) -> Result<TextureView, GpuError> {
+    let size = holes.map_or([1, 1], |holes| [holes.width(), holes.height()]);
+    gpu.check_texture("holes", size)?;
+    let mut texels = Vec::new();
+    let count = size[0] as usize * size[1] as usize;
+    texels.try_reserve_exact(count).map_err(|_| GpuError::OutOfMemory)?;
+    let places = (0..size[1]).flat_map(|row| (0..size[0]).map(move |column| (column, row)));
+    texels.extend(places.map(|(column, row)| {
+        if holes.is_some_and(|holes| holes.contains(column, row)) { u8::MAX } else { 0 }
+    }));
+    Ok(view(&flat(gpu, "holes", size, TextureFormat::R8Unorm, &texels)?, false))
 }
 
 /// A colour or a normal map with its levels; a single texel where there is none.

@@ -50,6 +50,14 @@ pub enum SceneError {
         /// What is wrong.
         source: ValueError,
     },
+    /// The file of a mesh has keys of its surface that cannot be used.
+    #[error("{}: extras.relief of its material: {what}", path.display())]
+    MeshKeys {
+        /// The mesh's file.
+        path: PathBuf,
+        /// What is wrong, with the key.
+        what: String,
+    },
     /// A value cannot be used.
     #[error(transparent)]
     Value(#[from] ValueError),

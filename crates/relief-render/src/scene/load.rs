@@ -46,14 +46,20 @@ impl SceneSpec {
         builder.build().map(drop)
     }
 
-    /// Reads the files and completes the scene. Relative paths start at the current folder; those of a scene
-    /// file were made to start at its own when it was read.
+    /// Reads the files and completes the scene, with what the files of meshes say of their surfaces (see
+    /// [`Self::with_keys_of_meshes`]). Relative paths start at the current folder; those of a scene file were
+    /// made to start at its own when it was read.
     ///
     /// # Errors
     ///
     /// When there is no height map, a value is out of range, a method is not available, a file cannot be
     /// read, or maps and picture need more than `max_memory`, which is found out before that memory is taken.
     pub fn load(&self) -> Result<Scene, SceneError> {
+        self.with_keys_of_meshes()?.load_whole()
+    }
+
+    /// The same of one that has what the files of its meshes say.
+    fn load_whole(&self) -> Result<Scene, SceneError> {
         let each = self.each_with_parts()?;
         // Before anything is read all else is known to be possible.
         self.check()?;

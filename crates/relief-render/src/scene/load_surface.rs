@@ -76,6 +76,8 @@ pub struct Parts {
     /// Minus the scale if none.
     bias_m: Option<f64>,
     two_sided: bool,
+    holes: bool,
+    creases: bool,
 }
 
 impl Parts {
@@ -219,6 +221,8 @@ impl SurfaceSpec {
             scale_m: self.scale,
             bias_m: self.bias,
             two_sided: self.two_sided.unwrap_or_default(),
+            holes: self.holes.unwrap_or_default(),
+            creases: self.creases.unwrap_or_default(),
         })
     }
 
@@ -251,7 +255,9 @@ impl SurfaceSpec {
         Ok(Surface::new(mesh, map)
             .with_material(parts.material)
             .with_selection(parts.selection)
-            .with_two_sided(parts.two_sided))
+            .with_two_sided(parts.two_sided)
+            .with_holes(parts.holes)
+            .with_creases(parts.creases))
     }
 
     /// The surface with its maps.
@@ -283,6 +289,7 @@ impl SurfaceSpec {
             range: self.range,
             raw: self.raw,
             fill: match self.fill {
+                None if parts.holes => Fill::Always,
                 None => Fill::Elevation,
                 Some(true) => Fill::Always,
                 Some(false) => Fill::Never,

@@ -15,6 +15,7 @@ mod limits;
 mod load;
 mod load_surface;
 mod mesh_choice;
+mod mesh_defaults;
 mod metres;
 mod spec;
 mod surface;

@@ -23,6 +23,8 @@ pub struct Surface {
     selection: Selection,
     material: Material,
     two_sided: bool,
+    has_holes: bool,
+    has_creases: bool,
 }
 
 impl Surface {
@@ -39,6 +41,8 @@ impl Surface {
             selection: Selection::exact(),
             material: Material::default(),
             two_sided: false,
+            has_holes: false,
+            has_creases: false,
         }
     }
 
@@ -89,6 +93,24 @@ impl Surface {
         Self { two_sided, ..self }
     }
 
+    /// The same with the [holes](HeightMap::holes) of its height map seen or not: a ray that hits a dual cell
+    /// with a texel that is a hole passes it, and shows nothing of the surface or what is behind. Shadows,
+    /// light from all around and baked maps know of no holes: they see the heights that holes are filled
+    /// with.
+    #[must_use]
+    pub fn with_holes(self, has_holes: bool) -> Self {
+        Self { has_holes, ..self }
+    }
+
+    /// The same with normals that are derived from the height map taken across creases or not: of the central
+    /// differences of the heights (Szirmay-Kalos and Umenhoffer 2008, equation 9) the part of a neighbouring
+    /// dual cell is left to the own one where the slopes of both are some 27 to 45 degrees apart. Normal maps
+    /// and levels of detail beyond the finest are as they are.
+    #[must_use]
+    pub fn with_creases(self, has_creases: bool) -> Self {
+        Self { has_creases, ..self }
+    }
+
     /// The base mesh, placed in the world and tiled.
     pub fn mesh(&self) -> &Arc<Mesh> {
         &self.mesh
@@ -124,6 +146,16 @@ impl Surface {
     /// Whether triangles seen from behind are drawn.
     pub fn two_sided(&self) -> bool {
         self.two_sided
+    }
+
+    /// Whether holes of the height map, where it has any, are seen.
+    pub fn has_holes(&self) -> bool {
+        self.has_holes
+    }
+
+    /// Whether normals end at creases.
+    pub fn has_creases(&self) -> bool {
+        self.has_creases
     }
 
     /// The displacement in metres between heights 0 and 1 that is true to the lengths that the height map's

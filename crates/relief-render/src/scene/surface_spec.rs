@@ -34,6 +34,11 @@ pub struct SurfaceSpec {
     /// models are, and [`HeightMap::filled_texels`](relief_core::HeightMap::filled_texels) counts them; those
     /// of other files are an error.
     pub fill: Option<bool>,
+    /// Whether texels without a value are holes, which show what is behind them: rays pass dual cells with
+    /// such a texel. By default they are not. Where they are, texels without a value are filled in files of
+    /// all kinds unless `fill` says otherwise: shadows, light from all around and baked maps see these
+    /// heights.
+    pub holes: Option<bool>,
     /// How the maps go on beyond their edges: `repeat`, `clamp` or `mirror`. By default elevation models are
     /// clamped, others repeated.
     #[serde(deserialize_with = "parsed")]
@@ -44,6 +49,9 @@ pub struct SurfaceSpec {
     pub scale: Option<f64>,
     /// Displacement of height 0 in metres. By default minus the scale: the relief is carved into the surface.
     pub bias: Option<f64>,
+    /// Whether normals that are derived from the heights end at creases, where heights change from slope to
+    /// slope at once, and are not smeared over them. By default they are smooth.
+    pub creases: Option<bool>,
     /// The colour picture's file. By default none.
     pub color: Option<PathBuf>,
     /// The normal map's file. By default none.
@@ -155,9 +163,11 @@ impl SurfaceSpec {
             range: over.range.or(self.range),
             raw: over.raw.or(self.raw),
             fill: over.fill.or(self.fill),
+            holes: over.holes.or(self.holes),
             wrap: over.wrap.or(self.wrap),
             scale: over.scale.or(self.scale),
             bias: over.bias.or(self.bias),
+            creases: over.creases.or(self.creases),
             color: over.color.or(self.color),
             normal: over.normal.or(self.normal),
             green: over.green.or(self.green),

@@ -56,9 +56,11 @@ depth = true
 range = [236, 1076.5]
 raw = "403x344,le"
 fill = true
+holes = true
 wrap = "mirror"
 scale = 0.2
 bias = -0.1
+creases = true
 color = "/somewhere/b.png"
 normal = "c.png"
 green = "-y"
@@ -118,9 +120,11 @@ fn every_key_is_read() {
         range: Some([236.0, 1076.5]),
         raw: "403x344,le".parse().ok(),
         fill: Some(true),
+        holes: Some(true),
         wrap: Some(Wrap::Mirror),
         scale: Some(0.2),
         bias: Some(-0.1),
+        creases: Some(true),
         color: Some(PathBuf::from("/somewhere/b.png")),
         normal: Some(folder.path().join("c.png")),
         green: "-y".parse().ok(),

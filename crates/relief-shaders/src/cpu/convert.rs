@@ -177,6 +177,8 @@ impl SurfaceSettings {
             shininess: 1,
             has_color: 0,
             has_normal: 0,
+            has_holes: 0,
+            has_creases: 0,
             has_shadows: u32::from(selection.has_shadows()),
             scale_m: map.scale_m() as f32,
             bias_m: map.bias_m() as f32,

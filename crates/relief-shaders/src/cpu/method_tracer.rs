@@ -2,7 +2,7 @@
 
 use relief_core::{BakedMap, HeightMap, Hit, Metric, Path};
 
-use super::{Bound, ColorTexture, Frame, HeightTexture, Program, SurfaceSettings};
+use super::{Bound, ColorTexture, Frame, HeightTexture, HoleTexture, Program, SurfaceSettings};
 use crate::{MapError, Selection, SlotMaps};
 
 /// A method, ready to trace rays through a height map: what a shader finds, without a picture.
@@ -53,6 +53,7 @@ impl<'a> MethodTracer<'a> {
             frame: Frame::none(),
             surface_settings: SurfaceSettings::tracing(heights, selection, &maps),
             height_map: HeightTexture::new(heights, levels),
+            hole_map: HoleTexture::new(None),
             color_map: ColorTexture::BLANK,
             normal_map: ColorTexture::BLANK,
             maps,

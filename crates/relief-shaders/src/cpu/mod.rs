@@ -30,7 +30,7 @@ pub use method_tracer::MethodTracer;
 /// A vector, as shaders have it.
 pub use naga_rust_rt::{Vec2, Vec3, Vec4};
 pub use program::Program;
-pub use runtime::{ColorTexture, HeightTexture, MapTexture};
+pub use runtime::{ColorTexture, HeightTexture, HoleTexture, MapTexture};
 
 /// Everything that can be bound to a [`Program`].
 #[derive(Clone, Copy, Debug)]
@@ -41,6 +41,8 @@ pub struct Bound<'a> {
     pub surface_settings: SurfaceSettings,
     /// Heights.
     pub height_map: HeightTexture<'a>,
+    /// Holes.
+    pub hole_map: HoleTexture<'a>,
     /// Linear colours.
     pub color_map: ColorTexture<'a>,
     /// Normals in tangent space.

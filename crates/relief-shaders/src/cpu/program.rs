@@ -2,7 +2,8 @@
 
 use super::generated::Resources;
 use super::{
-    Bound, Entered, FirstHit, Found, Hit, LightRay, Path, PixelIn, PixelOut, Toward, Triangle, Vec3, Vec4,
+    Bound, Entered, FirstHit, Found, Hit, LightRay, Path, PixelIn, PixelOut, Toward, Triangle, Vec2, Vec3,
+    Vec4,
 };
 use crate::MAX_LIGHTS;
 
@@ -65,6 +66,12 @@ impl<'a> Program<'a> {
     #[inline]
     pub fn polish(&self, pixel: PixelIn, entered: Entered, path: Path, hit: Hit) -> Hit {
         self.0.polish_hit(pixel, entered, path, hit)
+    }
+
+    /// Whether texture coordinates lie in a hole, where a hit is none.
+    #[inline]
+    pub fn in_hole(&self, uv: Vec2<f32>) -> bool {
+        self.0.in_hole(uv)
     }
 
     /// What orders the hits of a pixel's ray: the greater, the nearer. From 0, infinitely far away, to 1 at

@@ -5,7 +5,7 @@ pub use naga_rust_rt::*;
 
 use relief_core::area_mean::coarser_size;
 use relief_core::encoding::half;
-use relief_core::{BakedMap, HeightMap, LevelPlace, MapTexels};
+use relief_core::{BakedMap, HeightMap, LevelPlace, MapTexels, TexelMask};
 use texture::Read;
 
 /// A height map as a texture: one number a texel, row by row from the top.
@@ -15,6 +15,10 @@ pub struct HeightTexture<'a> {
     texels: &'a [f32],
     coarser: &'a [HeightMap],
 }
+
+/// Holes as a texture: 1 in the texels that are some.
+#[derive(Clone, Copy, Debug)]
+pub struct HoleTexture<'a>(Option<&'a TexelMask>);
 
 /// A colour or normal map as a texture: four numbers a texel, row by row from the top, in one layer.
 #[derive(Clone, Copy, Debug)]
@@ -105,6 +109,13 @@ impl<'a> HeightTexture<'a> {
     }
 }
 
+impl<'a> HoleTexture<'a> {
+    /// The texture of the holes of a map, if it has any.
+    pub fn new(holes: Option<&'a TexelMask>) -> Self {
+        Self(holes)
+    }
+}
+
 impl<'a> ColorTexture<'a> {
     /// A single black texel, for a map that the settings say is not there.
     pub const BLANK: Self = Self { size: [1, 1], layers: 1, texels: &[[0.0; 4]], coarser: &[] };
@@ -147,6 +158,19 @@ impl Read for HeightTexture<'_> {
         let index = at.y as isize * width as isize + at.x as isize;
         let texel = texels.get(index as usize).copied().unwrap_or(0.0);
         Vec4 { x: texel, y: 0.0, z: 0.0, w: 1.0 }
+    }
+}
+
+impl Read for HoleTexture<'_> {
+    type Coordinates = Vec2<i32>;
+    type Component = f32;
+
+    #[inline(always)]
+    fn read_texel(&self, at: Vec2<i32>, _layer: i32, _sample: i32, _level: i32) -> Vec4<f32> {
+        let is_in = |holes: &TexelMask| {
+            u32::try_from(at.x).is_ok_and(|x| u32::try_from(at.y).is_ok_and(|y| holes.contains(x, y)))
+        };
+        Vec4 { x: if self.0.is_some_and(is_in) { 1.0 } else { 0.0 }, y: 0.0, z: 0.0, w: 1.0 }
     }
 }
 

@@ -78,6 +78,7 @@ fn concrete_textures(module: &Module, text: &str) -> Result<String, String> {
         }
         let concrete = match name {
             "height_map" => "HeightTexture",
+            "hole_map" => "HoleTexture",
             "color_map" | "normal_map" => "ColorTexture",
             _ => "MapTexture",
         };

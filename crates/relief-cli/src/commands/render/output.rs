@@ -11,10 +11,10 @@ use clap::ValueEnum;
 use relief_io::{
     LineSink, Metadata, PictureFormat, PictureSink, WriteProblem, write_exr_lines, write_picture,
 };
-use relief_render::picture::{AOV_CHANNELS, aov_of};
+use relief_render::picture::{AOV_CHANNELS, aov_of, srgb};
 use relief_render::scene::{Scene, SceneSpec};
 use relief_render::tone::Tone;
-use relief_render::{Bands, Made, RenderError};
+use relief_render::{Bands, Made, RenderError, Wire};
 use relief_shaders::cpu::PixelOut;
 
 use super::Arguments;
@@ -74,6 +74,7 @@ pub struct Outputs<'a> {
     picture: &'a Path,
     format: PictureFormat,
     aov: Option<&'a Path>,
+    wire: bool,
 }
 
 /// Why they were not.
@@ -126,7 +127,7 @@ impl<'a> Outputs<'a> {
                 return Err(Failure::usage("--aov and --output name the same file"));
             }
         }
-        Ok(Self { picture, format, aov })
+        Ok(Self { picture, format, aov, wire: arguments.wire })
     }
 
     /// Writes them while the scene is rendered.
@@ -186,13 +187,24 @@ impl<'a> Outputs<'a> {
     ) -> Result<(Counts, Made), Error> {
         let (look, width) = (scene.look(), scene.size()[0] as usize);
         let is_linear = self.format.is_linear();
+        let mut wire = self.wire.then(|| Wire::new(scene));
         let mut counts = Counts::default();
         let mut colours = Vec::with_capacity(width);
         let mut planes = AOV_CHANNELS.map(|_| Vec::new());
         let mut row = |pixels: &[PixelOut]| -> Result<(), Failure> {
             colours.clear();
-            let colour = |pixel| if is_linear { look.linear(pixel) } else { look.srgb(pixel) };
+            // What is brighter than sRGB has it would shine through lines.
+            let colour = |pixel| {
+                let linear = look.linear(pixel);
+                if is_linear { linear } else { linear.map(|part| part.clamp(0.0, 1.0)) }
+            };
             colours.extend(pixels.iter().map(colour));
+            if let Some(wire) = &mut wire {
+                wire.next_row(pixels, &mut colours);
+            }
+            if !is_linear {
+                colours.iter_mut().for_each(|colour| *colour = srgb(*colour));
+            }
             picture(&colours).map_err(|error| failed(self.picture, WriteProblem::Io(error)))?;
             if let (Some(sink), Some(path)) = (&mut numbers, self.aov) {
                 planes.iter_mut().for_each(Vec::clear);

@@ -21,11 +21,15 @@ pub fn of_reading(spec: &SceneSpec, scene: &Scene) -> BTreeSet<String> {
         let path = described.height.unwrap_or_default();
         let turned = inside_out(&path).filter(|_| described.depth.is_none());
         let name = path.display().to_string();
-        let filled = (described.fill.is_none(), surface.height_map().filled_texels());
-        let filled = matches!(filled, (true, 1..)).then(|| {
-            let count = filled.1;
-            format!("{name}: {count} of its texels have no value; they are filled from their surroundings")
-        });
+        let count = surface.height_map().filled_texels();
+        let filled = match (surface.has_holes(), described.fill.is_none(), count) {
+            (true, _, 0) => Some(format!("{name}: every texel has a value: there are no holes to be seen")),
+            (true, _, _) => Some(format!("{name}: {count} of its texels have no value; they are holes")),
+            (false, true, 1..) => Some(format!(
+                "{name}: {count} of its texels have no value; they are filled from their surroundings"
+            )),
+            _ => None,
+        };
         filled.into_iter().chain(nearly_grey(&name, surface.height_map())).chain(turned)
     });
     notes.collect()

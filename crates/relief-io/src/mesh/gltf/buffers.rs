@@ -1,7 +1,7 @@
 //! The buffers of a glTF: inside of it, or files in its folder.
 
 use std::borrow::Cow;
-use std::path::{Component, Path, PathBuf};
+use std::path::PathBuf;
 
 use ::gltf::buffer::{self, Buffer};
 use base64::Engine;
@@ -9,6 +9,7 @@ use base64::engine::general_purpose::STANDARD;
 
 use super::damaged;
 use crate::mesh::builder::Builder;
+use crate::mesh::folder::{inside, stays};
 use crate::{ReadProblem, Source};
 
 /// The buffers, each read when it is first needed.
@@ -59,7 +60,7 @@ impl<'a> Buffers<'a> {
     /// The bytes that a URI holds or names, for what goes by that name.
     pub fn named(&self, name: &str, uri: &str, builder: &mut Builder) -> Result<Cow<'a, [u8]>, ReadProblem> {
         match uri.strip_prefix("data:") {
-            Some(data) => inside(name, data, builder),
+            Some(data) => decoded(name, data, builder),
             None => self.beside(uri, builder),
         }
     }
@@ -72,21 +73,15 @@ impl<'a> Buffers<'a> {
             let what = "another file, and bytes in memory have none beside them".to_owned();
             return Err(ReadProblem::Unsupported { what, advice: "give its path, or a GLB" });
         };
-        let file = folder.join(path);
+        let file = inside(folder, &path, uri)?;
         let of_part = |problem| ReadProblem::Part { file: file.clone(), problem: Box::new(problem) };
-        // A link may lead out of the folder.
-        let real = |path: &Path| path.canonicalize().map_err(|error| of_part(ReadProblem::Io(error)));
-        let here = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-        if !real(&file)?.starts_with(real(here)?) {
-            return Err(outside());
-        }
         let bytes = Source::from(&file).whole(|len| builder.take(len)).map_err(of_part)?;
         Ok(Cow::Owned(bytes.into_owned()))
     }
 }
 
 /// The bytes inside of the JSON.
-fn inside<'a>(name: &str, data: &str, builder: &mut Builder) -> Result<Cow<'a, [u8]>, ReadProblem> {
+fn decoded<'a>(name: &str, data: &str, builder: &mut Builder) -> Result<Cow<'a, [u8]>, ReadProblem> {
     let encoded = data.split_once(";base64,").map(|(_, encoded)| encoded);
     let encoded = encoded.ok_or_else(|| damaged(format!("{name} holds no base64")))?;
     builder.take(encoded.len() as u64)?;
@@ -97,12 +92,7 @@ fn inside<'a>(name: &str, data: &str, builder: &mut Builder) -> Result<Cow<'a, [
 /// A path that stays in its folder, of a URI that is one.
 fn relative(uri: &str) -> Option<PathBuf> {
     let path = PathBuf::from(percent_decoded(uri)?);
-    // A colon is that of a scheme or of a drive, and backslashes are separators on some systems.
-    let is_plain = !uri.contains([':', '\\']) && !path.to_string_lossy().contains([':', '\\', '\0']);
-    let mut components = path.components().peekable();
-    let stays = components.peek().is_some()
-        && components.all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
-    (is_plain && stays).then_some(path)
+    (!uri.contains([':', '\\']) && stays(&path)).then_some(path)
 }
 
 /// A URI with the bytes that are written as `%20`, if they make a text.

@@ -7,6 +7,7 @@ mod accessor;
 mod buffers;
 mod colors;
 mod container;
+pub(super) mod extras;
 mod nodes;
 
 use ::gltf::mesh::Mode;
@@ -46,10 +47,7 @@ pub(super) fn read(
     builder: &mut Builder,
 ) -> Result<Option<MeshColors>, ReadProblem> {
     let (text, binary) = container::split(bytes)?;
-    let count = |wanted: u8| text.iter().filter(|&&byte| byte == wanted).count() as u64;
-    let parts = BYTES_OF_JSON.map(|(byte, bytes)| bytes * count(byte));
-    let for_json = parts.iter().sum::<u64>() + text.len() as u64;
-    builder.take(for_json)?;
+    let for_json = take_json(text, builder)?;
     let document = document(text)?;
     let mut buffers = Buffers::new(source, binary, document.buffers().len());
     let (mut triangles, mut others, mut materials) = (0, false, Vec::new());
@@ -77,6 +75,15 @@ pub(super) fn read(
         }
         _ => Ok(None),
     }
+}
+
+/// Takes the memory that reading the JSON takes, and says how much.
+fn take_json(text: &[u8], builder: &mut Builder) -> Result<u64, ReadProblem> {
+    let count = |wanted: u8| text.iter().filter(|&&byte| byte == wanted).count() as u64;
+    let parts = BYTES_OF_JSON.map(|(byte, bytes)| bytes * count(byte));
+    let for_json = parts.iter().sum::<u64>() + text.len() as u64;
+    builder.take(for_json)?;
+    Ok(for_json)
 }
 
 /// The checked JSON.

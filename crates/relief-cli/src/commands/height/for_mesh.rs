@@ -1,0 +1,226 @@
+//! `relief height for-mesh`: a height map for one mesh, which has its own part of the map everywhere.
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use clap::Args;
+use relief_core::mesh::Mesh;
+use relief_core::{ByteSize, HeightMap};
+use relief_io::{DEFAULT_MAX_BYTES, HeightNote, MeshOptions, read_height, read_mesh};
+use relief_render::scene::{MeshChoice, Surface};
+use serde_json::json;
+
+use super::check_memory;
+use super::output::{Content, Format, Output};
+use crate::commands::maps::HeightArguments;
+use crate::commands::staged::Staged;
+use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::streams::{Files, Written, answer};
+use crate::{interrupt, units, values};
+
+/// Displacement in metres between heights 0 and 1 unless something says otherwise; that of `relief render`.
+const DEFAULT_SCALE_M: f64 = 0.05;
+
+/// Bytes a texel that are taken besides the map.
+const BYTES_PER_TEXEL: u64 = 24;
+
+/// What `relief height for-mesh` is given.
+#[derive(Args)]
+#[command(after_help = AFTER_HELP)]
+pub struct Arguments {
+    /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw
+    height: PathBuf,
+    /// Height map to write
+    #[arg(short, long, value_name = "FILE.png|exr")]
+    output: PathBuf,
+    /// Mesh whose texture coordinates lie from 0 to 1 and nowhere on each other: a file, or a built-in one
+    #[arg(long, value_name = "NAME|FILE")]
+    mesh: MeshChoice,
+    /// Add the height of the smooth base that the mesh's normals promise above its flat triangles
+    #[arg(long)]
+    lift: bool,
+    /// Leave texels without a value that lie more than N texels beside those which the mesh shows
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    gutter: Option<u32>,
+    /// Metres of displacement between heights 0 and 1, or with a unit, as in 5cm [default: true to the tile
+    /// where the height map's file states metres, else 0.05]
+    #[arg(long, value_name = "M", value_parser = units::length, allow_hyphen_values = true)]
+    scale: Option<f64>,
+    /// Displacement of height 0 in metres [default: -scale, carved into the surface]
+    #[arg(long, value_name = "M", value_parser = units::length, allow_hyphen_values = true)]
+    bias: Option<f64>,
+    /// Format of a height map that goes to the standard output, as in -o - --format exr
+    #[arg(long, value_enum, value_name = "png|exr", hide_short_help = true)]
+    format: Option<Format>,
+    /// Print one JSON object
+    #[arg(long)]
+    pub(super) json: bool,
+    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
+    #[arg(long, value_name = "SIZE", allow_hyphen_values = true)]
+    max_memory: Option<ByteSize>,
+    #[command(flatten)]
+    reading: HeightArguments,
+}
+
+const AFTER_HELP: &str = "Examples:\n  relief height for-mesh bark.png --mesh tree.glb --lift -o tree.exr\n  \
+    relief height for-mesh wall.exr --mesh hall.obj --gutter 4 -o hall.exr\n\n\
+    With --lift the map shows over flat triangles what the given one shows with `--set surface.lift=1`, but for what it does \
+    not resolve: render it with the scale and the bias that are printed, and light it by a normal map of the given one \
+    (`relief bake --kind normal`), since the mesh's own normals bend with its smooth base. Texels without a value are filled \
+    by --fill, and seen through with `relief render --holes`; only EXR holds them.";
+
+/// Reads, makes and writes.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let started = Instant::now();
+    let Arguments { height: path, lift, gutter, json, .. } = arguments;
+    if !lift && gutter.is_none() {
+        return Err(Failure::usage("nothing is asked of the map: give --lift, --gutter N, or both"));
+    }
+    let file = match &arguments.mesh {
+        MeshChoice::File(file) => Some(file.as_path()),
+        MeshChoice::Builtin(_) => None,
+    };
+    let inputs: Vec<&Path> = [Some(path.as_path()), file].into_iter().flatten().collect();
+    let output = Output::new("--output", &arguments.output, &inputs)?;
+    if gutter.is_some() && output.format == Format::Png {
+        return Err(Failure::usage(
+            "a PNG holds no texels without a value, which --gutter leaves: write an EXR",
+        ));
+    }
+    let max_bytes = arguments.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0);
+    let (map, mesh) = {
+        let _reading = Progress::spinner("reading", *json);
+        let map = read_height(path, &arguments.reading.options(arguments.max_memory));
+        let map = map.map_err(Failure::of_map)?;
+        let mesh = match &arguments.mesh {
+            MeshChoice::File(file) => {
+                let options = MeshOptions { max_bytes, ..MeshOptions::default() };
+                read_mesh(file, &options).map_err(Failure::of_mesh)?.mesh
+            }
+            MeshChoice::Builtin(builtin) => builtin.build(map.proportions()).map_err(Failure::work)?,
+        };
+        (map, mesh)
+    };
+    check_memory([map.width(), map.height()], BYTES_PER_TEXEL, max_bytes)?;
+    let map = arguments.displaced(map, &mesh)?;
+    let cancel = interrupt::catch()?;
+    let mut staged = Staged::open(&[&output.path], *json, cancel)?;
+    let made = Made::of(&map, &mesh, *lift, *gutter)
+        .map_err(|error| Failure::Work(format!("{}: {error}", arguments.mesh)))?;
+    let content = made.content(&map, &output, &arguments.mesh)?;
+    output.write(&mut staged, &content, cancel)?;
+    staged.finish()?;
+    let seconds = started.elapsed().as_secs_f64();
+    answer(|out| {
+        let HeightNote { tile_m, scale_m, bias_m } = made.note;
+        let [width, height] = content.size;
+        if *json {
+            let about = json!({
+                "input": path.display().to_string(), "mesh": arguments.mesh.to_string(),
+                "output": output.path.display().to_string(), "width": width, "height": height, "scale_m": scale_m,
+                "bias_m": bias_m, "tile_m": tile_m, "lift_m": made.lift_m, "without_value": made.without_value,
+                "seconds": seconds,
+            });
+            writeln!(out, "{about:#}")?;
+            return Ok(());
+        }
+        writeln!(out, "{}: {width}x{height} heights in {seconds:.2} s", output.path.display())?;
+        made.print(out)?;
+        Ok(())
+    })
+}
+
+impl Arguments {
+    /// The files that may be standard streams.
+    pub fn files(&mut self) -> Files<'_> {
+        let format = self.format.map(Format::ending);
+        let heights = Written { flag: "--output", path: &mut self.output, format };
+        Files { read: vec![&mut self.height], written: vec![heights] }
+    }
+
+    /// The map with its displacement on that mesh.
+    fn displaced(&self, map: HeightMap, mesh: &Mesh) -> Result<HeightMap, Failure> {
+        let surface = Surface::new(mesh.clone(), map.clone());
+        let scale_m = self.scale.or(surface.true_scale_m()).unwrap_or(DEFAULT_SCALE_M);
+        map.with_displacement(scale_m, self.bias.unwrap_or(-scale_m)).map_err(Failure::usage)
+    }
+}
+
+/// A map that was made.
+struct Made {
+    /// From 0 to 1, NaN where there is no value.
+    texels: Vec<f32>,
+    note: HeightNote,
+    /// The least and the greatest lift in metres.
+    lift_m: [f32; 2],
+    without_value: u64,
+}
+
+impl Made {
+    fn of(
+        map: &HeightMap,
+        mesh: &Mesh,
+        is_lifted: bool,
+        gutter: Option<u32>,
+    ) -> Result<Self, relief_core::mesh::ChartError> {
+        let charts = mesh.chart_texels([map.width(), map.height()])?;
+        let lifts = if is_lifted { charts.lifts_m(mesh) } else { vec![0.0; map.texels().len()] };
+        let kept = gutter.map(|gutter| charts.with_gutter(gutter));
+        let width = map.width() as usize;
+        let is_kept = |at: usize| {
+            let [column, row] = [at % width, at / width].map(|place| place as u32);
+            kept.as_ref().is_none_or(|kept| kept.contains(column, row))
+        };
+        let metres = |at: usize| map.displacement_m(f64::from(map.texels()[at])) + f64::from(lifts[at]);
+        let valued = || (0..lifts.len()).filter(|at| is_kept(*at));
+        let [low, high] = valued()
+            .map(metres)
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], m| [low.min(m), high.max(m)]);
+        let span = high - low;
+        let texel = |at: usize| {
+            let part = if span > 0.0 { (metres(at) - low) / span } else { 0.0 };
+            if is_kept(at) { part.clamp(0.0, 1.0) as f32 } else { f32::NAN }
+        };
+        let texels: Vec<f32> = (0..lifts.len()).map(texel).collect();
+        let note = HeightNote { tile_m: mesh.tile_m(), scale_m: span.max(0.0), bias_m: low };
+        let lift_m = valued()
+            .map(|at| lifts[at])
+            .fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], m| [low.min(m), high.max(m)]);
+        let without_value = (lifts.len() - valued().count()) as u64;
+        Ok(Self { texels, note, lift_m, without_value })
+    }
+
+    fn content(&self, map: &HeightMap, output: &Output, mesh: &MeshChoice) -> Result<Content, Failure> {
+        let [width, height] = [map.width(), map.height()];
+        let entries = vec![
+            ("wrap", map.wrap().name().to_owned()),
+            ("mesh", mesh.to_string()),
+            ("source", map.heights_hash().to_string()),
+            ("convention", "height 1 is highest; row 0 is on top, v grows downward".to_owned()),
+            ("units", "lengths in metres; heights in fractions of the scale, above the bias".to_owned()),
+            ("generator", concat!("relief ", env!("CARGO_PKG_VERSION")).to_owned()),
+            ("channels", "height".to_owned()),
+            ("ranges", "0,1".to_owned()),
+            ("rounding", "nearest".to_owned()),
+            ("stored_as", output.stored_as().to_owned()),
+            ("size", format!("{width} {height} 1")),
+        ];
+        let metadata = self.note.metadata(entries).map_err(|problem| Failure::Work(problem.to_string()))?;
+        let planes = vec![self.texels.clone()];
+        Ok(Content { size: [width, height], names: &["height"], planes, bits: 16, metadata })
+    }
+
+    fn print(&self, out: &mut impl Write) -> io::Result<()> {
+        let HeightNote { scale_m, bias_m, .. } = self.note;
+        let [scale, bias] = [scale_m, bias_m].map(values::six_digits);
+        writeln!(out, "  relief      --scale {scale} --bias {bias}")?;
+        let [low, high] = self.lift_m.map(|lift| values::six_digits(f64::from(lift)));
+        writeln!(out, "  lift        {low} m to {high} m")?;
+        if self.without_value > 0 {
+            writeln!(out, "  gutter      {} texels have no value", self.without_value)?;
+        }
+        Ok(())
+    }
+}

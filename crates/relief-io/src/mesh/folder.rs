@@ -1,0 +1,35 @@
+//! Files that a mesh names: they lie in its folder, or below.
+
+use std::path::{Component, Path, PathBuf};
+
+use crate::ReadProblem;
+
+/// The place of a file by its name, a path from that folder on: there is one, and it lies in the folder or
+/// below. `named` is what errors show.
+pub fn inside(folder: &Path, path: &Path, named: &str) -> Result<PathBuf, ReadProblem> {
+    let outside = || ReadProblem::OutsideFolder { file: named.chars().take(200).collect() };
+    if !stays(path) {
+        return Err(outside());
+    }
+    let file = folder.join(path);
+    // A link may lead out of the folder.
+    let real = |path: &Path| {
+        let of_part = |error| ReadProblem::Part { file: file.clone(), problem: Box::new(error) };
+        path.canonicalize().map_err(|error| of_part(ReadProblem::Io(error)))
+    };
+    let here = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    if !real(&file)?.starts_with(real(here)?) {
+        return Err(outside());
+    }
+    Ok(file)
+}
+
+/// Whether a path stays in the folder that it begins in, on every system.
+pub fn stays(path: &Path) -> bool {
+    // A colon is that of a scheme or of a drive, and backslashes are separators on some systems.
+    let is_plain = !path.to_string_lossy().contains([':', '\\', '\0']);
+    let mut components = path.components().peekable();
+    let stays = components.peek().is_some()
+        && components.all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
+    is_plain && stays
+}

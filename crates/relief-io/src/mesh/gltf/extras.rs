@@ -1,0 +1,67 @@
+//! What a program's own keys in the materials say.
+
+use std::collections::BTreeMap;
+use std::io::Read;
+
+use ::gltf::Material;
+use ::gltf::json::{Value, deserialize, serialize};
+use ::gltf::mesh::Mode;
+
+use super::{container, damaged, document, nodes, take_json};
+use crate::mesh::builder::Builder;
+use crate::{ReadProblem, Source};
+
+/// Bytes of a GLB before the text of its JSON, with the length of that and what it is.
+const BEFORE_JSON: usize = 20;
+
+/// The JSON under a name in the extras of the triangles' materials, as a text.
+pub(in crate::mesh) fn read(
+    source: Source<'_>,
+    name: &str,
+    builder: &mut Builder,
+) -> Result<Option<String>, ReadProblem> {
+    let text = text_of(source, builder)?;
+    take_json(&text, builder)?;
+    let document = document(&text)?;
+    let mut of_materials = BTreeMap::new();
+    for (node, _) in nodes::placed(&document)? {
+        for primitive in node.mesh().into_iter().flat_map(|mesh| mesh.primitives()) {
+            let is_of_triangles =
+                matches!(primitive.mode(), Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan);
+            let material = primitive.material();
+            if is_of_triangles && !of_materials.contains_key(&material.index()) {
+                of_materials.insert(material.index(), value(&material, name)?);
+            }
+        }
+    }
+    let mut values = of_materials.into_values();
+    let Some(first) = values.next() else { return Ok(None) };
+    if values.any(|value| value != first) {
+        let what = format!("a mesh of several materials with other extras.{name} each");
+        return Err(ReadProblem::Unsupported { what, advice: "export a file of each" });
+    }
+    first.map(|value| serialize::to_string(&value).map_err(damaged)).transpose()
+}
+
+/// What a material's extras hold under a name.
+fn value(material: &Material<'_>, name: &str) -> Result<Option<Value>, ReadProblem> {
+    let Some(extras) = material.extras() else { return Ok(None) };
+    let mut extras: Value = deserialize::from_str(extras.get()).map_err(damaged)?;
+    Ok(extras.get_mut(name).map(Value::take))
+}
+
+/// The text of the JSON: of a GLB that is as it should be, nothing else of it.
+fn text_of(source: Source<'_>, builder: &mut Builder) -> Result<Vec<u8>, ReadProblem> {
+    let (mut reader, len) = source.open()?;
+    let mut head = Vec::new();
+    reader.by_ref().take(BEFORE_JSON as u64).read_to_end(&mut head)?;
+    let fits = |json: &u64| len >= BEFORE_JSON as u64 + json;
+    if let Some(json) = container::json_len(&head).filter(fits) {
+        builder.take(json)?;
+        let mut text = Vec::new();
+        reader.take(json).read_to_end(&mut text)?;
+        return Ok(text);
+    }
+    let bytes = source.whole(|len| builder.take(len))?;
+    Ok(container::split(&bytes)?.0.to_vec())
+}
