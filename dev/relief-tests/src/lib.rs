@@ -8,6 +8,7 @@ pub mod brute;
 pub mod claims;
 pub mod curved;
 pub mod detail;
+pub mod displaced;
 pub mod judge;
 pub mod maps;
 pub mod one_source;

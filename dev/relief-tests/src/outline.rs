@@ -104,11 +104,17 @@ impl Mask {
 /// For each boundary pixel of either mask the distance in pixels to the nearest one of the other: infinite
 /// where that has none.
 pub fn distances(a: &Mask, b: &Mask) -> Vec<f64> {
+    places_and_distances(a, b).into_iter().map(|(_, distance)| distance).collect()
+}
+
+/// The same, with the columns and rows of those pixels.
+pub fn places_and_distances(a: &Mask, b: &Mask) -> Vec<([i64; 2], f64)> {
     let [a, b] = [a, b].map(Mask::boundary);
-    let to = |from: &[[i64; 2]], to: &[[i64; 2]]| -> Vec<f64> {
+    let to = |from: &[[i64; 2]], to: &[[i64; 2]]| -> Vec<([i64; 2], f64)> {
         let squared = |[x, y]: [i64; 2], [u, v]: [i64; 2]| (x - u).pow(2) + (y - v).pow(2);
         let nearest = |from: &[i64; 2]| to.iter().map(|to| squared(*from, *to)).min();
-        from.iter().map(|from| nearest(from).map_or(f64::INFINITY, |least| (least as f64).sqrt())).collect()
+        let distance = |from| nearest(from).map_or(f64::INFINITY, |least| (least as f64).sqrt());
+        from.iter().map(|from| (*from, distance(from))).collect()
     };
     [to(&a, &b), to(&b, &a)].concat()
 }

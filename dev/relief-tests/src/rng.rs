@@ -1,5 +1,7 @@
 //! A small deterministic generator of random numbers.
 
+use glam::DVec3;
+
 /// SplitMix64 (Steele, Lea and Flood 2014): the same numbers from the same seed, everywhere.
 #[derive(Clone, Debug)]
 pub struct Rng {
@@ -39,6 +41,17 @@ impl Rng {
     /// One of some values, all equally likely. `values` must not be empty.
     pub fn pick<T: Copy>(&mut self, values: &[T]) -> T {
         values[self.below(values.len() as u32) as usize]
+    }
+
+    /// A unit vector, all directions equally likely.
+    pub fn direction(&mut self) -> DVec3 {
+        loop {
+            let point = 2.0 * DVec3::new(self.unit(), self.unit(), self.unit()) - 1.0;
+            let length = point.length();
+            if length > 0.1 && length <= 1.0 {
+                return point / length;
+            }
+        }
     }
 }
 
