@@ -4,12 +4,14 @@ use std::time::Instant;
 
 use clap::Args;
 use cpu_time::ProcessTime;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use relief_core::HeightMap;
 use relief_maps::Maps;
 use relief_render::Renderer;
+use relief_render::light::Light;
 use relief_render::mesh::torus;
 use relief_render::scene::{BackendChoice, Sampling, Scene};
+use relief_shaders::Selection;
 use relief_tests::curved::{Curved, Drawn};
 
 use crate::samples::Samples;
@@ -24,6 +26,9 @@ const AIM_PRISM_TRIANGLES: usize = 2_048;
 
 /// From where the torus is seen.
 const FROM: DVec3 = DVec3::new(0.6, 0.9, 1.1);
+
+/// Where the light of frames with shadows comes from.
+const TO_LIGHT: DVec3 = DVec3::new(-0.6, 0.6, -0.1);
 
 /// What `cost` is given.
 #[derive(Args)]
@@ -47,6 +52,9 @@ pub struct Arguments {
     /// Where the relief lies
     #[arg(long, value_enum, default_value_t = Lies::Carved)]
     relief: Lies,
+    /// With a light and a shadow ray a pixel, as pictures have unless told otherwise
+    #[arg(long)]
+    shadows: bool,
     /// Frames of each; medians count
     #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=1000))]
     rounds: u16,
@@ -132,10 +140,11 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
     }
     let [width, height] = arguments.size;
     println!(
-        "A torus of {} cobbles, {}, {width}x{height} pixels, no shadows, {} frames of each in turn; medians, \
+        "A torus of {} cobbles, {}, {width}x{height} pixels, {} shadows, {} frames of each in turn; medians, \
          with the least and the greatest. Processor time is that of all threads. On {device}.\n\n{table}\n",
         format_args!("{}x{}", TILES.x, TILES.y),
         arguments.relief.name(),
+        if arguments.shadows { "with" } else { "no" },
         arguments.rounds,
     );
     println!(
@@ -150,6 +159,15 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
     Ok(())
 }
 
+/// The scene with shadows of a light.
+fn lit(scene: &Scene, mut selection: Selection) -> Result<Scene, String> {
+    selection.choose("shadow", "ray").map_err(|error| error.to_string())?;
+    let surfaces = scene.surfaces().iter().map(|surface| surface.clone().with_selection(selection));
+    let light = Light::directional(TO_LIGHT, Vec3::ONE).map_err(|error| error.to_string())?;
+    let lit = scene.to_builder().surfaces(surfaces.collect()).lights(vec![light]);
+    lit.build().map_err(|error| error.to_string())
+}
+
 /// The frames of all surfaces that can use a method on a torus, one after the other in each round.
 fn measured(
     arguments: &Arguments,
@@ -158,7 +176,7 @@ fn measured(
     map: &HeightMap,
     device: &mut String,
 ) -> Result<Vec<Runner>, String> {
-    let Arguments { backend, size, scale, relief, rounds, .. } = *arguments;
+    let Arguments { backend, size, scale, relief, rounds, shadows, .. } = *arguments;
     let mesh = torus(around, tube).and_then(|mesh| mesh.tiled(TILES)).map_err(|error| error.to_string())?;
     let curved = Curved::new(mesh, map, scale, relief.bias_m(scale));
     let name = relief_shaders::method(method).map_err(|error| error.to_string())?.name;
@@ -170,9 +188,10 @@ fn measured(
         if selection.check_pair().is_err() || selection.check().is_err() {
             continue;
         }
+        let scene = curved.scene(drawn, camera, size, backend);
         runners.push(Runner {
             name: surface,
-            scene: curved.scene(drawn, camera, size, backend),
+            scene: if shadows { lit(&scene, selection)? } else { scene },
             renderer: Renderer::new(backend, Sampling::Exact).map_err(|error| error.to_string())?,
             maps: Maps::in_memory(),
             cpu: Samples::default(),
