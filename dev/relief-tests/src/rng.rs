@@ -72,5 +72,8 @@ mod tests {
         assert!((numbers.iter().sum::<f64>() / 1000.0 - 0.5).abs() < 0.05);
         let mut rng = Rng::new(4);
         assert!((0..1000).all(|_| rng.below(3) < 3) && rng.below(0) == 0);
+        let directions: Vec<DVec3> = (0..1000).map(|_| rng.direction()).collect();
+        assert!(directions.iter().all(|direction| direction.is_normalized()));
+        assert!(directions.iter().sum::<DVec3>().length() < 100.0);
     }
 }

@@ -139,7 +139,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         "p99",
         "overlap",
         "all hits p50",
-        "beyond half",
+        "all beyond half",
         "hits p50",
         "p99",
         "beyond half",
