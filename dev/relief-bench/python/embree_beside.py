@@ -1,8 +1,9 @@
 """Times PyPI embreex, Embree's rays one by one, over a triangle mesh.
 
-Arguments: a folder, runs. The folder holds vertices.raw (f32, x y z), triangles.raw (i32, three corners), and for each set of rays
-NAME.rays (f32, origin and direction). Writes NAME.depths (f32, the parameter of each ray's hit). Prints one JSON object: seconds and
-bytes that building takes, and for each set rays a second, of processor time and from beginning to end, medians.
+Arguments: a folder, runs. The folder holds vertices.raw (f32, x y z), triangles.raw (i32, three corners), and for each
+set of rays NAME.rays (f32, origin and direction). Writes NAME.depths (f32, the parameter of each ray's hit). Prints one
+JSON object: seconds and bytes that building takes, and for each set rays a second, of processor time and from beginning
+to end, medians.
 
 Everything runs on one core. Bytes are those of the process that were not there before the mesh was handed over.
 """

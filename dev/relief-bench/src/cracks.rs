@@ -43,7 +43,8 @@ pub struct Arguments {
         value_parser = PossibleValuesParser::new(MESHES))]
     mesh: Vec<String>,
     /// Surfaces
-    #[arg(long, value_delimiter = ',', default_values = SURFACES, value_parser = PossibleValuesParser::new(SURFACES))]
+    #[arg(long, value_delimiter = ',', default_values = SURFACES,
+        value_parser = PossibleValuesParser::new(SURFACES))]
     surface: Vec<String>,
 }
 

@@ -24,7 +24,8 @@ const MUTATED_RAYS: usize = 4_500;
 #[derive(Args)]
 pub struct Arguments {
     /// Rays in all scenes together, each asked for front sides and for both
-    #[arg(long, default_value_t = 1_000_000, value_parser = clap::value_parser!(u32).range(9..=1_000_000_000))]
+    #[arg(long, default_value_t = 1_000_000,
+        value_parser = clap::value_parser!(u32).range(9..=1_000_000_000))]
     rays: u32,
 }
 

@@ -1,5 +1,5 @@
-//! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `cost`, `cracks`, `detail`, `embree`, `frame`,
-//! `judge`, `probe`, `pyramid`, `shadow`, `sheet`, `surfaces` and `trace`.
+//! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `cost`, `cracks`, `detail`, `embree`,
+//! `frame`, `judge`, `probe`, `pyramid`, `shadow`, `sheet`, `surfaces` and `trace`.
 //! Results are kept in `docs/`.
 
 use std::process::ExitCode;

@@ -158,8 +158,8 @@ fn print(
     let [width, height] = arguments.size;
     println!(
         "A torus of {}x{} quads with {}x{} tiles of cobbles, {}: {count} triangles, two a texel. One thread, \
-         processor time, medians of {} runs. Picture: {width}x{height} pixels in rows. Scattered: {} pictures \
-         of {}x{} from random sides.",
+         processor time, medians of {} runs. Picture: {width}x{height} pixels in rows. Scattered: {} \
+         pictures of {}x{} from random sides.",
         arguments.torus[0],
         arguments.torus[1],
         TILES.x,

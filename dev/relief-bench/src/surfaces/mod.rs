@@ -34,7 +34,8 @@ pub struct Arguments {
     #[arg(long, value_delimiter = ',', value_parser = PossibleValuesParser::new(NAMES))]
     mesh: Vec<String>,
     /// Only these surfaces
-    #[arg(long, value_delimiter = ',', value_parser = PossibleValuesParser::new(SURFACES.map(|row| row.name)))]
+    #[arg(long, value_delimiter = ',',
+        value_parser = PossibleValuesParser::new(SURFACES.map(|row| row.name)))]
     surface: Vec<String>,
 }
 
@@ -86,8 +87,8 @@ struct Measured {
     name: &'static str,
     drawn: Drawn,
     beside: Beside,
-    /// Whether its hits are told from those at silhouettes, beside the mesh itself: that takes long where most
-    /// differ.
+    /// Whether its hits are told from those at silhouettes, beside the mesh itself: that takes long where
+    /// most differ.
     hits: bool,
 }
 
