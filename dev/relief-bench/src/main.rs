@@ -1,5 +1,5 @@
-//! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `detail`, `frame`, `probe`, `pyramid`,
-//! `shadow`, `sheet`, `surfaces` and `trace`.
+//! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `cost`, `cracks`, `detail`, `embree`,
+//! `frame`, `judge`, `probe`, `pyramid`, `shadow`, `sheet`, `surfaces` and `trace`.
 //! Results are kept in `docs/`.
 
 use std::process::ExitCode;
@@ -8,8 +8,13 @@ use clap::{Parser, Subcommand};
 
 mod accuracy;
 mod bake;
+mod cost;
+mod cracks;
 mod detail;
+mod embree;
 mod frame;
+mod judge;
+mod memory;
 mod probe;
 mod pyramid;
 mod samples;
@@ -35,10 +40,18 @@ enum Command {
     Accuracy(accuracy::Arguments),
     /// Time and memory of every kind of map
     Bake(bake::Arguments),
+    /// Time of a frame of every surface, beside one of `plane`
+    Cost(cost::Arguments),
+    /// What shines through reliefs on closed meshes: fails where something does
+    Cracks(cracks::Arguments),
     /// How near levels of detail come to many samples
     Detail(detail::Arguments),
+    /// Memory, preparation and rays a second of shells, beside Embree over as many triangles as they show
+    Embree(embree::Arguments),
     /// Time of a second frame beside a whole rendering, and what it uploads and compiles
     Frame(frame::Arguments),
+    /// The exact judge of displaced meshes beside a tessellation: fails where they disagree
+    Judge(judge::Arguments),
     /// Attacks on the promises of baked maps: fails if one is broken
     Probe(probe::Arguments),
     /// A pyramid of changed heights built on the GPU, beside one that is baked and uploaded
@@ -57,8 +70,12 @@ fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Accuracy(arguments) => accuracy::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Bake(arguments) => bake::run(&arguments),
+        Command::Cost(arguments) => cost::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Cracks(arguments) => cracks::run(&arguments),
         Command::Detail(arguments) => detail::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Embree(arguments) => embree::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Frame(arguments) => frame::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Judge(arguments) => judge::run(&arguments),
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Pyramid(arguments) => pyramid::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Shadow(arguments) => shadow::run(&arguments).map(|()| ExitCode::SUCCESS),

@@ -6,7 +6,7 @@
 
 mod agreement;
 mod maps;
-mod measure;
+pub mod measure;
 mod picture;
 mod povray;
 mod tracers;

@@ -9,6 +9,7 @@ pub mod cast;
 pub mod claims;
 pub mod curved;
 pub mod detail;
+pub mod displaced;
 pub mod judge;
 pub mod maps;
 pub mod one_source;

@@ -113,20 +113,30 @@ impl Mask {
 /// For each boundary pixel of either mask the distance in pixels to the nearest one of the other: infinite
 /// where that has none.
 pub fn distances(a: &Mask, b: &Mask) -> Vec<f64> {
-    between(&a.boundary(), &b.boundary())
+    distances_between(&a.boundary(), &b.boundary())
 }
 
 /// The same of the lines within what both cover, such as edges of shadows: outlines against what is not
 /// covered are left out.
 pub fn distances_of_lines(a: &Mask, b: &Mask, covered: &Mask) -> Vec<f64> {
-    between(&a.boundary_within(covered), &b.boundary_within(covered))
+    distances_between(&a.boundary_within(covered), &b.boundary_within(covered))
 }
 
-fn between(a: &[[i64; 2]], b: &[[i64; 2]]) -> Vec<f64> {
-    let to = |from: &[[i64; 2]], to: &[[i64; 2]]| -> Vec<f64> {
+/// The distances of the outlines, with the columns and rows of their pixels.
+pub fn places_and_distances(a: &Mask, b: &Mask) -> Vec<([i64; 2], f64)> {
+    between(&a.boundary(), &b.boundary())
+}
+
+fn distances_between(a: &[[i64; 2]], b: &[[i64; 2]]) -> Vec<f64> {
+    between(a, b).into_iter().map(|(_, distance)| distance).collect()
+}
+
+fn between(a: &[[i64; 2]], b: &[[i64; 2]]) -> Vec<([i64; 2], f64)> {
+    let to = |from: &[[i64; 2]], to: &[[i64; 2]]| -> Vec<([i64; 2], f64)> {
         let squared = |[x, y]: [i64; 2], [u, v]: [i64; 2]| (x - u).pow(2) + (y - v).pow(2);
         let nearest = |from: &[i64; 2]| to.iter().map(|to| squared(*from, *to)).min();
-        from.iter().map(|from| nearest(from).map_or(f64::INFINITY, |least| (least as f64).sqrt())).collect()
+        let distance = |from| nearest(from).map_or(f64::INFINITY, |least| (least as f64).sqrt());
+        from.iter().map(|from| (*from, distance(from))).collect()
     };
     [to(a, b), to(b, a)].concat()
 }

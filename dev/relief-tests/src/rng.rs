@@ -1,5 +1,7 @@
 //! A small deterministic generator of random numbers.
 
+use glam::DVec3;
+
 /// SplitMix64 (Steele, Lea and Flood 2014): the same numbers from the same seed, everywhere.
 #[derive(Clone, Debug)]
 pub struct Rng {
@@ -40,6 +42,17 @@ impl Rng {
     pub fn pick<T: Copy>(&mut self, values: &[T]) -> T {
         values[self.below(values.len() as u32) as usize]
     }
+
+    /// A unit vector, all directions equally likely.
+    pub fn direction(&mut self) -> DVec3 {
+        loop {
+            let point = 2.0 * DVec3::new(self.unit(), self.unit(), self.unit()) - 1.0;
+            let length = point.length();
+            if length > 0.1 && length <= 1.0 {
+                return point / length;
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -59,5 +72,8 @@ mod tests {
         assert!((numbers.iter().sum::<f64>() / 1000.0 - 0.5).abs() < 0.05);
         let mut rng = Rng::new(4);
         assert!((0..1000).all(|_| rng.below(3) < 3) && rng.below(0) == 0);
+        let directions: Vec<DVec3> = (0..1000).map(|_| rng.direction()).collect();
+        assert!(directions.iter().all(|direction| direction.is_normalized()));
+        assert!(directions.iter().sum::<DVec3>().length() < 100.0);
     }
 }

@@ -213,7 +213,7 @@ fn the_comparison_notices_changes() {
     let mut open = seen.clone();
     open.met[inner[inner.len() / 2] as usize] = None;
     let open = compared(&open);
-    assert_eq!((open.open, open.outline_at(1.0)), (1, 0.0));
+    assert_eq!((open.open, open.all_open, open.outline_at(1.0)), (1, 1, 0.0));
     let mut behind = seen.clone();
     for pixel in inner {
         if let Some(met) = &mut behind.met[pixel as usize] {

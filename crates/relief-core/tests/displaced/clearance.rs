@@ -5,10 +5,10 @@ use relief_core::Wrap;
 use relief_core::exact::DisplacedMesh;
 use relief_core::mesh::square;
 
-use crate::rng::Rng;
-use crate::scenes::{self, Heights, map};
-use crate::tessellation::tessellate;
-use crate::{judge_of, rays_of};
+use relief_tests::displaced::scenes::{self, Heights, map};
+use relief_tests::displaced::tessellation::tessellate;
+use relief_tests::displaced::{judge_of, rays_of};
+use relief_tests::rng::Rng;
 
 #[test]
 fn level_rays_above_a_level_plane_are_as_far_as_they_are_high() {
@@ -39,7 +39,7 @@ fn no_point_of_the_sheet_is_nearer() {
             a.distance(b).max(b.distance(c)).max(c.distance(a))
         });
         let longest = longest.fold(0.0, f64::max);
-        let mut rng = Rng(3);
+        let mut rng = Rng::new(3);
         let mut missed = 0;
         for mut ray in rays_of(&scene.sheet, 200) {
             ray.origin += 0.3 * rng.unit() * scene.sheet.size() * rng.direction();

@@ -5,9 +5,9 @@ use relief_core::exact::{DisplacedMesh, DisplacedMeshError, DisplacedTrace, Side
 use relief_core::mesh::{Mesh, Vertex, square, torus};
 use relief_core::{HeightMap, Wrap};
 
-use crate::rng::Rng;
-use crate::scenes::{self, Heights, map};
-use crate::{judge_of, rays_of};
+use relief_tests::displaced::scenes::{self, Heights, map};
+use relief_tests::displaced::{judge_of, rays_of};
+use relief_tests::rng::Rng;
 
 fn noise() -> HeightMap {
     map(Heights::Noise, [16, 16], Wrap::Repeat)
@@ -89,7 +89,7 @@ fn degenerate_triangles_harm_nothing() {
     let healthy = Mesh::new(vertices.clone(), vec![[0, 1, 2]]).expect("a mesh");
     let judges =
         [healthy, Mesh::new(vertices, triangles.clone()).expect("a mesh")].map(|mesh| displaced(&mesh));
-    let mut rng = Rng(5);
+    let mut rng = Rng::new(5);
     let mut hits = 0;
     for _ in 0..3_000 {
         // Half of them aimed at corners, sides and lines of the cells.

@@ -5,8 +5,8 @@ use relief_core::exact::{DisplacedMesh, FastTracer, PyramidTracer, Sides};
 use relief_core::mesh::{Mesh, Vertex, square};
 use relief_core::{Path, PathMetric, Wrap};
 
-use crate::rng::Rng;
-use crate::scenes::{Heights, map};
+use relief_tests::displaced::scenes::{Heights, map};
+use relief_tests::rng::Rng;
 
 const RAYS: usize = 4_000;
 
@@ -29,7 +29,7 @@ fn path(origin: [f64; 3], direction: [f64; 3], [scale_m, bias_m]: [f64; 2]) -> P
 #[test]
 fn on_a_plane_the_tracers_of_height_fields_agree() {
     let [scale_m, bias_m] = [0.25, -0.05];
-    let mut rng = Rng(11);
+    let mut rng = Rng::new(11);
     for heights in [Heights::Noise, Heights::Spikes, Heights::Smooth, Heights::Constant] {
         for (size, wrap) in [([64, 64], Wrap::Repeat), ([37, 53], Wrap::Clamp), ([1, 31], Wrap::Mirror)] {
             let map = map(heights, size, wrap);
@@ -68,7 +68,7 @@ fn tiles_far_from_the_origin_of_the_texture_are_as_exact() {
     let far = Mesh::new(shifted.collect(), near.triangles().to_vec()).expect("a mesh");
     let map = map(Heights::Noise, [37, 53], Wrap::Repeat);
     let judges = [near, far].map(|mesh| DisplacedMesh::new(&mesh, &map, 0.2, 0.0).expect("a displaced mesh"));
-    let mut rng = Rng(12);
+    let mut rng = Rng::new(12);
     for _ in 0..2_000 {
         let origin = [rng.unit() - 0.5, 0.5, rng.unit() - 0.5];
         let direction = [rng.unit() - 0.5, -0.5, rng.unit() - 0.5];

@@ -6,11 +6,11 @@ use relief_core::exact::{DisplacedMesh, Sides};
 use relief_core::mesh::torus;
 use relief_core::{HeightMap, Wrap};
 
-use crate::rng::Rng;
+use relief_tests::rng::Rng;
 
 /// Round stones of several sizes in no order.
 fn cobbles(side: u32) -> HeightMap {
-    let mut rng = Rng(1);
+    let mut rng = Rng::new(1);
     let stones: Vec<[f32; 3]> =
         (0..150).map(|_| [rng.unit() as f32, rng.unit() as f32, 0.04 + 0.05 * rng.unit() as f32]).collect();
     let texel = |i: u32, j: u32| {
@@ -31,7 +31,7 @@ fn rates() {
     for (around, tube) in [(16, 8), (32, 16), (128, 64)] {
         let mesh = torus(around, tube).expect("a mesh");
         let judge = DisplacedMesh::new(&mesh, &cobbles(256), 0.03, 0.0).expect("a displaced mesh");
-        let mut rng = Rng(2);
+        let mut rng = Rng::new(2);
         let rays: Vec<[[f64; 3]; 2]> = (0..100_000)
             .map(|_| {
                 let origin = 1.5 * rng.direction();

@@ -1,17 +1,14 @@
 //! Time and memory of a bake.
 
-use std::alloc::System;
 use std::process::{Command, ExitCode};
 use std::time::Instant;
 
 use cpu_time::ProcessTime;
-use peakmem_alloc::{PeakMemAlloc, PeakMemAllocTrait};
 use rayon::ThreadPool;
 use relief_bake::{Kind, Progress, Settings, Sink, SinkError, Texture, bake};
 use relief_core::{HeightMap, Metric};
 
-#[global_allocator]
-static ALLOCATOR: PeakMemAlloc<System> = PeakMemAlloc::system();
+use crate::memory;
 
 /// Seconds that the runs of a bake take together at least.
 const LEAST_S: f64 = 0.05;
@@ -90,14 +87,14 @@ pub fn measure(
         || (total < LEAST_S && times.len() < MOST_RUNS)
     {
         let mut sink = Nowhere::default();
-        ALLOCATOR.reset_peak_memory();
+        memory::reset();
         let (started, cpu) = (Instant::now(), ProcessTime::now());
         pool.install(|| bake(kind, map, metric, settings, &Progress::none(), &mut sink))
             .map_err(|error| error.to_string())?;
         let seconds = started.elapsed().as_secs_f64();
         cpu_times.push(cpu.elapsed().as_secs_f64());
         let output = (size_of::<f32>() as u64 * sink.values) as f64;
-        memory = memory.max((input + ALLOCATOR.get_peak_memory() as f64) / (input + output));
+        memory = memory.max((input + memory::peak() as f64) / (input + output));
         times.push(seconds);
         total += seconds;
     }

@@ -1,6 +1,6 @@
 //! How pictures of curved surfaces differ from what the judge sees.
 
-use super::{Curved, Judged, Picture};
+use super::{Curved, Judged, Met, Picture};
 use crate::outline::{distances, overlap};
 
 /// Hits that differ by so many texels or more are looked at more closely: whether they lie at a silhouette.
@@ -36,6 +36,8 @@ pub struct Comparison {
     /// Pixels without a hit though the judge has one there, which counts, at no silhouette, and on all pixels
     /// around.
     pub open: usize,
+    /// Of all pixels without a hit those where the judge has one there and on all pixels around.
+    pub all_open: usize,
     /// Hits of those that lie more than a displacement behind the judge's.
     pub behind: usize,
     /// Of all hits.
@@ -46,7 +48,9 @@ impl Comparison {
     /// Adds a view: a picture, what the judge sees, and what both see of this relief.
     pub fn add(&mut self, picture: &Picture, judged: &Judged, of: &Curved) {
         self.add_outline(picture, &judged.picture);
-        self.add_hits(picture, judged, of);
+        self.add_cracks(picture, judged, of);
+        self.add_all_hits(picture, judged, of);
+        self.add_hits_inside(picture, judged, of);
     }
 
     /// Adds a view's outlines alone, which takes less time where most hits differ.
@@ -57,27 +61,44 @@ impl Comparison {
         self.overlap = [self.overlap[0] + both, self.overlap[1] + either];
     }
 
-    fn add_hits(&mut self, picture: &Picture, judged: &Judged, of: &Curved) {
+    /// Adds what a view shows through the relief alone: what is open, and what lies behind.
+    pub fn add_cracks(&mut self, picture: &Picture, judged: &Judged, of: &Curved) {
         let (inner, columns) = (judged.picture.mask().eroded(), picture.size[0]);
-        let scale_m = of.map().scale_m().abs();
-        let jump_m = JUMP_SCALES * scale_m;
-        for (pixel, (drawn, truth)) in (0..).zip(picture.met.iter().zip(&judged.picture.met)) {
-            let Some(truth) = truth else { continue };
-            let Some(drawn) = drawn else {
-                let is_inner = inner.at((pixel % columns).into(), (pixel / columns).into());
-                let counts = truth.counts && is_inner && !judged.is_at_silhouette(pixel, jump_m);
-                self.open += usize::from(counts);
-                continue;
-            };
-            self.both += 1;
-            let texels = of.texels(drawn.uv, truth.uv);
-            let behind = (drawn.depth_m - truth.depth_m) / scale_m;
-            self.all.add(texels, behind.abs());
-            self.all_behind += usize::from(behind > 1.0);
+        let jump_m = JUMP_SCALES * of.map().scale_m().abs();
+        for (pixel, drawn, truth) in truths(picture, judged) {
+            let counts = || truth.counts && !judged.is_at_silhouette(pixel, jump_m);
+            match drawn {
+                Some(drawn) => {
+                    let is_behind = of.behind(drawn, truth) > 1.0;
+                    self.both += 1;
+                    self.all_behind += usize::from(is_behind);
+                    self.behind += usize::from(is_behind && counts());
+                }
+                None => {
+                    let is_inner = inner.at((pixel % columns).into(), (pixel / columns).into());
+                    self.all_open += usize::from(is_inner);
+                    self.open += usize::from(is_inner && counts());
+                }
+            }
+        }
+    }
+
+    /// Adds how far a view's hits are from the judge's, silhouettes or not, which takes less time.
+    pub fn add_all_hits(&mut self, picture: &Picture, judged: &Judged, of: &Curved) {
+        for (_, drawn, truth) in truths(picture, judged) {
+            let Some(drawn) = drawn else { continue };
+            self.all.add(of.texels(drawn.uv, truth.uv), of.behind(drawn, truth).abs());
+        }
+    }
+
+    fn add_hits_inside(&mut self, picture: &Picture, judged: &Judged, of: &Curved) {
+        let jump_m = JUMP_SCALES * of.map().scale_m().abs();
+        for (pixel, drawn, truth) in truths(picture, judged) {
+            let Some(drawn) = drawn else { continue };
+            let (texels, behind) = (of.texels(drawn.uv, truth.uv), of.behind(drawn, truth));
             let differs = texels >= LOOKED_AT_TEXELS || behind > 1.0;
             if truth.counts && !(differs && judged.is_at_silhouette(pixel, jump_m)) {
                 self.inside.add(texels, behind.abs());
-                self.behind += usize::from(behind > 1.0);
             }
         }
     }
@@ -91,6 +112,15 @@ impl Comparison {
     pub fn overlap(&self) -> f64 {
         self.overlap[0] as f64 / self.overlap[1].max(1) as f64
     }
+}
+
+/// The pixels where the judge sees something, with what a picture shows there.
+fn truths<'a>(
+    picture: &'a Picture,
+    judged: &'a Judged,
+) -> impl Iterator<Item = (u32, Option<&'a Met>, &'a Met)> {
+    let pairs = (0..).zip(picture.met.iter().zip(&judged.picture.met));
+    pairs.filter_map(|(pixel, (drawn, truth))| Some((pixel, drawn.as_ref(), truth.as_ref()?)))
 }
 
 impl Differences {
@@ -117,7 +147,7 @@ impl Differences {
 }
 
 /// The least number that that part of them is not above; 0 where there are none.
-fn quantile(numbers: &[f64], part: f64) -> f64 {
+pub fn quantile(numbers: &[f64], part: f64) -> f64 {
     let mut numbers = numbers.to_vec();
     numbers.sort_unstable_by(f64::total_cmp);
     let place = (numbers.len() as f64 * part) as usize;

@@ -19,7 +19,7 @@ use relief_shaders::Selection;
 use crate::outline::Mask;
 use crate::rng::Rng;
 
-pub use comparison::{Comparison, Differences};
+pub use comparison::{Comparison, Differences, quantile};
 
 /// Vertical field of view of all cameras, in degrees.
 const FOV_DEGREES: f64 = 40.0;
@@ -63,21 +63,33 @@ pub struct Drawn {
     pub surface: &'static str,
     /// Whether its base is smooth.
     pub lifted: bool,
+    /// Whether its quadrics have two coefficients in place of three.
+    pub two_coefficients: bool,
+    /// The method that finds its hits.
+    pub method: &'static str,
 }
 
 impl Drawn {
-    /// On flat triangles.
+    /// On flat triangles, with the exact search.
     pub const fn flat(surface: &'static str) -> Self {
-        Self { surface, lifted: false }
+        Self { surface, lifted: false, two_coefficients: false, method: "exact" }
     }
 
-    fn selection(self) -> Selection {
-        let mut selection = Selection::exact();
+    /// What is run, without levels of detail and without shadows.
+    ///
+    /// # Panics
+    ///
+    /// When there is no such surface or method.
+    pub fn selection(self) -> Selection {
+        let mut selection = Selection::method(self.method).expect("a method");
         for (key, name) in [("surface", self.surface), ("detail", "none"), ("shadow", "none")] {
             selection.choose(key, name).expect("a listed name");
         }
         if self.lifted {
             selection.set("surface.lift", 1.0).expect("a setting of this surface");
+        }
+        if self.two_coefficients {
+            selection.set("surface.coefficients", 2.0).expect("a setting of this surface");
         }
         selection
     }
@@ -92,6 +104,11 @@ impl Curved {
     pub fn new(mesh: Mesh, map: &HeightMap, scale_m: f64, bias_m: f64) -> Self {
         let map = map.clone().with_displacement(scale_m, bias_m).expect("lengths");
         Self { mesh: Arc::new(mesh), map: Arc::new(map) }
+    }
+
+    /// The base.
+    pub fn mesh(&self) -> &Mesh {
+        &self.mesh
     }
 
     /// The height map.
@@ -148,12 +165,21 @@ impl Picture {
     ///
     /// When no picture can be made.
     pub fn rendered(scene: &Scene, renderer: &mut Renderer) -> Self {
+        Self::rendered_on(scene, renderer).0
+    }
+
+    /// The same, with what the backend is: the number of threads, or the adapter and its driver.
+    ///
+    /// # Panics
+    ///
+    /// When no picture can be made.
+    pub fn rendered_on(scene: &Scene, renderer: &mut Renderer) -> (Self, String) {
         let rendered = renderer.render(scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture");
         let met = rendered.rendering.pixels.iter().map(|pixel| {
             let uv = [pixel.uv.x, pixel.uv.y].map(f64::from);
             (pixel.hit == 1).then(|| Met { depth_m: pixel.depth.into(), uv, counts: true })
         });
-        Self { size: scene.size(), met: met.collect() }
+        (Self { size: scene.size(), met: met.collect() }, rendered.made.device)
     }
 
     /// The pixels that show the relief.
@@ -212,6 +238,11 @@ impl<'a> Judged<'a> {
 }
 
 impl Curved {
+    /// How far a hit is behind another, in scales of the displacement.
+    fn behind(&self, drawn: &Met, truth: &Met) -> f64 {
+        (drawn.depth_m - truth.depth_m) / self.map.scale_m().abs()
+    }
+
     /// How far apart two places of the map are, in texels of its finest level. Whole tiles do not count where
     /// the map goes on as it began.
     fn texels(&self, a: [f64; 2], b: [f64; 2]) -> f64 {

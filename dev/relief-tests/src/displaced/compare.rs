@@ -9,9 +9,9 @@
 use glam::{DMat3, DVec2, DVec3};
 use relief_core::exact::{DisplacedHit, Side, Sides};
 
-use crate::rays::Ray;
-use crate::sheet::Sheet;
-use crate::tessellation::{Flat, Group};
+use super::rays::Ray;
+use super::sheet::Sheet;
+use super::tessellation::{Flat, Group};
 
 /// How far from the sheet and the ray a hit may be, as a part of the size.
 const ON_SHEET: f64 = 1e-11;
@@ -24,19 +24,27 @@ const ON_SHEET_GRAZING: f64 = 2e-9;
 pub enum Fault {
     /// A number of the hit does not belong to the others.
     Inconsistent,
-    /// The hit is not on the sheet or not on the ray.
+    /// The hit is not on the sheet or not on the ray, by so many metres.
     NotOnSheet(f64),
     /// The sheet is certainly crossed before.
-    Late { crossed: f64 },
+    Late {
+        /// Metres from the origin within which it is.
+        crossed: f64,
+    },
     /// The hit is on a side that was not asked for, or on the other than it says.
     WrongSide,
     /// The ray was aimed at a point of the sheet and neither hits it nor anything before.
-    LosesTarget { target: f64 },
+    LosesTarget {
+        /// Metres to that point.
+        target: f64,
+    },
 }
 
 /// A crossing of the sheet that a flat triangle proves.
 pub struct Crossing<'a> {
+    /// Metres from the origin within which it is.
     pub far: f64,
+    /// The side on which the sheet is crossed.
     pub side: Side,
     flat: &'a Flat,
 }

@@ -2,24 +2,37 @@
 
 use glam::DVec3;
 
+use super::sheet::Sheet;
 use crate::rng::Rng;
-use crate::sheet::Sheet;
 
+/// A ray, and what is known of it.
 pub struct Ray {
+    /// Where it begins, in metres.
     pub origin: DVec3,
+    /// Its direction, of any length.
     pub direction: DVec3,
     /// The depth, in metres, of a point of the sheet that the ray goes through for certain.
     pub target: Option<f64>,
 }
 
-/// How many kinds of rays there are.
-pub const KINDS: usize = 9;
+/// The kinds of rays.
+pub const KINDS: [&str; 9] = [
+    "from around to inside",
+    "along an axis",
+    "to a point of a triangle",
+    "to a point on an edge",
+    "to a vertex",
+    "to a line between texels",
+    "tangent, or hardly not",
+    "through two points, nearly tangent",
+    "from inside the relief",
+];
 
 /// A ray of one of several kinds; `kind` counts through them.
 pub fn ray(sheet: &Sheet, kind: usize, rng: &mut Rng) -> Ray {
     let size = sheet.size();
-    let triangle = rng.below(sheet.triangles() as usize) as u32;
-    match kind % KINDS {
+    let triangle = rng.below(sheet.triangles());
+    match kind % KINDS.len() {
         // From anywhere around to anywhere inside.
         0 => {
             let origin = 2.0 * size * rng.direction();
@@ -28,7 +41,7 @@ pub fn ray(sheet: &Sheet, kind: usize, rng: &mut Rng) -> Ray {
         }
         // Along an axis of the world.
         1 => {
-            let axis = DVec3::AXES[rng.below(3)];
+            let axis = rng.pick(&DVec3::AXES);
             let beside = 0.5 * size * rng.direction();
             Ray {
                 origin: beside - beside.dot(axis) * axis - 3.0 * size * axis,
@@ -41,9 +54,9 @@ pub fn ray(sheet: &Sheet, kind: usize, rng: &mut Rng) -> Ray {
         3 => {
             let s = rng.unit();
             let side = [[s, 1.0 - s, 0.0], [0.0, s, 1.0 - s], [1.0 - s, 0.0, s]];
-            aimed(sheet, triangle, side[rng.below(3)], rng)
+            aimed(sheet, triangle, rng.pick(&side), rng)
         }
-        4 => aimed(sheet, triangle, DVec3::AXES[rng.below(3)].to_array(), rng),
+        4 => aimed(sheet, triangle, rng.pick(&DVec3::AXES).to_array(), rng),
         5 => {
             let weights = on_line(sheet, triangle, rng);
             aimed(sheet, triangle, weights, rng)
@@ -72,7 +85,7 @@ fn inside(rng: &mut Rng) -> [f64; 3] {
 /// Weights whose place is on a line between cells, where the triangle has one.
 fn on_line(sheet: &Sheet, triangle: u32, rng: &mut Rng) -> [f64; 3] {
     let (from, to) = (inside(rng), inside(rng));
-    let axis = rng.below(2);
+    let axis = rng.below(2) as usize;
     let [a, b] = [from, to].map(|w| sheet.place(triangle, w)[axis]);
     let s = (a.max(b).floor() - a) / (b - a);
     if (0.0..=1.0).contains(&s) { std::array::from_fn(|k| from[k] + s * (to[k] - from[k])) } else { from }
@@ -112,6 +125,6 @@ fn tangent(sheet: &Sheet, triangle: u32, rng: &mut Rng) -> Ray {
     let along = (at(1e-6, towards) - at(-1e-6, towards)).normalize_or(DVec3::X);
     let other = (at(1e-6, inside(rng)) - point).normalize_or(DVec3::Y);
     let above = along.cross(other).normalize_or(DVec3::Y);
-    let aside = [0.0, 1e-14, 1e-11, 1e-8, 1e-5, 1e-3][rng.below(6)] * (2.0 * rng.unit() - 1.0);
+    let aside = rng.pick(&[0.0, 1e-14, 1e-11, 1e-8, 1e-5, 1e-3]) * (2.0 * rng.unit() - 1.0);
     Ray { origin: point - sheet.size() * along + aside * above, direction: along, target: None }
 }

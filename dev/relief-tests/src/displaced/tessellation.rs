@@ -9,12 +9,15 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::sheet::Sheet;
+use super::sheet::Sheet;
 
 /// A flat triangle with the corners of the sheet.
 pub struct Flat {
+    /// Number of the base triangle.
     pub triangle: u32,
+    /// Weights of its corners there.
     pub weights: [[f64; 3]; 3],
+    /// The corners, in metres.
     pub points: [DVec3; 3],
     /// No point of the sheet is further from the point of the flat triangle with the same weights.
     pub error: f64,
@@ -22,8 +25,11 @@ pub struct Flat {
 
 /// Flat triangles, and a ball that holds them and their part of the sheet.
 pub struct Group {
+    /// The triangles.
     pub flats: Vec<Flat>,
+    /// The ball's middle.
     pub centre: DVec3,
+    /// The ball's radius, in metres.
     pub radius: f64,
 }
 

@@ -4,28 +4,41 @@ use glam::Vec2;
 use relief_core::mesh::{Mesh, MeshError, cylinder, sphere, square, torus};
 use relief_core::{HeightMap, Wrap};
 
+use super::sheet::Sheet;
 use crate::rng::Rng;
-use crate::sheet::Sheet;
 
 /// A named sheet.
 pub struct Scene {
+    /// What it is.
     pub name: String,
+    /// The sheet.
     pub sheet: Sheet,
     /// Whether no shell is turned inside out.
     pub unfolded: bool,
 }
 
+/// What the heights of a map are.
 #[derive(Clone, Copy, Debug)]
 pub enum Heights {
+    /// White noise.
     Noise,
+    /// A tenth of the texels at 1, the others at 0.
     Spikes,
+    /// All alike.
     Constant,
+    /// A level slope.
     Ramp,
+    /// Waves.
     Smooth,
 }
 
+/// A map of so many columns and rows.
+///
+/// # Panics
+///
+/// When a side is 0.
 pub fn map(heights: Heights, [width, height]: [u32; 2], wrap: Wrap) -> HeightMap {
-    let mut rng = Rng(7);
+    let mut rng = Rng::new(7);
     let texel = |i: u32, j: u32| {
         let random = rng.unit() as f32;
         let (x, y) = (i as f32 / width as f32, j as f32 / height as f32);

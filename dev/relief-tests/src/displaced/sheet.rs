@@ -7,9 +7,13 @@ use relief_core::mesh::Mesh;
 /// The formula's parts, and whether it is deliberately wrong.
 #[derive(Clone)]
 pub struct Sheet {
+    /// The base.
     pub mesh: Mesh,
+    /// The heights.
     pub map: HeightMap,
+    /// Metres between the heights 0 and 1.
     pub scale_m: f64,
+    /// Metres from the base to height 0.
     pub bias_m: f64,
     /// A known mistake: the interpolated normal is made a unit vector.
     pub normalised: bool,
@@ -21,20 +25,24 @@ impl Sheet {
         (0..3).map(|k| w[k] * of(corners[k] as usize)).sum()
     }
 
+    /// The normal there, not normalised.
     pub fn normal(&self, triangle: u32, w: [f64; 3]) -> DVec3 {
         let normal = self.sum(triangle, w, |at| self.mesh.vertices()[at].normal.as_dvec3());
         if self.normalised { normal.normalize() } else { normal }
     }
 
+    /// The texture coordinates there.
     pub fn uv(&self, triangle: u32, w: [f64; 3]) -> DVec2 {
         self.sum(triangle, w, |at| self.mesh.vertices()[at].uv.as_dvec2().extend(0.0)).truncate()
     }
 
+    /// The height there.
     pub fn height(&self, triangle: u32, w: [f64; 3]) -> f64 {
         let uv = self.uv(triangle, w);
         self.map.height_at(uv.x, uv.y)
     }
 
+    /// The point of the sheet, in metres.
     pub fn point(&self, triangle: u32, w: [f64; 3]) -> DVec3 {
         let base = self.sum(triangle, w, |at| self.mesh.vertices()[at].position.as_dvec3());
         let metres = self.bias_m + self.scale_m * self.height(triangle, w);
@@ -46,6 +54,7 @@ impl Sheet {
         self.uv(triangle, w) * DVec2::new(self.map.width().into(), self.map.height().into()) - 0.5
     }
 
+    /// How many triangles the base has.
     pub fn triangles(&self) -> u32 {
         self.mesh.triangles().len() as u32
     }
