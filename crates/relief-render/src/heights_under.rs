@@ -3,39 +3,129 @@
 use glam::DVec2;
 use relief_core::{HeightMap, MaxPyramid, MinPyramid};
 
-/// Texels beyond a triangle's own that its segments may read: they reach beyond it by rounding, and by as
-/// much as they may be beside the ray.
+/// Texels of the map's finest level beyond a triangle's own that its segments may read, in any level: they
+/// reach beyond it by rounding, and by as much as they may be beside the ray.
 const BEYOND_TEXELS: f64 = 2.0;
 
 /// What is known of the heights under triangles.
-pub enum HeightsUnder<'a> {
-    /// Of the finest level: its lowest and its highest nodes.
-    Finest(&'a HeightMap, MinPyramid, MaxPyramid),
-    /// Of all levels.
-    All([f32; 2]),
+pub struct HeightsUnder {
+    /// From the finest level on.
+    levels: Vec<Level>,
 }
 
-impl<'a> HeightsUnder<'a> {
-    /// Over a map, of which all levels may be seen, or the finest alone.
-    pub fn new(map: &'a HeightMap, levels: bool) -> Self {
-        match levels {
-            false => Self::Finest(map, MinPyramid::new(map), MaxPyramid::new(map)),
-            true => Self::All(map.extremes()),
-        }
+/// The lowest and the highest nodes of a level of a map.
+struct Level {
+    size: DVec2,
+    /// Texels of this level that may be read beyond a triangle's own.
+    beyond: DVec2,
+    lowest: MinPyramid,
+    highest: MaxPyramid,
+}
+
+impl HeightsUnder {
+    /// Over a map of which so many levels may be seen, from the finest on.
+    pub fn new(map: &HeightMap, levels: u32) -> Self {
+        let size = |map: &HeightMap| DVec2::new(map.width().into(), map.height().into());
+        let level = |number| {
+            let level = map.level(number);
+            let beyond = size(&level) / size(map) * BEYOND_TEXELS;
+            let (lowest, highest) = (MinPyramid::new(&level), MaxPyramid::new(&level));
+            Level { size: size(&level), beyond, lowest, highest }
+        };
+        Self { levels: (0..levels.max(1)).map(level).collect() }
     }
 
-    /// The least and the greatest height under a triangle, by the texture coordinates of its corners, or less
-    /// and more.
+    /// The least and the greatest height of all these levels under a triangle, by the texture coordinates of
+    /// its corners, or less and more.
     pub fn under(&self, uv: [DVec2; 3]) -> [f32; 2] {
-        let (map, lowest, highest) = match self {
-            Self::All(extremes) => return *extremes,
-            Self::Finest(map, lowest, highest) => (map, lowest, highest),
-        };
-        let size = DVec2::new(map.width().into(), map.height().into());
-        let [a, b, c] = uv.map(|corner| corner * size - 0.5);
+        let widest = [f32::INFINITY, f32::NEG_INFINITY];
+        self.levels
+            .iter()
+            .map(|level| level.under(uv))
+            .fold(widest, |[low, high], [lowest, highest]| [low.min(lowest), high.max(highest)])
+    }
+}
+
+impl Level {
+    fn under(&self, uv: [DVec2; 3]) -> [f32; 2] {
+        let [a, b, c] = uv.map(|corner| corner * self.size - 0.5);
         let cells = |corner: DVec2| [corner.x.floor() as i64, corner.y.floor() as i64];
-        let first = cells(a.min(b).min(c) - BEYOND_TEXELS);
-        let last = cells(a.max(b).max(c) + BEYOND_TEXELS);
-        [lowest.bound(first, last).0, highest.bound(first, last).0]
+        let first = cells(a.min(b).min(c) - self.beyond);
+        let last = cells(a.max(b).max(c) + self.beyond);
+        [self.lowest.bound(first, last).0, self.highest.bound(first, last).0]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use proptest::strategy::ValueTree;
+    use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+    use relief_core::Wrap;
+
+    /// A map with a single peak and a single hole on each of its levels' scales, at odd places.
+    fn map(size: [u32; 2], wrap: Wrap, seed: u32) -> HeightMap {
+        let of = |i: u32, j: u32| {
+            let mixed = (i * 7 + j * 13 + seed).wrapping_mul(2_654_435_761) >> 16;
+            let waves = (i as f32 * 0.21 + j as f32 * 0.13 + seed as f32).sin() * 0.3 + 0.5;
+            if mixed.is_multiple_of(29) { (mixed % 2) as f32 } else { waves }
+        };
+        HeightMap::from_fn(size[0], size[1], wrap, of).expect("heights from 0 to 1")
+    }
+
+    /// By how much the surface of a level is outside of what is said of a triangle, at many points of it and
+    /// up to so many of the finest texels beside them.
+    fn outside(map: &HeightMap, level: u32, uv: [DVec2; 3], beyond: f64, said: [f32; 2]) -> f64 {
+        let seen = map.level(level);
+        let finest = DVec2::new(map.width().into(), map.height().into());
+        let (parts, mut most) = (24, 0.0f64);
+        for i in 0..=parts {
+            for j in 0..=parts - i {
+                let [a, b] = [i, j].map(|part| f64::from(part) / f64::from(parts));
+                let at = uv[0] * (1.0 - a - b) + uv[1] * a + uv[2] * b;
+                let turn = f64::from(i * 31 + j * 17);
+                let at = at + DVec2::new(turn.cos(), turn.sin()) * beyond / finest;
+                let height = seen.height_at(at.x, at.y);
+                most = most.max(f64::from(said[0]) - height).max(height - f64::from(said[1]));
+            }
+        }
+        most
+    }
+
+    fn triangle() -> impl Strategy<Value = [DVec2; 3]> {
+        let corner = (-1.0..1.0f64, -1.0..1.0f64);
+        let size = prop::sample::select(vec![0.01, 0.1, 0.5, 1.5]);
+        ((-2.0..2.0f64, -2.0..2.0f64), prop::array::uniform3(corner), size).prop_map(
+            |(centre, corners, size)| corners.map(|corner| DVec2::from(centre) + DVec2::from(corner) * size),
+        )
+    }
+
+    #[test]
+    fn no_level_is_higher_or_lower_under_a_triangle() {
+        let mut runner =
+            TestRunner::new_with_rng(Config::default(), TestRng::deterministic_rng(RngAlgorithm::ChaCha));
+        let (mut tight, mut noticed) = (0, 0);
+        for (number, wrap) in (0..90).zip(Wrap::ALL.into_iter().cycle()) {
+            let size = [[64, 64], [37, 50], [1, 40]][number as usize / 3 % 3];
+            let map = map(size, wrap, number);
+            let [finest, all] = [1, map.levels()].map(|levels| HeightsUnder::new(&map, levels));
+            for _ in 0..8 {
+                let uv = triangle().new_tree(&mut runner).expect("a triangle").current();
+                let said = all.under(uv);
+                for level in 0..map.levels() {
+                    for beyond in [0.0, BEYOND_TEXELS] {
+                        let outside = outside(&map, level, uv, beyond, said);
+                        assert!(outside <= 1e-7, "{wrap}, {size:?}, level {level}, {uv:?}: {outside}");
+                    }
+                }
+                let [low, high] = map.extremes();
+                tight += usize::from(said[1] - said[0] < 0.9 * (high - low));
+                // The finest level alone does not bound the others.
+                let alone = finest.under(uv);
+                noticed += usize::from((1..map.levels()).any(|k| outside(&map, k, uv, 0.0, alone) > 1e-3));
+            }
+        }
+        assert!(tight > 100 && noticed > 100, "{tight} {noticed}");
     }
 }

@@ -33,15 +33,18 @@ struct ShellsOf {
     shell_m: [f32; 2],
     /// Whether the base is smooth.
     lifted: bool,
-    /// Whether coarser levels of the map are seen, too.
-    levels: bool,
+    /// How many levels of the map are seen.
+    levels: u32,
+    /// Whether the mesh is seen turned over as well.
+    both: bool,
 }
 
 impl ShellsOf {
     fn is(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.mesh, &other.mesh)
             && Arc::ptr_eq(&self.map, &other.map)
-            && (self.shell_m, self.lifted, self.levels) == (other.shell_m, other.lifted, other.levels)
+            && self.shell_m == other.shell_m
+            && (self.lifted, self.levels, self.both) == (other.lifted, other.levels, other.both)
     }
 }
 
@@ -119,8 +122,8 @@ impl KeptTriangles {
             return kept(&mut self.polygons, &before.polygons, mesh, || polygons(mesh));
         }
         let (mesh, map) = (Arc::clone(mesh), Arc::clone(surface.height_map()));
-        let (lifted, levels) = (selection.has_smooth_base(), selection.has_levels());
-        let of = ShellsOf { mesh, map, shell_m, lifted, levels };
+        let (lifted, levels) = (selection.has_smooth_base(), selection.levels_of(&map));
+        let of = ShellsOf { mesh, map, shell_m, lifted, levels, both: surface.two_sided() };
         let mut known = self.shells.iter().chain(&before.shells);
         let made = known.find(|(known, _)| known.is(&of)).map(|(_, made)| Arc::clone(made));
         let made = made.unwrap_or_else(|| shells(&of));
@@ -145,7 +148,7 @@ fn polygons(mesh: &Mesh) -> Arc<[Triangle]> {
 
 /// The triangles of a mesh with their shells.
 fn shells(of: &ShellsOf) -> Arc<[Triangle]> {
-    let ShellsOf { mesh, map, shell_m, lifted, levels } = of;
+    let ShellsOf { mesh, map, shell_m, lifted, levels, both } = of;
     let (welded, lifts) = (mesh.welded(), lifted.then(|| mesh.lifts()));
     let heights = HeightsUnder::new(map, *levels);
     let numbered = (0u32..).zip(mesh.triangles());
@@ -155,7 +158,9 @@ fn shells(of: &ShellsOf) -> Arc<[Triangle]> {
         let under = heights.under(mesh.corners(number).map(|corner| corner.uv.as_dvec2()));
         let shell = Shell::between(under, places, places.map(|place| lift[place as usize]));
         let ([lowest, highest], [down, up]) = (shell.offsets_m(*shell_m), mesh.fold_range(number));
-        let is_folded = f64::from(lowest) <= down || f64::from(highest) >= up;
+        let is_between = |offset: f32| down < f64::from(offset) && f64::from(offset) < up;
+        let is_whole = |lowest: f32, highest: f32| is_between(lowest) && is_between(highest);
+        let is_folded = !is_whole(lowest, highest) || (*both && !is_whole(-highest, -lowest));
         triangle(mesh, number, &|_| [0.0; 3], if is_folded { shell.folded() } else { shell })
     });
     triangles.collect()

@@ -879,6 +879,62 @@ impl Toward {
         Self { direction: rt::into(direction), falloff: rt::into(falloff), distance: rt::into(distance), radius: rt::into(radius), number: rt::into(number) }
     }
 }
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// The line through the shell: coefficients, by powers of the offset, of the weights over their sum.
+pub struct Way {
+    pub first: rt::Vec3<f32>,
+    pub second: rt::Vec3<f32>,
+    pub third: rt::Vec3<f32>,
+    /// 1, or -1 where the order of the corners turns the triangle over.
+    pub turn: f32,
+}
+impl Way {
+    pub fn new(
+        first: impl rt::Into<rt::Vec3<f32>>,
+        second: impl rt::Into<rt::Vec3<f32>>,
+        third: impl rt::Into<rt::Vec3<f32>>,
+        turn: impl rt::Into<f32>,
+    ) -> Self {
+        Self { first: rt::into(first), second: rt::into(second), third: rt::into(third), turn: rt::into(turn) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A chord of the way, by the offsets of its ends, and how many there are in all.
+pub struct WayChord {
+    pub offsets: rt::Vec2<f32>,
+    pub count: u32,
+}
+impl WayChord {
+    pub fn new(
+        offsets: impl rt::Into<rt::Vec2<f32>>,
+        count: impl rt::Into<u32>,
+    ) -> Self {
+        Self { offsets: rt::into(offsets), count: rt::into(count) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A point of the way.
+pub struct WayPoint {
+    pub point: ShellPoint,
+    /// Metres along the ray from the place that is nearest to the triangle, and by how many it is beside.
+    pub t: f32,
+    pub beside: f32,
+    /// Positive where the shell is not turned inside out.
+    pub volume: f32,
+}
+impl WayPoint {
+    pub fn new(
+        point: impl rt::Into<ShellPoint>,
+        t: impl rt::Into<f32>,
+        beside: impl rt::Into<f32>,
+        volume: impl rt::Into<f32>,
+    ) -> Self {
+        Self { point: rt::into(point), t: rt::into(t), beside: rt::into(beside), volume: rt::into(volume) }
+    }
+}
 #[allow(non_upper_case_globals)]
 pub const FOUND_ABOVE: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
@@ -909,6 +965,8 @@ pub const MAP_SLOTS: rt::Scalar<u32> = rt::Scalar(7u32);
 pub const MAX_LIGHTS: rt::Scalar<u32> = rt::Scalar(8u32);
 #[allow(non_upper_case_globals)]
 pub const MAX_LIGHT_VIEWS: rt::Scalar<u32> = rt::Scalar(48u32);
+#[allow(non_upper_case_globals)]
+pub const MOST_PIECES: rt::Scalar<u32> = rt::Scalar(7u32);
 #[allow(non_upper_case_globals)]
 pub const NEWTON_STEPS: rt::Scalar<u32> = rt::Scalar(6u32);
 #[allow(non_upper_case_globals)]
@@ -945,6 +1003,8 @@ pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(2u32);
 pub const STAGES: rt::Scalar<u32> = rt::Scalar(8u32);
 #[allow(non_upper_case_globals)]
 pub const STEP: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(0u32), rt::Scalar(1u32), rt::Scalar(0u32));
+#[allow(non_upper_case_globals)]
+pub const TURN_STEPS: rt::Scalar<u32> = rt::Scalar(12u32);
 #[allow(non_upper_case_globals)]
 pub const WRAP_CLAMP: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
@@ -1033,20 +1093,20 @@ impl<'g> Resources<'g> {
         ray_2: Across,
         t_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let c_5 = (t_1 * (rt::Scalar(ray_2.descent) + (t_1 * rt::Scalar(ray_2.along))));
+        let c_7 = (t_1 * (rt::Scalar(ray_2.descent) + (t_1 * rt::Scalar(ray_2.along))));
         let _e7 = self.v_across_discriminant(ray_2, t_1);
         if rt::Scalar::into_branch_condition((!_e7.elementwise_ge(rt::Scalar(0f32)))) {
-            return c_5;
+            return c_7;
         }
-        let b_5 = ((t_1 * rt::Scalar(ray_2.mixed)) - rt::Scalar(ray_2.sine));
+        let b_9 = ((t_1 * rt::Scalar(ray_2.mixed)) - rt::Scalar(ray_2.sine));
         let root = _e7.sqrt();
-        if rt::Scalar::into_branch_condition(b_5.elementwise_lt(rt::Scalar(0f32))) {
-            return ((rt::Scalar(2f32) * c_5) / (root - b_5));
+        if rt::Scalar::into_branch_condition(b_9.elementwise_lt(rt::Scalar(0f32))) {
+            return ((rt::Scalar(2f32) * c_7) / (root - b_9));
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(ray_2.across).elementwise_ne(rt::Scalar(0f32))) {
-            return (((rt::Scalar(0f32) - b_5) - root) / (rt::Scalar(2f32) * rt::Scalar(ray_2.across)));
+            return (((rt::Scalar(0f32) - b_9) - root) / (rt::Scalar(2f32) * rt::Scalar(ray_2.across)));
         }
-        return c_5;
+        return c_7;
     }
     pub(crate) fn traced_scale_m(&self) -> f32 {
         rt::into(self.v_traced_scale_m())
@@ -1125,13 +1185,13 @@ impl<'g> Resources<'g> {
         let descent_1 = (rt::Scalar(0f32) - at_1.normal.dot(direction_1));
         let aside_1 = (at_1.normal + (direction_1 * descent_1));
         let sine = aside_1.length().max(rt::Scalar(0.0009765625f32));
-        let q = at_1.quadric.xyz();
+        let q_1 = at_1.quadric.xyz();
         let _e18 = self.v_climb(at_1, (aside_1 / rt::Vec3::splat_from_scalar(sine)));
         let beside_2 = _e18.xy();
-        let _e20 = self.v_quadric_slope(q, duv_3);
+        let _e20 = self.v_quadric_slope(q_1, duv_3);
         let mixed_1 = _e20.dot(beside_2);
-        let _e22 = self.v_quadric_at(q, duv_3);
-        let _e23 = self.v_quadric_at(q, beside_2);
+        let _e22 = self.v_quadric_at(q_1, duv_3);
+        let _e23 = self.v_quadric_at(q_1, beside_2);
         return <Across>::new(duv_3, descent_1, _e22, _e23, mixed_1, sine);
     }
     pub(crate) fn reached(
@@ -1252,12 +1312,12 @@ impl<'g> Resources<'g> {
         let discriminant_1 = ((c_1.y() * c_1.y()) - ((rt::Scalar(4f32) * c_1.z()) * c_1.x()));
         if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
             let root_2 = discriminant_1.sqrt();
-            let q_1 = (rt::Scalar(-0.5f32) * (c_1.y() + (rt::Scalar(0f32) - root_2).select(root_2, c_1.y().elementwise_ge(rt::Scalar(0f32)))));
+            let q_2 = (rt::Scalar(-0.5f32) * (c_1.y() + (rt::Scalar(0f32) - root_2).select(root_2, c_1.y().elementwise_ge(rt::Scalar(0f32)))));
             if rt::Scalar::into_branch_condition(c_1.z().elementwise_ne(rt::Scalar(0f32))) {
-                a = (q_1 / c_1.z());
+                a = (q_2 / c_1.z());
             }
-            if rt::Scalar::into_branch_condition(q_1.elementwise_ne(rt::Scalar(0f32))) {
-                b = (c_1.x() / q_1);
+            if rt::Scalar::into_branch_condition(q_2.elementwise_ne(rt::Scalar(0f32))) {
+                b = (c_1.x() / q_2);
             }
             let _e37 = a;
             let _e38 = a;
@@ -1267,9 +1327,9 @@ impl<'g> Resources<'g> {
             b = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
             let _e49 = a;
             let _e50 = b;
-            let first_2 = _e49.min(_e50);
-            if rt::Scalar::into_branch_condition(first_2.elementwise_le(span)) {
-                return first_2;
+            let first_4 = _e49.min(_e50);
+            if rt::Scalar::into_branch_condition(first_4.elementwise_le(span)) {
+                return first_4;
             }
         }
         let _e53 = self.v_quadratic(c_1, span);
@@ -1324,15 +1384,15 @@ impl<'g> Resources<'g> {
 
         let nowhere = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
         let _e6 = self.v_traced_scale_m();
-        let height_5 = at_2.quadric.w();
-        let over = ((height_5 - rt::Scalar(1f32)) * _e6);
+        let height_7 = at_2.quadric.w();
+        let over = ((height_7 - rt::Scalar(1f32)) * _e6);
         let _e12 = self.v_down_across(ray_7, over);
         let _e13 = self.v_down_along(ray_7, over);
         let _e15 = self.v_jumps_below(ray_7, over);
-        let begin_1 = _e12.min(_e13).min(_e15);
-        if rt::Scalar::into_branch_condition((!(!begin_1.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))))) {
-            if rt::Scalar::into_branch_condition(height_5.elementwise_ge(rt::Scalar(1f32))) {
-                local_3 = begin_1.elementwise_lt(rt::Scalar(0f32));
+        let begin_2 = _e12.min(_e13).min(_e15);
+        if rt::Scalar::into_branch_condition((!(!begin_2.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))))) {
+            if rt::Scalar::into_branch_condition(height_7.elementwise_ge(rt::Scalar(1f32))) {
+                local_3 = begin_2.elementwise_lt(rt::Scalar(0f32));
             } else {
                 local_3 = rt::Scalar(false);
             }
@@ -1345,8 +1405,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e32) {
             return nowhere;
         }
-        let enter_2 = begin_1.max(eye);
-        let floor = (height_5 * _e6);
+        let enter_2 = begin_2.max(eye);
+        let floor = (height_7 * _e6);
         let _e35 = self.v_down_across(ray_7, floor);
         let _e36 = self.v_down_along(ray_7, floor);
         let _e37 = self.v_jumps_below(ray_7, floor);
@@ -1569,11 +1629,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_3);
         let _e3 = self.v_texels_around(uv_1, _e2);
-        let k_23 = level_3.cast_elem_as_i32();
-        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_23);
-        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_23);
-        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_23);
-        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_23);
+        let k_24 = level_3.cast_elem_as_i32();
+        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_24);
+        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_24);
+        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_24);
+        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_24);
         let _e34 = self.v_bilinear(_e11, _e18, _e25, _e32, _e3.part);
         return _e34;
     }
@@ -1780,11 +1840,11 @@ impl<'g> Resources<'g> {
         let most_2 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).cast_elem_as_f32();
         let corner_3 = point_10.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
         let texel_5 = corner_3.cast_elem_as_i32();
-        let k_24 = level_6.cast_elem_as_i32();
-        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_24);
-        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_24);
-        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_24);
-        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_24);
+        let k_25 = level_6.cast_elem_as_i32();
+        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_25);
+        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_25);
+        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_25);
+        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_25);
         let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_10 - corner_3));
         return _e55.xyz();
     }
@@ -1845,26 +1905,26 @@ impl<'g> Resources<'g> {
         let mut light: rt::Vec3<f32>;
 
         let mean_2 = normal_4.length();
-        let n_7 = normal_4.normalize();
-        let cosine_3 = n_7.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let n_8 = normal_4.normalize();
+        let cosine_3 = n_8.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         let ior = rt::Scalar(self.surface_settings.ior);
         let eta = (rt::Scalar(1f32) / ior);
         let inside_4 = (rt::Scalar(1f32) - ((eta * eta) * (rt::Scalar(1f32) - (cosine_3 * cosine_3)))).max(rt::Scalar(0f32)).sqrt();
         let across_1 = ((cosine_3 - (ior * inside_4)) / (cosine_3 + (ior * inside_4)).max(rt::Scalar(0.000001f32)));
-        let along_9 = (((ior * cosine_3) - inside_4) / ((ior * cosine_3) + inside_4).max(rt::Scalar(0.000001f32)));
-        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_9);
+        let along_15 = (((ior * cosine_3) - inside_4) / ((ior * cosine_3) + inside_4).max(rt::Scalar(0.000001f32)));
+        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_15);
         let reflected = (rt::Scalar(0.5f32) * waves.dot(waves));
         let _e47 = rt::Scalar(self.surface_settings.shininess);
         let lean = ((rt::Scalar(2f32) / (_e47.cast_elem_as_f32() + rt::Scalar(2f32))) + (rt::Scalar(2f32) * (rt::Scalar(1f32) - mean_2).max(rt::Scalar(0f32)))).sqrt();
-        let mirrored = ((n_7 * (rt::Scalar(2f32) * cosine_3)) - view_3);
+        let mirrored = ((n_8 * (rt::Scalar(2f32) * cosine_3)) - view_3);
         let _e67 = self.v_environment_in_lobe(mirrored, (rt::Scalar(2f32) * lean));
         light = (_e67 * reflected);
         let transmission = rt::Scalar(self.surface_settings.transmission);
         let _e73 = light;
-        let _e74 = self.v_environment_on(n_7);
+        let _e74 = self.v_environment_on(n_8);
         light = (_e73 + ((_e74 * color_4) * (rt::Scalar(1f32) - reflected)));
         if rt::Scalar::into_branch_condition(transmission.elementwise_gt(rt::Scalar(0f32))) {
-            let refracted = ((n_7 * ((eta * cosine_3) - inside_4)) - (view_3 * eta));
+            let refracted = ((n_8 * ((eta * cosine_3) - inside_4)) - (view_3 * eta));
             let _e90 = self.v_environment_in_lobe(refracted, ((rt::Scalar(1f32) - eta) * lean));
             let _e91 = light;
             light = (_e91 + (_e90 * (transmission * (rt::Scalar(1f32) - reflected))));
@@ -1953,6 +2013,116 @@ impl<'g> Resources<'g> {
         let _e2 = rt::Scalar(self.surface_settings.bias_m);
         let _e5 = self.v_traced_scale_m();
         return ((rt::Scalar(0f32) - _e2) / _e5);
+    }
+    pub(crate) fn lift_of(
+        &self,
+        lift: impl rt::Into<rt::Vec3<f32>>,
+        w: impl rt::Into<rt::Vec3<f32>>,
+    ) -> f32 {
+        rt::into(self.v_lift_of(rt::into(lift), rt::into(w)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_lift_of(
+        &self,
+        lift: rt::Vec3<f32>,
+        w: rt::Vec3<f32>,
+    ) -> rt::Scalar<f32> {
+        return ((((lift.x() * w.y()) * w.z()) + ((lift.y() * w.z()) * w.x())) + ((lift.z() * w.x()) * w.y()));
+    }
+    pub(crate) fn way_point(
+        &self,
+        prism: Prism,
+        along: impl rt::Into<rt::Vec3<f32>>,
+        way: Way,
+        offset: impl rt::Into<rt::Scalar<f32>>,
+    ) -> WayPoint {
+        rt::into(self.v_way_point(prism, rt::into(along), way, rt::into(offset)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_way_point(
+        &self,
+        prism: Prism,
+        along: rt::Vec3<f32>,
+        way: Way,
+        offset: rt::Scalar<f32>,
+    ) -> WayPoint {
+        let low = self.surface_settings.shell_m.x();
+        let _e11 = self.surface_settings.shell_m.y();
+        let width_1 = (_e11 - low).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e16 = self.v_quadratic(way.first, offset);
+        let _e18 = self.v_quadratic(way.second, offset);
+        let _e20 = self.v_quadratic(way.third, offset);
+        let parts = <rt::Vec3<f32>>::from_scalars(_e16, _e18, _e20);
+        let limited = parts.min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)));
+        let w_2 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
+        let normal_16 = (((prism.n0_ * w_2.x()) + (prism.n1_ * w_2.y())) + (prism.n2_ * w_2.z()));
+        let place_15 = ((((prism.p0_ * w_2.x()) + (prism.p1_ * w_2.y())) + (prism.p2_ * w_2.z())) + (normal_16 * offset));
+        let t_33 = place_15.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let second_1 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
+        let third = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
+        let volume = (second_1.cross(third).dot(normal_16) * rt::Scalar(way.turn));
+        let _e83 = self.v_lift_of(prism.lift, w_2);
+        let height_8 = (((offset - low) - _e83) / width_1).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        return <WayPoint>::new(<ShellPoint>::new(w_2, height_8), t_33, (place_15 - (along * t_33)).length(), volume);
+    }
+    pub(crate) fn before_turn(
+        &self,
+        prism_1: Prism,
+        along_1: impl rt::Into<rt::Vec3<f32>>,
+        way_1: Way,
+        chord: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_before_turn(prism_1, rt::into(along_1), way_1, rt::into(chord)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_before_turn(
+        &self,
+        prism_1: Prism,
+        along_1: rt::Vec3<f32>,
+        way_1: Way,
+        chord: rt::Vec2<f32>,
+    ) -> rt::Vec2<f32> {
+        let mut inner: rt::Scalar<f32>;
+        let mut outer: rt::Scalar<f32>;
+        let mut step: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        let _e5 = self.v_way_point(prism_1, along_1, way_1, chord.x());
+        let is_first = rt::Scalar(_e5.volume).elementwise_gt(rt::Scalar(0f32));
+        let _e10 = self.v_way_point(prism_1, along_1, way_1, chord.y());
+        let is_last = rt::Scalar(_e10.volume).elementwise_gt(rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(is_first.elementwise_eq(is_last)) {
+            return chord;
+        }
+        inner = chord.y().select(chord.x(), is_first);
+        outer = chord.x().select(chord.y(), is_first);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e25 = step;
+                if rt::Scalar::into_branch_condition(_e25.elementwise_lt(TURN_STEPS)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e28 = step;
+                    step = (_e28 + rt::Scalar(1u32));
+                    let _e31 = inner;
+                    let _e32 = outer;
+                    let between = (rt::Scalar(0.5f32) * (_e31 + _e32));
+                    let _e36 = self.v_way_point(prism_1, along_1, way_1, between);
+                    if rt::Scalar::into_branch_condition(rt::Scalar(_e36.volume).elementwise_gt(rt::Scalar(0f32))) {
+                        inner = between;
+                    } else {
+                        outer = between;
+                    }
+                }
+            }
+        }
+        if rt::Scalar::into_branch_condition(is_first) {
+            let _e41 = inner;
+            return <rt::Vec2<f32>>::from_scalars(chord.x(), _e41);
+        }
+        let _e43 = inner;
+        return <rt::Vec2<f32>>::from_scalars(_e43, chord.y());
     }
     pub(crate) fn bent_exit(&self, h: impl rt::Into<rt::Vec3<f32>>) -> f32 {
         rt::into(self.v_bent_exit(rt::into(h)))
@@ -2061,10 +2231,59 @@ impl<'g> Resources<'g> {
         let _e19 = self.v_uv_of(pixel_2, (at_10.weights - line));
         let _e21 = self.v_height_size(rt::Scalar(0u32));
         let apart = (_e19 * _e21).abs();
-        let bend_1 = (rt::Scalar(2f32) * ((rt::Scalar(a_1.height) + rt::Scalar(b_1.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
-        let slope_4 = ((rt::Scalar(b_1.height) - rt::Scalar(a_1.height)) - bend_1);
-        let height_6 = (rt::Scalar(a_1.height) + (part_1 * (slope_4 + (part_1 * bend_1))));
-        return apart.x().max(apart.y()).max(((rt::Scalar(at_10.height) - height_6).abs() / rt::Scalar(0.0625f32)));
+        let bend_3 = (rt::Scalar(2f32) * ((rt::Scalar(a_1.height) + rt::Scalar(b_1.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
+        let slope_4 = ((rt::Scalar(b_1.height) - rt::Scalar(a_1.height)) - bend_3);
+        let height_9 = (rt::Scalar(a_1.height) + (part_1 * (slope_4 + (part_1 * bend_3))));
+        return apart.x().max(apart.y()).max(((rt::Scalar(at_10.height) - height_9).abs() / rt::Scalar(0.0625f32)));
+    }
+    pub(crate) fn beside_way(
+        &self,
+        pixel_3: PixelIn,
+        a_2: WayPoint,
+        b_2: WayPoint,
+        bend_1: impl rt::Into<rt::Scalar<f32>>,
+        at_11: WayPoint,
+    ) -> f32 {
+        rt::into(self.v_beside_way(pixel_3, a_2, b_2, rt::into(bend_1), at_11))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_beside_way(
+        &self,
+        pixel_3: PixelIn,
+        a_2: WayPoint,
+        b_2: WayPoint,
+        bend_1: rt::Scalar<f32>,
+        at_11: WayPoint,
+    ) -> rt::Scalar<f32> {
+        let part_8 = ((rt::Scalar(at_11.t) - rt::Scalar(a_2.t)) / (rt::Scalar(b_2.t) - rt::Scalar(a_2.t)));
+        let line_1 = (a_2.point.weights + ((b_2.point.weights - a_2.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_8));
+        let _e29 = self.v_uv_of(pixel_3, (at_11.point.weights - line_1));
+        let _e31 = self.v_height_size(rt::Scalar(0u32));
+        let apart_1 = (_e29 * _e31).abs();
+        let slope_5 = ((rt::Scalar(b_2.point.height) - rt::Scalar(a_2.point.height)) - bend_1);
+        let height_10 = (rt::Scalar(a_2.point.height) + (part_8 * (slope_5 + (part_8 * bend_1))));
+        return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_11.point.height) - height_10).abs() / rt::Scalar(0.0625f32)));
+    }
+    pub(crate) fn both_roots(&self, c_2: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_both_roots(rt::into(c_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_both_roots(&self, c_2: rt::Vec3<f32>) -> rt::Vec2<f32> {
+        let mut roots: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+
+        let discriminant_2 = ((c_2.y() * c_2.y()) - ((rt::Scalar(4f32) * c_2.z()) * c_2.x()));
+        if rt::Scalar::into_branch_condition(discriminant_2.elementwise_ge(rt::Scalar(0f32))) {
+            let root_3 = discriminant_2.sqrt();
+            let q_3 = (rt::Scalar(-0.5f32) * (c_2.y() + (rt::Scalar(0f32) - root_3).select(root_3, c_2.y().elementwise_ge(rt::Scalar(0f32)))));
+            if rt::Scalar::into_branch_condition(c_2.z().elementwise_ne(rt::Scalar(0f32))) {
+                roots.set_x((q_3 / c_2.z()));
+            }
+            if rt::Scalar::into_branch_condition(q_3.elementwise_ne(rt::Scalar(0f32))) {
+                roots.set_y((c_2.x() / q_3));
+            }
+        }
+        let _e38 = roots;
+        return _e38;
     }
     pub(crate) fn path_height(
         &self,
@@ -2095,15 +2314,15 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_25 = level_8.cast_elem_as_i32();
+        let k_26 = level_8.cast_elem_as_i32();
         let _e6 = self.v_wrap_index(cell.x(), _e2.x());
         let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
         let _e14 = self.v_wrap_index(cell.y(), _e2.y());
         let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_25));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_25));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_25));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_25));
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_26));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_26));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_26));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_26));
         return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
     }
     pub(crate) fn height_at(
@@ -2239,10 +2458,10 @@ impl<'g> Resources<'g> {
         let bx = (h_1.y() - h_1.x());
         let by = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_87 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
+        let at_92 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
         let z = (path_4.h.x() + (t_8 * (path_4.h.y() + (t_8 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_8) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_87.x())) + (by * at_87.y())) + ((twist * at_87.x()) * at_87.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_87.x() * grid_1.step.y()) + (at_87.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_92.x())) + (by * at_92.y())) + ((twist * at_92.x()) * at_92.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_92.x() * grid_1.step.y()) + (at_92.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -2341,18 +2560,474 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn chord_end(
         &self,
-        at_11: Entered,
+        at_12: Entered,
         k: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_chord_end(at_11, rt::into(k)))
+        rt::into(self.v_chord_end(at_12, rt::into(k)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_chord_end(
         &self,
-        at_11: Entered,
+        at_12: Entered,
         k: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        return (at_11.span.x() + ((at_11.span.y() - at_11.span.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * (k.cast_elem_as_f32() / rt::Scalar(at_11.segments).cast_elem_as_f32())));
+        return (at_12.span.x() + ((at_12.span.y() - at_12.span.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * (k.cast_elem_as_f32() / rt::Scalar(at_12.segments).cast_elem_as_f32())));
+    }
+    pub(crate) fn shell_slack(
+        &self,
+        pixel_4: PixelIn,
+        middle: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shell_slack(pixel_4, rt::into(middle)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shell_slack(
+        &self,
+        pixel_4: PixelIn,
+        middle: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let origin_2 = pixel_4.origin.abs();
+        return (rt::Scalar(0.0000009536743f32) * (origin_2.x().max(origin_2.y()).max(origin_2.z()) + middle.abs()));
+    }
+    pub(crate) fn where_positive(
+        &self,
+        interval: impl rt::Into<rt::Vec2<f32>>,
+        weight_1: impl rt::Into<rt::Scalar<f32>>,
+        change: impl rt::Into<rt::Scalar<f32>>,
+        slack: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_where_positive(rt::into(interval), rt::into(weight_1), rt::into(change), rt::into(slack)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_where_positive(
+        &self,
+        interval: rt::Vec2<f32>,
+        weight_1: rt::Scalar<f32>,
+        change: rt::Scalar<f32>,
+        slack: rt::Scalar<f32>,
+    ) -> rt::Vec2<f32> {
+        if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
+            return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32).select(interval.x(), weight_1.elementwise_ge((rt::Scalar(0f32) - slack))), interval.y());
+        }
+        let t_34 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
+        if rt::Scalar::into_branch_condition(change.elementwise_gt(rt::Scalar(0f32))) {
+            return <rt::Vec2<f32>>::from_scalars(interval.x().max(t_34), interval.y());
+        }
+        return <rt::Vec2<f32>>::from_scalars(interval.x(), interval.y().min(t_34));
+    }
+    pub(crate) fn inside_unit(
+        &self,
+        x0_: impl rt::Into<rt::Scalar<f32>>,
+        dx: impl rt::Into<rt::Scalar<f32>>,
+        interval_1: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_inside_unit(rt::into(x0_), rt::into(dx), rt::into(interval_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_inside_unit(
+        &self,
+        x0_: rt::Scalar<f32>,
+        dx: rt::Scalar<f32>,
+        interval_1: rt::Vec2<f32>,
+    ) -> rt::Vec2<f32> {
+        let mut local_9: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(dx.elementwise_eq(rt::Scalar(0f32))) {
+            if rt::Scalar::into_branch_condition((!x0_.elementwise_lt(rt::Scalar(0f32)))) {
+                local_9 = x0_.elementwise_gt(rt::Scalar(1f32));
+            } else {
+                local_9 = rt::Scalar(true);
+            }
+            let _e13 = local_9;
+            if rt::Scalar::into_branch_condition(_e13) {
+                return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
+            }
+            return interval_1;
+        }
+        let a_9 = ((rt::Scalar(0f32) - x0_) / dx);
+        let b_10 = ((rt::Scalar(1f32) - x0_) / dx);
+        return <rt::Vec2<f32>>::from_scalars(interval_1.x().max(a_9.min(b_10)), interval_1.y().min(a_9.max(b_10)));
+    }
+    pub(crate) fn path_from(
+        &self,
+        path_6: Path,
+        t_10: impl rt::Into<rt::Scalar<f32>>,
+    ) -> Path {
+        rt::into(self.v_path_from(path_6, rt::into(t_10)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_path_from(
+        &self,
+        path_6: Path,
+        t_10: rt::Scalar<f32>,
+    ) -> Path {
+        let mut rest: Path;
+
+        rest = path_6;
+        let _e4 = self.v_path_uv(path_6, t_10);
+        rest.uv = _e4;
+        rest.h = <rt::Vec3<f32>>::from_scalars((path_6.h.x() + (t_10 * (path_6.h.y() + (t_10 * path_6.h.z())))), (path_6.h.y() + ((rt::Scalar(2f32) * t_10) * path_6.h.z())), path_6.h.z());
+        rt::Scalar(rest.exit) = (rt::Scalar(path_6.exit) - t_10);
+        rt::Scalar(rest.start) = (rt::Scalar(path_6.start) + t_10);
+        let _e33 = rest;
+        return _e33;
+    }
+    pub(crate) fn grid_of(&self, path_7: Path) -> Grid {
+        rt::into(self.v_grid_of(path_7))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_grid_of(&self, path_7: Path) -> Grid {
+        let _e2 = self.v_height_size(rt::Scalar(path_7.level));
+        return <Grid>::new(((path_7.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_7.duv * _e2));
+    }
+    pub(crate) fn rounded_gap(
+        &self,
+        path_8: Path,
+        slack_1: impl rt::Into<rt::Scalar<f32>>,
+        texels_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_rounded_gap(path_8, rt::into(slack_1), rt::into(texels_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_rounded_gap(
+        &self,
+        path_8: Path,
+        slack_1: rt::Scalar<f32>,
+        texels_1: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e4 = self.v_height_size(rt::Scalar(path_8.level));
+        let _e11 = self.v_cell_of(((path_8.uv * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e14 = self.v_height_cell(_e11.cast_elem_as_i32(), rt::Scalar(path_8.level));
+        let range = (_e14.x().max(_e14.y()).max(_e14.z().max(_e14.w())) - _e14.x().min(_e14.y()).min(_e14.z().min(_e14.w())));
+        let change_1 = (path_8.duv.abs() * _e4);
+        let places = ((path_8.uv.abs() * _e4) * rt::Scalar(0.0000009536743f32));
+        let aside_2 = (((((change_1.x() + change_1.y()) * slack_1) + places.x()) + places.y()) + texels_1);
+        return (((path_8.h.y().abs() * slack_1) + (range * aside_2)) + rt::Scalar(0.0000009536743f32));
+    }
+    pub(crate) fn out_of_ground(
+        &self,
+        path_9: Path,
+        slack_2: impl rt::Into<rt::Scalar<f32>>,
+        texels_2: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_out_of_ground(path_9, rt::into(slack_2), rt::into(texels_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_out_of_ground(
+        &self,
+        path_9: Path,
+        slack_2: rt::Scalar<f32>,
+        texels_2: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut cell_6: rt::Vec2<f32>;
+        let mut t_11: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_10: rt::Scalar<bool>;
+        let mut local_11: rt::Scalar<bool>;
+        let mut local_12: rt::Scalar<bool>;
+
+        let _e3 = self.v_grid_of(path_9);
+        let _e4 = self.v_rounded_gap(path_9, slack_2, texels_2);
+        let _e6 = self.v_cell_of(_e3.origin);
+        cell_6 = _e6;
+        let _e10 = cell_6;
+        let _e12 = self.v_cell_gap(path_9, _e3, _e10, rt::Scalar(0f32));
+        let is_near = _e12.x().elementwise_ge((rt::Scalar(0f32) - _e4));
+        if rt::Scalar::into_branch_condition(_e12.x().elementwise_le(rt::Scalar(0f32))) {
+            local_10 = _e12.y().elementwise_gt(rt::Scalar(0f32));
+        } else {
+            local_10 = rt::Scalar(false);
+        }
+        let comes_out = local_10;
+        if rt::Scalar::into_branch_condition(is_near) {
+            local_11 = (!comes_out);
+        } else {
+            local_11 = rt::Scalar(false);
+        }
+        let _e31 = local_11;
+        if rt::Scalar::into_branch_condition(_e31) {
+            return rt::Scalar(0f32);
+        }
+        let _e34 = self.v_rounded_gap(path_9, slack_2, rt::Scalar(0f32));
+        'naga_break: loop {
+            'naga_continue: {
+                let _e35 = t_11;
+                if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(path_9.exit))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e38 = cell_6;
+                    let _e39 = self.v_cell_leave(_e3, _e38);
+                    let end_2 = _e39.x().min(_e39.y()).min(rt::Scalar(path_9.exit));
+                    let _e48 = cell_6;
+                    let _e49 = t_11;
+                    let _e50 = self.v_cell_gap(path_9, _e3, _e48, _e49);
+                    let below_2 = (<rt::Vec3<f32>>::from_scalars(_e34, rt::Scalar(0f32), rt::Scalar(0f32)) - _e50);
+                    if rt::Scalar::into_branch_condition((!below_2.x().elementwise_gt(rt::Scalar(0f32)))) {
+                        let _e56 = t_11;
+                        return _e56;
+                    }
+                    let _e57 = t_11;
+                    let span_5 = (end_2 - _e57).max(rt::Scalar(0f32));
+                    let _e61 = self.v_first_root(below_2, span_5);
+                    if rt::Scalar::into_branch_condition(_e61.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+                        let _e64 = t_11;
+                        return (_e64 + _e61);
+                    }
+                    if rt::Scalar::into_branch_condition(is_near) {
+                        let _e68 = self.v_quadratic(below_2, span_5);
+                        local_12 = _e68.elementwise_gt((_e34 + _e4));
+                    } else {
+                        local_12 = rt::Scalar(false);
+                    }
+                    let _e72 = local_12;
+                    if rt::Scalar::into_branch_condition(_e72) {
+                        return rt::Scalar(0f32);
+                    }
+                    let _e74 = cell_6;
+                    let _e75 = self.v_cell_next(_e3, _e74, _e39);
+                    cell_6 = _e75;
+                    let _e76 = t_11;
+                    t_11 = _e76.max(end_2);
+                }
+            }
+        }
+        return rt::Scalar(path_9.exit);
+    }
+    pub(crate) fn chord_path(
+        &self,
+        pixel_5: PixelIn,
+        at_13: Entered,
+        middle_1: impl rt::Into<rt::Scalar<f32>>,
+        params_5: impl rt::Into<rt::Vec4<f32>>,
+        a_3: ShellPoint,
+        b_3: ShellPoint,
+        bend_2: impl rt::Into<rt::Scalar<f32>>,
+        ends: impl rt::Into<rt::Vec2<f32>>,
+        beyond: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Path {
+        rt::into(self.v_chord_path(pixel_5, at_13, rt::into(middle_1), rt::into(params_5), a_3, b_3, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_chord_path(
+        &self,
+        pixel_5: PixelIn,
+        at_13: Entered,
+        middle_1: rt::Scalar<f32>,
+        params_5: rt::Vec4<f32>,
+        a_3: ShellPoint,
+        b_3: ShellPoint,
+        bend_2: rt::Scalar<f32>,
+        ends: rt::Vec2<f32>,
+        beyond: rt::Vec3<f32>,
+    ) -> Path {
+        let mut inside: rt::Vec2<f32>;
+        let mut path_10: Path;
+
+        let heights_1 = pixel_5.shell.heights;
+        let first_5 = ends.x();
+        let long = (ends.y() - ends.x());
+        let _e16 = self.v_uv_of(pixel_5, a_3.weights);
+        let _e18 = self.v_uv_of(pixel_5, b_3.weights);
+        let duv_4 = ((_e18 - _e16) / rt::Vec2::splat_from_scalar(long));
+        let slope_6 = ((rt::Scalar(b_3.height) - rt::Scalar(a_3.height)) - bend_2);
+        let _e26 = self.v_shell_slack(pixel_5, middle_1);
+        let change_2 = ((b_3.weights - a_3.weights) / rt::Vec3::splat_from_scalar(long));
+        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_5)), long);
+        let _e39 = inside;
+        let _e44 = self.v_where_positive(_e39, a_3.weights.x(), change_2.x(), beyond.x());
+        inside = _e44;
+        let _e45 = inside;
+        let _e50 = self.v_where_positive(_e45, a_3.weights.y(), change_2.y(), beyond.y());
+        inside = _e50;
+        let _e51 = inside;
+        let _e56 = self.v_where_positive(_e51, a_3.weights.z(), change_2.z(), beyond.z());
+        inside = _e56;
+        let _e59 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e59.elementwise_eq(WRAP_CLAMP)) {
+            let _e64 = inside;
+            let _e65 = self.v_inside_unit(_e16.x(), duv_4.x(), _e64);
+            inside = _e65;
+            let _e68 = inside;
+            let _e69 = self.v_inside_unit(_e16.y(), duv_4.y(), _e68);
+            inside = _e69;
+        }
+        let _e76 = inside.y();
+        path_10 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_3.height), (slope_6 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_13.metric, RAY_VIEW, rt::Scalar(at_13.level), (middle_1 + first_5), (rt::Scalar(1f32) / rt::Scalar(at_13.segments).cast_elem_as_f32()));
+        let _e89 = inside.y();
+        let _e91 = inside.x();
+        if rt::Scalar::into_branch_condition((!_e89.elementwise_gt(_e91))) {
+            rt::Scalar(path_10.exit) = rt::Scalar(0f32);
+            let _e96 = path_10;
+            return _e96;
+        }
+        let _e97 = path_10;
+        let _e99 = inside.x();
+        let _e100 = self.v_path_from(_e97, _e99);
+        path_10 = _e100;
+        let _e103 = path_10.h.x();
+        let above_3 = (_e103 - heights_1.y());
+        if rt::Scalar::into_branch_condition(above_3.elementwise_gt(rt::Scalar(0f32))) {
+            let _e108 = path_10;
+            let _e111 = path_10.h.y();
+            let _e114 = path_10.h.z();
+            let _e117 = rt::Scalar(path_10.exit);
+            let _e118 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_3, _e111, _e114), _e117);
+            let _e120 = rt::Scalar(path_10.exit);
+            let _e122 = self.v_path_from(_e108, _e118.min(_e120));
+            path_10 = _e122;
+        }
+        let _e124 = rt::Scalar(path_10.exit);
+        if rt::Scalar::into_branch_condition(_e124.elementwise_gt(rt::Scalar(0f32))) {
+            let _e127 = path_10;
+            let _e128 = path_10;
+            let _e132 = self.v_out_of_ground(_e128, (rt::Scalar(4f32) * _e26), params_5.x());
+            let _e133 = self.v_path_from(_e127, _e132);
+            path_10 = _e133;
+        }
+        let _e134 = path_10;
+        return _e134;
+    }
+    pub(crate) fn chord_reach(
+        &self,
+        pixel_6: PixelIn,
+        at_14: Entered,
+        middle_2: impl rt::Into<rt::Scalar<f32>>,
+        params_6: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_chord_reach(pixel_6, at_14, rt::into(middle_2), rt::into(params_6)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_chord_reach(
+        &self,
+        pixel_6: PixelIn,
+        at_14: Entered,
+        middle_2: rt::Scalar<f32>,
+        params_6: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e11 = self.v_height_size(rt::Scalar(0u32));
+        let _e14 = self.v_height_size(rt::Scalar(0u32));
+        let texel_6 = (at_14.metric.x().max(at_14.metric.z()).sqrt() / _e11.x().max(_e14.y()));
+        let _e18 = self.v_shell_slack(pixel_6, middle_2);
+        return (_e18 + ((rt::Scalar(2f32) * params_6.x()) * texel_6));
+    }
+    pub(crate) fn way_bend(
+        &self,
+        a_4: impl rt::Into<rt::Scalar<f32>>,
+        m_1: impl rt::Into<rt::Scalar<f32>>,
+        b_4: impl rt::Into<rt::Scalar<f32>>,
+        part_3: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_way_bend(rt::into(a_4), rt::into(m_1), rt::into(b_4), rt::into(part_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_way_bend(
+        &self,
+        a_4: rt::Scalar<f32>,
+        m_1: rt::Scalar<f32>,
+        b_4: rt::Scalar<f32>,
+        part_3: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut local_13: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(part_3.elementwise_gt(rt::Scalar(0.125f32))) {
+            local_13 = part_3.elementwise_lt(rt::Scalar(0.875f32));
+        } else {
+            local_13 = rt::Scalar(false);
+        }
+        let _e11 = local_13;
+        if rt::Scalar::into_branch_condition(_e11) {
+            return (((m_1 - a_4) - ((b_4 - a_4) * part_3)) / (part_3 * (part_3 - rt::Scalar(1f32))));
+        }
+        return rt::Scalar(0f32);
+    }
+    pub(crate) fn chords_of_piece(
+        &self,
+        pixel_7: PixelIn,
+        prism_2: Prism,
+        along_2: impl rt::Into<rt::Vec3<f32>>,
+        way_2: Way,
+        piece: impl rt::Into<rt::Vec2<f32>>,
+        tolerance: impl rt::Into<rt::Scalar<f32>>,
+    ) -> u32 {
+        rt::into(self.v_chords_of_piece(pixel_7, prism_2, rt::into(along_2), way_2, rt::into(piece), rt::into(tolerance)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_chords_of_piece(
+        &self,
+        pixel_7: PixelIn,
+        prism_2: Prism,
+        along_2: rt::Vec3<f32>,
+        way_2: Way,
+        piece: rt::Vec2<f32>,
+        tolerance: rt::Scalar<f32>,
+    ) -> rt::Scalar<u32> {
+        let mut local_14: rt::Scalar<bool>;
+        let mut local_15: rt::Scalar<bool>;
+        let mut local_16: rt::Scalar<bool>;
+        let mut local_17: rt::Scalar<bool>;
+        let mut local_18: rt::Scalar<bool>;
+        let mut local_19: rt::Scalar<bool>;
+        let mut local_20: rt::Scalar<bool>;
+
+        let long_1 = (piece.y() - piece.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e12 = self.v_way_point(prism_2, along_2, way_2, piece.x());
+        let _e17 = self.v_way_point(prism_2, along_2, way_2, (piece.x() + (rt::Scalar(0.25f32) * long_1)));
+        let _e22 = self.v_way_point(prism_2, along_2, way_2, (piece.x() + (rt::Scalar(0.5f32) * long_1)));
+        let _e27 = self.v_way_point(prism_2, along_2, way_2, (piece.x() + (rt::Scalar(0.75f32) * long_1)));
+        let _e29 = self.v_way_point(prism_2, along_2, way_2, piece.y());
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e12.t).elementwise_lt(rt::Scalar(_e17.t))) {
+            local_14 = rt::Scalar(_e17.t).elementwise_lt(rt::Scalar(_e22.t));
+        } else {
+            local_14 = rt::Scalar(false);
+        }
+        let _e39 = local_14;
+        if rt::Scalar::into_branch_condition(_e39) {
+            local_15 = rt::Scalar(_e22.t).elementwise_lt(rt::Scalar(_e27.t));
+        } else {
+            local_15 = rt::Scalar(false);
+        }
+        let _e46 = local_15;
+        if rt::Scalar::into_branch_condition(_e46) {
+            local_16 = rt::Scalar(_e27.t).elementwise_lt(rt::Scalar(_e29.t));
+        } else {
+            local_16 = rt::Scalar(false);
+        }
+        let rises = local_16;
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e12.t).elementwise_gt(rt::Scalar(_e17.t))) {
+            local_17 = rt::Scalar(_e17.t).elementwise_gt(rt::Scalar(_e22.t));
+        } else {
+            local_17 = rt::Scalar(false);
+        }
+        let _e63 = local_17;
+        if rt::Scalar::into_branch_condition(_e63) {
+            local_18 = rt::Scalar(_e22.t).elementwise_gt(rt::Scalar(_e27.t));
+        } else {
+            local_18 = rt::Scalar(false);
+        }
+        let _e70 = local_18;
+        if rt::Scalar::into_branch_condition(_e70) {
+            local_19 = rt::Scalar(_e27.t).elementwise_gt(rt::Scalar(_e29.t));
+        } else {
+            local_19 = rt::Scalar(false);
+        }
+        let falls = local_19;
+        if rt::Scalar::into_branch_condition((!rises)) {
+            local_20 = (!falls);
+        } else {
+            local_20 = rt::Scalar(false);
+        }
+        let _e83 = local_20;
+        if rt::Scalar::into_branch_condition(_e83) {
+            return rt::Scalar(16u32);
+        }
+        let _e98 = self.v_way_bend(rt::Scalar(_e12.point.height), rt::Scalar(_e22.point.height), rt::Scalar(_e29.point.height), ((rt::Scalar(_e22.t) - rt::Scalar(_e12.t)) / (rt::Scalar(_e29.t) - rt::Scalar(_e12.t))));
+        let _e99 = self.v_beside_way(pixel_7, _e12, _e29, _e98, _e17);
+        let _e100 = self.v_beside_way(pixel_7, _e12, _e29, _e98, _e27);
+        let quarters = _e99.max(_e100);
+        let _e102 = self.v_beside_way(pixel_7, _e12, _e29, _e98, _e22);
+        let most_3 = _e102.max(quarters);
+        return (most_3 / tolerance).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(16f32)).cast_elem_as_u32();
     }
     pub(crate) fn color_at(
         &self,
@@ -2370,11 +3045,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_10);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_26 = level_10.cast_elem_as_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_26));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_26));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_26));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_26));
+        let k_27 = level_10.cast_elem_as_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_27));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_27));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_27));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_27));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -2408,18 +3083,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn comes_before(
         &self,
-        a_2: impl rt::Into<rt::Vec2<f32>>,
-        b_2: impl rt::Into<rt::Vec2<f32>>,
+        a_5: impl rt::Into<rt::Vec2<f32>>,
+        b_5: impl rt::Into<rt::Vec2<f32>>,
     ) -> u32 {
-        rt::into(self.v_comes_before(rt::into(a_2), rt::into(b_2)))
+        rt::into(self.v_comes_before(rt::into(a_5), rt::into(b_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_comes_before(
         &self,
-        a_2: rt::Vec2<f32>,
-        b_2: rt::Vec2<f32>,
+        a_5: rt::Vec2<f32>,
+        b_5: rt::Vec2<f32>,
     ) -> rt::Scalar<u32> {
-        return rt::Scalar(0u32).select(rt::Scalar(1u32), a_2.x().elementwise_le(b_2.x()));
+        return rt::Scalar(0u32).select(rt::Scalar(1u32), a_5.x().elementwise_le(b_5.x()));
     }
     pub(crate) fn slope_of(&self, value: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_slope_of(rt::into(value)))
@@ -2434,25 +3109,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_texel(
         &self,
-        path_6: Path,
+        path_11: Path,
         place_3: impl rt::Into<rt::Vec2<i32>>,
         layer_1: impl rt::Into<rt::Scalar<i32>>,
         level_11: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel(path_6, rt::into(place_3), rt::into(layer_1), rt::into(level_11)))
+        rt::into(self.v_search_texel(path_11, rt::into(place_3), rt::into(layer_1), rt::into(level_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_texel(
         &self,
-        path_6: Path,
+        path_11: Path,
         place_3: rt::Vec2<i32>,
         layer_1: rt::Scalar<i32>,
         level_11: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_6.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_6 = rt::texture::Read::read_texel((&self.shadow_search_map), place_3, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_11.ray).elementwise_eq(RAY_SHADOW)) {
+            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_3, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
             let _e12 = self.surface_settings.maps[2usize];
-            let _e13 = self.v_decoded(texel_6, _e12);
+            let _e13 = self.v_decoded(texel_7, _e12);
             return _e13;
         }
         let _e15 = rt::texture::Read::read_texel((&self.search_map), place_3, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
@@ -2462,23 +3137,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn cone_slope(
         &self,
-        path_7: Path,
+        path_12: Path,
         texel_1: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_cone_slope(path_7, rt::into(texel_1)))
+        rt::into(self.v_cone_slope(path_12, rt::into(texel_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_cone_slope(
         &self,
-        path_7: Path,
+        path_12: Path,
         texel_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let _e3 = self.v_height_texels(rt::Scalar(path_7.level));
-        let place_10 = texel_1.cast_elem_as_i32();
-        let _e7 = self.v_wrap_index(place_10.x(), _e3.x());
-        let _e10 = self.v_wrap_index(place_10.y(), _e3.y());
+        let _e3 = self.v_height_texels(rt::Scalar(path_12.level));
+        let place_16 = texel_1.cast_elem_as_i32();
+        let _e7 = self.v_wrap_index(place_16.x(), _e3.x());
+        let _e10 = self.v_wrap_index(place_16.y(), _e3.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e7, _e10);
-        let _e15 = self.v_search_texel(path_7, wrapped, rt::Scalar(0i32), rt::Scalar(path_7.level).cast_elem_as_i32());
+        let _e15 = self.v_search_texel(path_12, wrapped, rt::Scalar(0i32), rt::Scalar(path_12.level).cast_elem_as_i32());
         let _e17 = self.v_slope_of(_e15.x());
         return _e17;
     }
@@ -2495,100 +3170,100 @@ impl<'g> Resources<'g> {
         heights: rt::Vec4<f32>,
         corner: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let above_3 = heights.x().select(heights.y(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
-        let below_2 = heights.z().select(heights.w(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
-        return above_3.select(below_2, corner.y().elementwise_gt(rt::Scalar(0.5f32)));
+        let above_4 = heights.x().select(heights.y(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
+        let below_3 = heights.z().select(heights.w(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
+        return above_4.select(below_3, corner.y().elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn plane_distance(
         &self,
-        pixel_3: PixelIn,
+        pixel_8: PixelIn,
         normal_7: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_plane_distance(pixel_3, rt::into(normal_7)))
+        rt::into(self.v_plane_distance(pixel_8, rt::into(normal_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_plane_distance(
         &self,
-        pixel_3: PixelIn,
+        pixel_8: PixelIn,
         normal_7: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        return (normal_7.dot((pixel_3.a.position - pixel_3.origin)) / normal_7.dot(pixel_3.direction));
+        return (normal_7.dot((pixel_8.a.position - pixel_8.origin)) / normal_7.dot(pixel_8.direction));
     }
-    pub(crate) fn depth_in_samples(&self, pixel_4: PixelIn, at_12: Entered) -> f32 {
-        rt::into(self.v_depth_in_samples(pixel_4, at_12))
+    pub(crate) fn depth_in_samples(&self, pixel_9: PixelIn, at_15: Entered) -> f32 {
+        rt::into(self.v_depth_in_samples(pixel_9, at_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_depth_in_samples(&self, pixel_4: PixelIn, at_12: Entered) -> rt::Scalar<f32> {
-        let _e3 = self.v_plane_distance(pixel_4, at_12.facing);
+    fn v_depth_in_samples(&self, pixel_9: PixelIn, at_15: Entered) -> rt::Scalar<f32> {
+        let _e3 = self.v_plane_distance(pixel_9, at_15.facing);
         let _e6 = self.frame.eye_right;
         let _e10 = self.frame.right;
         let _e17 = rt::Scalar(self.frame.sample_width);
-        let width_1 = ((_e6.xyz() + (_e10.xyz() * _e3)).length() * _e17);
+        let width_2 = ((_e6.xyz() + (_e10.xyz() * _e3)).length() * _e17);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
-        return (_e21 / width_1);
+        return (_e21 / width_2);
     }
-    pub(crate) fn depth_on_ray(&self, pixel_5: PixelIn, path_8: Path, hit_6: Hit) -> f32 {
-        rt::into(self.v_depth_on_ray(pixel_5, path_8, hit_6))
+    pub(crate) fn depth_on_ray(&self, pixel_10: PixelIn, path_13: Path, hit_6: Hit) -> f32 {
+        rt::into(self.v_depth_on_ray(pixel_10, path_13, hit_6))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_depth_on_ray(&self, pixel_5: PixelIn, path_8: Path, hit_6: Hit) -> rt::Scalar<f32> {
-        return ((rt::Scalar(path_8.start) + rt::Scalar(hit_6.t)) / pixel_5.direction.length());
+    fn v_depth_on_ray(&self, pixel_10: PixelIn, path_13: Path, hit_6: Hit) -> rt::Scalar<f32> {
+        return ((rt::Scalar(path_13.start) + rt::Scalar(hit_6.t)) / pixel_10.direction.length());
     }
     pub(crate) fn footprint_axis(
         &self,
-        pixel_6: PixelIn,
-        at_13: Entered,
+        pixel_11: PixelIn,
+        at_16: Entered,
         normal_8: impl rt::Into<rt::Vec3<f32>>,
-        t_10: impl rt::Into<rt::Scalar<f32>>,
+        t_12: impl rt::Into<rt::Scalar<f32>>,
         origin: impl rt::Into<rt::Vec3<f32>>,
         direction_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_footprint_axis(pixel_6, at_13, rt::into(normal_8), rt::into(t_10), rt::into(origin), rt::into(direction_4)))
+        rt::into(self.v_footprint_axis(pixel_11, at_16, rt::into(normal_8), rt::into(t_12), rt::into(origin), rt::into(direction_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_footprint_axis(
         &self,
-        pixel_6: PixelIn,
-        at_13: Entered,
+        pixel_11: PixelIn,
+        at_16: Entered,
         normal_8: rt::Vec3<f32>,
-        t_10: rt::Scalar<f32>,
+        t_12: rt::Scalar<f32>,
         origin: rt::Vec3<f32>,
         direction_4: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
-        let aside_2 = (origin + (direction_4 * t_10));
-        let along_10 = (normal_8.dot(aside_2) / normal_8.dot(pixel_6.direction));
-        let _e15 = self.v_climb(at_13, (aside_2 - (pixel_6.direction * along_10)));
+        let aside_3 = (origin + (direction_4 * t_12));
+        let along_16 = (normal_8.dot(aside_3) / normal_8.dot(pixel_11.direction));
+        let _e15 = self.v_climb(at_16, (aside_3 - (pixel_11.direction * along_16)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.cast_elem_as_f32());
     }
     pub(crate) fn footprint_of(
         &self,
-        pixel_7: PixelIn,
-        at_14: Entered,
+        pixel_12: PixelIn,
+        at_17: Entered,
         anisotropy: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_footprint_of(pixel_7, at_14, rt::into(anisotropy)))
+        rt::into(self.v_footprint_of(pixel_12, at_17, rt::into(anisotropy)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_footprint_of(
         &self,
-        pixel_7: PixelIn,
-        at_14: Entered,
+        pixel_12: PixelIn,
+        at_17: Entered,
         anisotropy: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let normal_16 = at_14.facing;
-        let _e4 = self.v_plane_distance(pixel_7, normal_16);
+        let normal_17 = at_17.facing;
+        let _e4 = self.v_plane_distance(pixel_12, normal_17);
         let _e7 = self.frame.eye_right;
         let _e11 = self.frame.right;
-        let _e13 = self.v_footprint_axis(pixel_7, at_14, normal_16, _e4, _e7.xyz(), _e11.xyz());
+        let _e13 = self.v_footprint_axis(pixel_12, at_17, normal_17, _e4, _e7.xyz(), _e11.xyz());
         let _e16 = self.frame.eye_down;
         let _e20 = self.frame.down;
-        let _e22 = self.v_footprint_axis(pixel_7, at_14, normal_16, _e4, _e16.xyz(), _e20.xyz());
+        let _e22 = self.v_footprint_axis(pixel_12, at_17, normal_17, _e4, _e16.xyz(), _e20.xyz());
         let both = <rt::Vec4<f32>>::new_22(_e13, _e22);
         let sum_1 = both.dot(both);
         let area_1 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
-        let apart_1 = ((sum_1 - (rt::Scalar(2f32) * area_1)) * (sum_1 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
-        let longer = (rt::Scalar(0.5f32) * (sum_1 + apart_1));
+        let apart_2 = ((sum_1 - (rt::Scalar(2f32) * area_1)) * (sum_1 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
+        let longer = (rt::Scalar(0.5f32) * (sum_1 + apart_2));
         let shorter = ((area_1 * area_1) / longer);
         let squared_1 = shorter.max((longer / (anisotropy * anisotropy)));
         let _e53 = rt::Scalar(self.frame.sample_width);
@@ -2596,85 +3271,85 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn detail_fade(
         &self,
-        pixel_8: PixelIn,
-        at_15: Entered,
-        params_5: impl rt::Into<rt::Vec4<f32>>,
+        pixel_13: PixelIn,
+        at_18: Entered,
+        params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_fade(pixel_8, at_15, rt::into(params_5)))
+        rt::into(self.v_detail_fade(pixel_13, at_18, rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_fade(
         &self,
-        pixel_8: PixelIn,
-        at_15: Entered,
-        params_5: rt::Vec4<f32>,
+        pixel_13: PixelIn,
+        at_18: Entered,
+        params_7: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_8, at_15, params_5.x());
-        let begin_2 = (params_5.z() * params_5.w());
-        let _e8 = self.v_depth_in_samples(pixel_8, at_15);
-        let part_7 = ((begin_2 - _e8) / (begin_2 - params_5.z()).max(rt::Scalar(0.000001f32)));
+        let _e4 = self.v_footprint_of(pixel_13, at_18, params_7.x());
+        let begin_3 = (params_7.z() * params_7.w());
+        let _e8 = self.v_depth_in_samples(pixel_13, at_18);
+        let part_9 = ((begin_3 - _e8) / (begin_3 - params_7.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
-        let _e20 = self.v_levels_of((_e4 / params_5.y()), _e19);
+        let _e20 = self.v_levels_of((_e4 / params_7.y()), _e19);
         let level_25 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_25, _e4, part_7.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        return <Detail>::new(level_25, _e4, part_9.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
     }
     pub(crate) fn detail_footprint(
         &self,
-        pixel_9: PixelIn,
-        at_16: Entered,
-        params_6: impl rt::Into<rt::Vec4<f32>>,
+        pixel_14: PixelIn,
+        at_19: Entered,
+        params_8: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_footprint(pixel_9, at_16, rt::into(params_6)))
+        rt::into(self.v_detail_footprint(pixel_14, at_19, rt::into(params_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_footprint(
         &self,
-        pixel_9: PixelIn,
-        at_16: Entered,
-        params_6: rt::Vec4<f32>,
+        pixel_14: PixelIn,
+        at_19: Entered,
+        params_8: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_9, at_16, params_6.x());
+        let _e4 = self.v_footprint_of(pixel_14, at_19, params_8.x());
         let _e9 = rt::Scalar(self.surface_settings.height_levels);
-        let _e10 = self.v_levels_of((_e4 / params_6.y()), _e9);
+        let _e10 = self.v_levels_of((_e4 / params_8.y()), _e9);
         return <Detail>::new(rt::Scalar(_e10.fine), _e4, rt::Scalar(0f32));
     }
     pub(crate) fn detail_none(
         &self,
-        pixel_10: PixelIn,
-        at_17: Entered,
-        params_7: impl rt::Into<rt::Vec4<f32>>,
+        pixel_15: PixelIn,
+        at_20: Entered,
+        params_9: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_none(pixel_10, at_17, rt::into(params_7)))
+        rt::into(self.v_detail_none(pixel_15, at_20, rt::into(params_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_none(
         &self,
-        pixel_10: PixelIn,
-        at_17: Entered,
-        params_7: rt::Vec4<f32>,
+        pixel_15: PixelIn,
+        at_20: Entered,
+        params_9: rt::Vec4<f32>,
     ) -> Detail {
         return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub(crate) fn detail_stage(&self, pixel_11: PixelIn, at_18: Entered) -> Detail {
-        rt::into(self.v_detail_stage(pixel_11, at_18))
+    pub(crate) fn detail_stage(&self, pixel_16: PixelIn, at_21: Entered) -> Detail {
+        rt::into(self.v_detail_stage(pixel_16, at_21))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_detail_stage(&self, pixel_11: PixelIn, at_18: Entered) -> Detail {
+    fn v_detail_stage(&self, pixel_16: PixelIn, at_21: Entered) -> Detail {
         let _e6 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[1usize].params;
-                let _e12 = self.v_detail_none(pixel_11, at_18, _e11);
+                let _e12 = self.v_detail_none(pixel_16, at_21, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[1usize].params;
-                let _e18 = self.v_detail_footprint(pixel_11, at_18, _e17);
+                let _e18 = self.v_detail_footprint(pixel_16, at_21, _e17);
                 return _e18;
             }
             _ => {
                 let _e23 = self.surface_settings.choices[1usize].params;
-                let _e24 = self.v_detail_fade(pixel_11, at_18, _e23);
+                let _e24 = self.v_detail_fade(pixel_16, at_21, _e23);
                 return _e24;
             }
         }
@@ -2716,63 +3391,63 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_13);
         let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_27 = (level_13 - SEEN_FIRST_LEVEL).cast_elem_as_i32();
-        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_27);
-        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_27);
-        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_27);
-        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_27);
+        let k_28 = (level_13 - SEEN_FIRST_LEVEL).cast_elem_as_i32();
+        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_28);
+        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_28);
+        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_28);
+        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_28);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e4.part);
         return _e33;
     }
     pub(crate) fn search_texel_between(
         &self,
-        path_9: Path,
+        path_14: Path,
         uv_6: impl rt::Into<rt::Vec2<f32>>,
         layer_4: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel_between(path_9, rt::into(uv_6), rt::into(layer_4)))
+        rt::into(self.v_search_texel_between(path_14, rt::into(uv_6), rt::into(layer_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_texel_between(
         &self,
-        path_9: Path,
+        path_14: Path,
         uv_6: rt::Vec2<f32>,
         layer_4: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = self.v_height_texels(rt::Scalar(path_9.level));
+        let _e4 = self.v_height_texels(rt::Scalar(path_14.level));
         let _e5 = self.v_texels_around(uv_6, _e4);
-        let level_26 = rt::Scalar(path_9.level).cast_elem_as_i32();
-        let _e13 = self.v_search_texel(path_9, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_26);
-        let _e19 = self.v_search_texel(path_9, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_26);
-        let _e25 = self.v_search_texel(path_9, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_26);
-        let _e31 = self.v_search_texel(path_9, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_26);
+        let level_26 = rt::Scalar(path_14.level).cast_elem_as_i32();
+        let _e13 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_26);
+        let _e19 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_26);
+        let _e25 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_26);
+        let _e31 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_26);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
     pub(crate) fn distance_at(
         &self,
-        path_10: Path,
+        path_15: Path,
         uv_7: impl rt::Into<rt::Vec2<f32>>,
         height: impl rt::Into<rt::Scalar<f32>>,
         slices: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_distance_at(path_10, rt::into(uv_7), rt::into(height), rt::into(slices)))
+        rt::into(self.v_distance_at(path_15, rt::into(uv_7), rt::into(height), rt::into(slices)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_distance_at(
         &self,
-        path_10: Path,
+        path_15: Path,
         uv_7: rt::Vec2<f32>,
         height: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_11 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_3 = place_11.floor();
-        let _e13 = self.v_search_texel_between(path_10, uv_7, below_3.cast_elem_as_i32());
+        let place_17 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_4 = place_17.floor();
+        let _e13 = self.v_search_texel_between(path_15, uv_7, below_4.cast_elem_as_i32());
         let lower = _e13.x();
-        let _e21 = self.v_search_texel_between(path_10, uv_7, (below_3 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
+        let _e21 = self.v_search_texel_between(path_15, uv_7, (below_4 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
         let upper = _e21.x();
-        return (lower + ((upper - lower) * (place_11 - below_3)));
+        return (lower + ((upper - lower) * (place_17 - below_4)));
     }
     pub(crate) fn eighth_turn(&self, tangent: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_eighth_turn(rt::into(tangent)))
@@ -2783,418 +3458,236 @@ impl<'g> Resources<'g> {
         let series = (rt::Scalar(0.999866f32) + (s_1 * (rt::Scalar(-0.3302995f32) + (s_1 * (rt::Scalar(0.180141f32) + (s_1 * (rt::Scalar(-0.085133f32) + (s_1 * rt::Scalar(0.0208351f32)))))))));
         return ((tangent * series) * rt::Scalar(0.15915494f32));
     }
-    pub(crate) fn plane_normal(&self, pixel_12: PixelIn) -> rt::Vec3<f32> {
-        rt::into(self.v_plane_normal(pixel_12))
+    pub(crate) fn plane_normal(&self, pixel_17: PixelIn) -> rt::Vec3<f32> {
+        rt::into(self.v_plane_normal(pixel_17))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_plane_normal(&self, pixel_12: PixelIn) -> rt::Vec3<f32> {
-        let a_5 = pixel_12.a.position;
-        return (pixel_12.b.position - a_5).cross((pixel_12.c.position - a_5));
+    fn v_plane_normal(&self, pixel_17: PixelIn) -> rt::Vec3<f32> {
+        let a_10 = pixel_17.a.position;
+        return (pixel_17.b.position - a_10).cross((pixel_17.c.position - a_10));
     }
     pub(crate) fn plane_weights(
         &self,
-        pixel_13: PixelIn,
+        pixel_18: PixelIn,
         normal_9: impl rt::Into<rt::Vec3<f32>>,
         point_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_plane_weights(pixel_13, rt::into(normal_9), rt::into(point_1)))
+        rt::into(self.v_plane_weights(pixel_18, rt::into(normal_9), rt::into(point_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_plane_weights(
         &self,
-        pixel_13: PixelIn,
+        pixel_18: PixelIn,
         normal_9: rt::Vec3<f32>,
         point_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let a_6 = pixel_13.a.position;
+        let a_11 = pixel_18.a.position;
         let nn = normal_9.dot(normal_9);
-        let from_a = (point_1 - a_6);
-        let wb = (from_a.cross((pixel_13.c.position - a_6)).dot(normal_9) / nn);
-        let wc = ((pixel_13.b.position - a_6).cross(from_a).dot(normal_9) / nn);
+        let from_a = (point_1 - a_11);
+        let wb = (from_a.cross((pixel_18.c.position - a_11)).dot(normal_9) / nn);
+        let wc = ((pixel_18.b.position - a_11).cross(from_a).dot(normal_9) / nn);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - wb) - wc), wb, wc);
     }
     pub(crate) fn surface_plane_enter(
         &self,
-        pixel_14: PixelIn,
-        params_8: impl rt::Into<rt::Vec4<f32>>,
+        pixel_19: PixelIn,
+        params_10: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_enter(pixel_14, rt::into(params_8)))
+        rt::into(self.v_surface_plane_enter(pixel_19, rt::into(params_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_enter(
         &self,
-        pixel_14: PixelIn,
-        params_8: rt::Vec4<f32>,
+        pixel_19: PixelIn,
+        params_10: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_9: rt::Scalar<bool>;
+        let mut local_21: rt::Scalar<bool>;
 
-        let _e2 = self.v_plane_normal(pixel_14);
-        let _e5 = self.v_plane_distance(pixel_14, _e2);
-        let point_12 = (pixel_14.origin + (pixel_14.direction * _e5));
-        let _e8 = self.v_plane_weights(pixel_14, _e2, point_12);
+        let _e2 = self.v_plane_normal(pixel_19);
+        let _e5 = self.v_plane_distance(pixel_19, _e2);
+        let point_12 = (pixel_19.origin + (pixel_19.direction * _e5));
+        let _e8 = self.v_plane_weights(pixel_19, _e2, point_12);
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_25 = (((pixel_14.a.uv * wa) + (pixel_14.b.uv * wb_1)) + (pixel_14.c.uv * wc_1));
-        let tangent_1 = (((pixel_14.a.tangent * wa) + (pixel_14.b.tangent * wb_1)) + (pixel_14.c.tangent * wc_1));
-        let bitangent = (((pixel_14.a.bitangent * wa) + (pixel_14.b.bitangent * wb_1)) + (pixel_14.c.bitangent * wc_1));
-        let normal_17 = ((((pixel_14.a.normal * wa) + (pixel_14.b.normal * wb_1)) + (pixel_14.c.normal * wc_1)).normalize() * rt::Scalar(pixel_14.side));
+        let uv_25 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
+        let tangent_1 = (((pixel_19.a.tangent * wa) + (pixel_19.b.tangent * wb_1)) + (pixel_19.c.tangent * wc_1));
+        let bitangent = (((pixel_19.a.bitangent * wa) + (pixel_19.b.bitangent * wb_1)) + (pixel_19.c.bitangent * wc_1));
+        let normal_18 = ((((pixel_19.a.normal * wa) + (pixel_19.b.normal * wb_1)) + (pixel_19.c.normal * wc_1)).normalize() * rt::Scalar(pixel_19.side));
         let tt = tangent_1.dot(tangent_1);
         let tb = tangent_1.dot(bitangent);
         let bb = bitangent.dot(bitangent);
         let area_2 = ((tt * bb) - (tb * tb));
         let _e67 = rt::Scalar(self.surface_settings.scale_m);
         let metric_1 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e67);
-        let descent_2 = (rt::Scalar(0f32) - normal_17.dot((pixel_14.direction / rt::Vec3::splat_from_scalar(pixel_14.direction.length()))));
+        let descent_2 = (rt::Scalar(0f32) - normal_18.dot((pixel_19.direction / rt::Vec3::splat_from_scalar(pixel_19.direction.length()))));
         if rt::Scalar::into_branch_condition(area_2.elementwise_gt(rt::Scalar(0f32))) {
-            local_9 = descent_2.elementwise_gt(rt::Scalar(0f32));
+            local_21 = descent_2.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_9 = rt::Scalar(false);
+            local_21 = rt::Scalar(false);
         }
-        let _e86 = local_9;
+        let _e86 = local_21;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_12, uv_25, tangent_1, bitangent, normal_17, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_12, uv_25, tangent_1, bitangent, normal_18, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
-        pixel_15: PixelIn,
-        along: impl rt::Into<rt::Vec3<f32>>,
+        pixel_20: PixelIn,
+        along_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_middle_of(pixel_15, rt::into(along)))
+        rt::into(self.v_middle_of(pixel_20, rt::into(along_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_middle_of(
         &self,
-        pixel_15: PixelIn,
-        along: rt::Vec3<f32>,
+        pixel_20: PixelIn,
+        along_3: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let centre = (((pixel_15.a.position + pixel_15.b.position) + pixel_15.c.position) * rt::Scalar(0.33333334f32));
-        return (centre - pixel_15.origin).dot(along);
+        let centre = (((pixel_20.a.position + pixel_20.b.position) + pixel_20.c.position) * rt::Scalar(0.33333334f32));
+        return (centre - pixel_20.origin).dot(along_3);
+    }
+    pub(crate) fn prism_of(
+        &self,
+        pixel_21: PixelIn,
+        along_4: impl rt::Into<rt::Vec3<f32>>,
+        middle_3: impl rt::Into<rt::Scalar<f32>>,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Prism {
+        rt::into(self.v_prism_of(pixel_21, rt::into(along_4), rt::into(middle_3), rt::into(params_11)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_prism_of(
+        &self,
+        pixel_21: PixelIn,
+        along_4: rt::Vec3<f32>,
+        middle_3: rt::Scalar<f32>,
+        params_11: rt::Vec4<f32>,
+    ) -> Prism {
+        let origin_3 = (pixel_21.origin + (along_4 * middle_3));
+        let _e8 = self.v_ordered(pixel_21, rt::Scalar(0u32));
+        let _e10 = self.v_ordered(pixel_21, rt::Scalar(1u32));
+        let _e12 = self.v_ordered(pixel_21, rt::Scalar(2u32));
+        return <Prism>::new((_e8.position - origin_3), (_e10.position - origin_3), (_e12.position - origin_3), (_e8.normal * rt::Scalar(pixel_21.side)), (_e10.normal * rt::Scalar(pixel_21.side)), (_e12.normal * rt::Scalar(pixel_21.side)), (pixel_21.shell.lift * (params_11.y() * rt::Scalar(pixel_21.side))));
     }
     pub(crate) fn frame_at(
         &self,
-        pixel_16: PixelIn,
+        pixel_22: PixelIn,
         weights_1: impl rt::Into<rt::Vec3<f32>>,
         point_2: impl rt::Into<rt::Vec3<f32>>,
         uv_8: impl rt::Into<rt::Vec2<f32>>,
         facing: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_frame_at(pixel_16, rt::into(weights_1), rt::into(point_2), rt::into(uv_8), rt::into(facing)))
+        rt::into(self.v_frame_at(pixel_22, rt::into(weights_1), rt::into(point_2), rt::into(uv_8), rt::into(facing)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frame_at(
         &self,
-        pixel_16: PixelIn,
+        pixel_22: PixelIn,
         weights_1: rt::Vec3<f32>,
         point_2: rt::Vec3<f32>,
         uv_8: rt::Vec2<f32>,
         facing: rt::Vec3<f32>,
     ) -> Entered {
-        let _e6 = self.v_ordered(pixel_16, rt::Scalar(0u32));
-        let _e8 = self.v_ordered(pixel_16, rt::Scalar(1u32));
-        let _e10 = self.v_ordered(pixel_16, rt::Scalar(2u32));
+        let _e6 = self.v_ordered(pixel_22, rt::Scalar(0u32));
+        let _e8 = self.v_ordered(pixel_22, rt::Scalar(1u32));
+        let _e10 = self.v_ordered(pixel_22, rt::Scalar(2u32));
         let tangent_2 = (((_e6.tangent * weights_1.x()) + (_e8.tangent * weights_1.y())) + (_e10.tangent * weights_1.z()));
         let bitangent_1 = (((_e6.bitangent * weights_1.x()) + (_e8.bitangent * weights_1.y())) + (_e10.bitangent * weights_1.z()));
-        let normal_18 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
+        let normal_19 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
         let _e49 = rt::Scalar(self.surface_settings.scale_m);
         let metric_2 = <rt::Vec4<f32>>::from_scalars(tangent_2.dot(tangent_2), tangent_2.dot(bitangent_1), bitangent_1.dot(bitangent_1), _e49);
-        let unit = (normal_18.normalize() * rt::Scalar(pixel_16.side));
+        let unit = (normal_19.normalize() * rt::Scalar(pixel_22.side));
         return <Entered>::new(rt::Scalar(1u32), point_2, uv_8, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn facing_of(
         &self,
-        pixel_17: PixelIn,
-        along_1: impl rt::Into<rt::Vec3<f32>>,
+        pixel_23: PixelIn,
+        along_5: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_facing_of(pixel_17, rt::into(along_1)))
+        rt::into(self.v_facing_of(pixel_23, rt::into(along_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_facing_of(
         &self,
-        pixel_17: PixelIn,
-        along_1: rt::Vec3<f32>,
+        pixel_23: PixelIn,
+        along_5: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_plane_normal(pixel_17);
-        let unit_1 = (_e2 * (rt::Scalar(pixel_17.side) / _e2.dot(_e2).sqrt()));
-        let cosine_4 = (rt::Scalar(0f32) - unit_1.dot(along_1));
-        return (unit_1 - (along_1 * (rt::Scalar(0.0625f32) - cosine_4).max(rt::Scalar(0f32))));
+        let _e2 = self.v_plane_normal(pixel_23);
+        let unit_1 = (_e2 * (rt::Scalar(pixel_23.side) / _e2.dot(_e2).sqrt()));
+        let cosine_4 = (rt::Scalar(0f32) - unit_1.dot(along_5));
+        return (unit_1 - (along_5 * (rt::Scalar(0.0625f32) - cosine_4).max(rt::Scalar(0f32))));
     }
     pub(crate) fn shell_middle(
         &self,
-        pixel_18: PixelIn,
-        along_2: impl rt::Into<rt::Vec3<f32>>,
+        pixel_24: PixelIn,
+        along_6: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_shell_middle(pixel_18, rt::into(along_2)))
+        rt::into(self.v_shell_middle(pixel_24, rt::into(along_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shell_middle(
         &self,
-        pixel_18: PixelIn,
-        along_2: rt::Vec3<f32>,
+        pixel_24: PixelIn,
+        along_6: rt::Vec3<f32>,
     ) -> Entered {
-        let mut at_19: Entered;
+        let mut at_22: Entered;
 
-        let third = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_26 = (((pixel_18.a.uv + pixel_18.b.uv) + pixel_18.c.uv) * rt::Scalar(0.33333334f32));
-        let _e17 = self.v_middle_of(pixel_18, along_2);
-        let point_13 = (pixel_18.origin + (along_2 * _e17));
-        let _e20 = self.v_facing_of(pixel_18, along_2);
-        let _e21 = self.v_frame_at(pixel_18, third, point_13, uv_26, _e20);
-        at_19 = _e21;
-        rt::Scalar(at_19.segments) = rt::Scalar(0u32);
-        let _e25 = at_19;
+        let third_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
+        let uv_26 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
+        let _e17 = self.v_middle_of(pixel_24, along_6);
+        let point_13 = (pixel_24.origin + (along_6 * _e17));
+        let _e20 = self.v_facing_of(pixel_24, along_6);
+        let _e21 = self.v_frame_at(pixel_24, third_1, point_13, uv_26, _e20);
+        at_22 = _e21;
+        rt::Scalar(at_22.segments) = rt::Scalar(0u32);
+        let _e25 = at_22;
         return _e25;
     }
-    pub(crate) fn moved_out(
+    pub(crate) fn way_weight(
         &self,
-        corner_1: Corner,
-        side: impl rt::Into<rt::Scalar<f32>>,
-        offset: impl rt::Into<rt::Scalar<f32>>,
+        along_7: impl rt::Into<rt::Vec3<f32>>,
+        p: impl rt::Into<rt::Vec3<f32>>,
+        n_3: impl rt::Into<rt::Vec3<f32>>,
+        q: impl rt::Into<rt::Vec3<f32>>,
+        m_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_moved_out(corner_1, rt::into(side), rt::into(offset)))
+        rt::into(self.v_way_weight(rt::into(along_7), rt::into(p), rt::into(n_3), rt::into(q), rt::into(m_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_moved_out(
+    fn v_way_weight(
         &self,
-        corner_1: Corner,
-        side: rt::Scalar<f32>,
-        offset: rt::Scalar<f32>,
+        along_7: rt::Vec3<f32>,
+        p: rt::Vec3<f32>,
+        n_3: rt::Vec3<f32>,
+        q: rt::Vec3<f32>,
+        m_2: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        return (corner_1.position + (corner_1.normal * (side * offset)));
+        let most_4 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let middle_10 = (p.cross(m_2).min(most_4) + n_3.cross(q).min(most_4));
+        return <rt::Vec3<f32>>::from_scalars(along_7.dot(p.cross(q)), along_7.dot(middle_10), along_7.dot(n_3.cross(m_2))).min(most_4);
     }
-    pub(crate) fn raised(
+    pub(crate) fn way_of(
         &self,
-        corner_2: Corner,
-        side_1: impl rt::Into<rt::Scalar<f32>>,
-        height_1: impl rt::Into<rt::Scalar<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_raised(corner_2, rt::into(side_1), rt::into(height_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_raised(
-        &self,
-        corner_2: Corner,
-        side_1: rt::Scalar<f32>,
-        height_1: rt::Scalar<f32>,
-    ) -> rt::Vec3<f32> {
-        let shell_4 = self.surface_settings.shell_m;
-        let _e14 = self.v_moved_out(corner_2, side_1, (shell_4.x() + ((shell_4.y() - shell_4.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_1)));
-        return _e14;
-    }
-    pub(crate) fn shell_slack(
-        &self,
-        pixel_19: PixelIn,
-        middle: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_shell_slack(pixel_19, rt::into(middle)))
+        pixel_25: PixelIn,
+        prism_3: Prism,
+        along_8: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Way {
+        rt::into(self.v_way_of(pixel_25, prism_3, rt::into(along_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shell_slack(
+    fn v_way_of(
         &self,
-        pixel_19: PixelIn,
-        middle: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        let origin_2 = pixel_19.origin.abs();
-        return (rt::Scalar(0.0000009536743f32) * (origin_2.x().max(origin_2.y()).max(origin_2.z()) + middle.abs()));
-    }
-    pub(crate) fn where_positive(
-        &self,
-        interval: impl rt::Into<rt::Vec2<f32>>,
-        weight_1: impl rt::Into<rt::Scalar<f32>>,
-        change: impl rt::Into<rt::Scalar<f32>>,
-        slack: impl rt::Into<rt::Scalar<f32>>,
-    ) -> rt::Vec2<f32> {
-        rt::into(self.v_where_positive(rt::into(interval), rt::into(weight_1), rt::into(change), rt::into(slack)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_where_positive(
-        &self,
-        interval: rt::Vec2<f32>,
-        weight_1: rt::Scalar<f32>,
-        change: rt::Scalar<f32>,
-        slack: rt::Scalar<f32>,
-    ) -> rt::Vec2<f32> {
-        if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
-            return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32).select(interval.x(), weight_1.elementwise_ge((rt::Scalar(0f32) - slack))), interval.y());
-        }
-        let t_33 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
-        if rt::Scalar::into_branch_condition(change.elementwise_gt(rt::Scalar(0f32))) {
-            return <rt::Vec2<f32>>::from_scalars(interval.x().max(t_33), interval.y());
-        }
-        return <rt::Vec2<f32>>::from_scalars(interval.x(), interval.y().min(t_33));
-    }
-    pub(crate) fn tetrahedron(
-        &self,
-        pixel_20: PixelIn,
-        along_3: impl rt::Into<rt::Vec3<f32>>,
-        middle_1: impl rt::Into<rt::Scalar<f32>>,
-        number: impl rt::Into<rt::Scalar<u32>>,
-    ) -> Tetrahedron {
-        rt::into(self.v_tetrahedron(pixel_20, rt::into(along_3), rt::into(middle_1), rt::into(number)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_tetrahedron(
-        &self,
-        pixel_20: PixelIn,
-        along_3: rt::Vec3<f32>,
-        middle_1: rt::Scalar<f32>,
-        number: rt::Scalar<u32>,
-    ) -> Tetrahedron {
-        let mut inside: rt::Vec2<f32>;
-        let mut local_10: rt::Scalar<bool>;
-
-        let origin_3 = (pixel_20.origin + (along_3 * middle_1));
-        let is_first = number.elementwise_eq(rt::Scalar(0u32));
-        let is_last = number.elementwise_eq(rt::Scalar(2u32));
-        let _e12 = self.v_ordered(pixel_20, rt::Scalar(0u32));
-        let _e15 = self.v_raised(_e12, rt::Scalar(pixel_20.side), rt::Scalar(0f32));
-        let q0_ = (_e15 - origin_3);
-        let _e20 = self.v_ordered(pixel_20, rt::Scalar(1u32).select(rt::Scalar(0u32), is_last));
-        let _e25 = self.v_raised(_e20, rt::Scalar(pixel_20.side), rt::Scalar(0f32).select(rt::Scalar(1f32), is_last));
-        let q1_ = (_e25 - origin_3);
-        let _e30 = self.v_ordered(pixel_20, rt::Scalar(1u32).select(rt::Scalar(2u32), is_first));
-        let _e35 = self.v_raised(_e30, rt::Scalar(pixel_20.side), rt::Scalar(1f32).select(rt::Scalar(0f32), is_first));
-        let q2_ = (_e35 - origin_3);
-        let _e38 = self.v_ordered(pixel_20, rt::Scalar(2u32));
-        let _e41 = self.v_raised(_e38, rt::Scalar(pixel_20.side), rt::Scalar(1f32));
-        let q3_ = (_e41 - origin_3);
-        let e1_ = (q1_ - q0_);
-        let e2_ = (q2_ - q0_);
-        let e3_ = (q3_ - q0_);
-        let n1_ = e2_.cross(e3_);
-        let n2_ = e3_.cross(e1_);
-        let n3_ = e1_.cross(e2_);
-        let n0_ = (e2_ - e1_).cross((e3_ - e1_));
-        let volume = e1_.dot(n1_);
-        let w1_ = ((rt::Scalar(0f32) - q0_.dot(n1_)) / volume);
-        let w2_ = ((rt::Scalar(0f32) - q0_.dot(n2_)) / volume);
-        let w3_ = ((rt::Scalar(0f32) - q0_.dot(n3_)) / volume);
-        let w0_ = (q1_.dot(n0_) / volume);
-        let g1_ = (along_3.dot(n1_) / volume);
-        let g2_ = (along_3.dot(n2_) / volume);
-        let g3_ = (along_3.dot(n3_) / volume);
-        let g0_ = (rt::Scalar(0f32) - (along_3.dot(n0_) / volume));
-        let _e77 = self.v_shell_slack(pixel_20, middle_1);
-        let slack_4 = (_e77 / volume.abs());
-        inside = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_1), rt::Scalar(300000000000000000000000000000000000000f32));
-        let _e85 = inside;
-        let _e88 = self.v_where_positive(_e85, w0_, g0_, (slack_4 * n0_.length()));
-        inside = _e88;
-        let _e89 = inside;
-        let _e92 = self.v_where_positive(_e89, w1_, g1_, (slack_4 * n1_.length()));
-        inside = _e92;
-        let _e93 = inside;
-        let _e96 = self.v_where_positive(_e93, w2_, g2_, (slack_4 * n2_.length()));
-        inside = _e96;
-        let _e97 = inside;
-        let _e100 = self.v_where_positive(_e97, w3_, g3_, (slack_4 * n3_.length()));
-        inside = _e100;
-        if rt::Scalar::into_branch_condition((!(!volume.abs().elementwise_gt(rt::Scalar(0f32))))) {
-            let _e109 = inside.y();
-            local_10 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
-        } else {
-            local_10 = rt::Scalar(true);
-        }
-        let _e114 = local_10;
-        if rt::Scalar::into_branch_condition(_e114) {
-            inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(-300000000000000000000000000000000000000f32));
-        }
-        if rt::Scalar::into_branch_condition(is_first) {
-            let _e118 = inside;
-            return <Tetrahedron>::new(_e118, <rt::Vec4<f32>>::from_scalars(w0_, w1_, (w2_ + w3_), w3_), <rt::Vec4<f32>>::from_scalars(g0_, g1_, (g2_ + g3_), g3_));
-        }
-        if rt::Scalar::into_branch_condition(is_last) {
-            let upper_1 = <rt::Vec2<f32>>::from_scalars(((w1_ + w2_) + w3_), ((g1_ + g2_) + g3_));
-            let _e129 = inside;
-            return <Tetrahedron>::new(_e129, <rt::Vec4<f32>>::from_scalars((w0_ + w1_), w2_, w3_, upper_1.x()), <rt::Vec4<f32>>::from_scalars((g0_ + g1_), g2_, g3_, upper_1.y()));
-        }
-        let _e137 = inside;
-        return <Tetrahedron>::new(_e137, <rt::Vec4<f32>>::from_scalars(w0_, (w1_ + w2_), w3_, (w2_ + w3_)), <rt::Vec4<f32>>::from_scalars(g0_, (g1_ + g2_), g3_, (g2_ + g3_)));
-    }
-    pub(crate) fn is_met(
-        &self,
-        pixel_21: PixelIn,
-        along_4: impl rt::Into<rt::Vec3<f32>>,
-        middle_2: impl rt::Into<rt::Scalar<f32>>,
-        number_1: impl rt::Into<rt::Scalar<u32>>,
-    ) -> bool {
-        rt::into(self.v_is_met(pixel_21, rt::into(along_4), rt::into(middle_2), rt::into(number_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_is_met(
-        &self,
-        pixel_21: PixelIn,
-        along_4: rt::Vec3<f32>,
-        middle_2: rt::Scalar<f32>,
-        number_1: rt::Scalar<u32>,
-    ) -> rt::Scalar<bool> {
-        let _e4 = self.v_tetrahedron(pixel_21, along_4, middle_2, number_1);
-        let inside_5 = _e4.inside;
-        return inside_5.y().elementwise_gt(inside_5.x());
-    }
-    pub(crate) fn surface_tetrahedra_enter(
-        &self,
-        pixel_22: PixelIn,
-        params_9: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_enter(pixel_22, rt::into(params_9)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_tetrahedra_enter(
-        &self,
-        pixel_22: PixelIn,
-        params_9: rt::Vec4<f32>,
-    ) -> Entered {
-        let mut at_20: Entered;
-        let mut number_2: rt::Scalar<u32> = rt::Scalar(0u32);
-
-        let along_11 = pixel_22.direction.normalize();
-        let _e4 = self.v_middle_of(pixel_22, along_11);
-        let _e5 = self.v_shell_middle(pixel_22, along_11);
-        at_20 = _e5;
-        'naga_break: loop {
-            'naga_continue: {
-                let _e9 = number_2;
-                if rt::Scalar::into_branch_condition(_e9.elementwise_lt(rt::Scalar(3u32))) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e12 = number_2;
-                    let _e13 = self.v_is_met(pixel_22, along_11, _e4, _e12);
-                    if rt::Scalar::into_branch_condition(_e13) {
-                        rt::Scalar(at_20.segments) = rt::Scalar(3u32);
-                    }
-                    let _e16 = number_2;
-                    number_2 = (_e16 + rt::Scalar(1u32));
-                }
-            }
-        }
-        let _e19 = at_20;
-        return _e19;
-    }
-    pub(crate) fn prism_of(
-        &self,
-        pixel_23: PixelIn,
-        along_5: impl rt::Into<rt::Vec3<f32>>,
-        middle_3: impl rt::Into<rt::Scalar<f32>>,
-        params_10: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Prism {
-        rt::into(self.v_prism_of(pixel_23, rt::into(along_5), rt::into(middle_3), rt::into(params_10)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_prism_of(
-        &self,
-        pixel_23: PixelIn,
-        along_5: rt::Vec3<f32>,
-        middle_3: rt::Scalar<f32>,
-        params_10: rt::Vec4<f32>,
-    ) -> Prism {
-        let origin_4 = (pixel_23.origin + (along_5 * middle_3));
-        let _e8 = self.v_ordered(pixel_23, rt::Scalar(0u32));
-        let _e10 = self.v_ordered(pixel_23, rt::Scalar(1u32));
-        let _e12 = self.v_ordered(pixel_23, rt::Scalar(2u32));
-        return <Prism>::new((_e8.position - origin_4), (_e10.position - origin_4), (_e12.position - origin_4), (_e8.normal * rt::Scalar(pixel_23.side)), (_e10.normal * rt::Scalar(pixel_23.side)), (_e12.normal * rt::Scalar(pixel_23.side)), (pixel_23.shell.lift * (params_10.y() * rt::Scalar(pixel_23.side))));
+        pixel_25: PixelIn,
+        prism_3: Prism,
+        along_8: rt::Vec3<f32>,
+    ) -> Way {
+        let first_6 = (rt::Scalar(pixel_25.shell.order) & rt::Scalar(3u32));
+        let second_2 = ((rt::Scalar(pixel_25.shell.order) >> rt::Scalar(2u32)) & rt::Scalar(3u32));
+        let is_turned = (((second_2 + rt::Scalar(3u32)) - first_6) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
+        let _e24 = self.v_way_weight(along_8, prism_3.p1_, prism_3.n1_, prism_3.p2_, prism_3.n2_);
+        let _e29 = self.v_way_weight(along_8, prism_3.p2_, prism_3.n2_, prism_3.p0_, prism_3.n0_);
+        let _e34 = self.v_way_weight(along_8, prism_3.p0_, prism_3.n0_, prism_3.p1_, prism_3.n1_);
+        return <Way>::new(_e24, _e29, _e34, rt::Scalar(pixel_25.side).select((rt::Scalar(0f32) - rt::Scalar(pixel_25.side)), is_turned));
     }
     pub(crate) fn offsets_of(&self, shell: Shell) -> rt::Vec2<f32> {
         rt::into(self.v_offsets_of(shell))
@@ -3203,86 +3696,345 @@ impl<'g> Resources<'g> {
     fn v_offsets_of(&self, shell: Shell) -> rt::Vec2<f32> {
         let _e4 = self.surface_settings.shell_m.y();
         let _e8 = self.surface_settings.shell_m.x();
-        let width_2 = (_e4 - _e8).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let width_3 = (_e4 - _e8).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let quarter = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.25f32), rt::Scalar(0.25f32), rt::Scalar(0.25f32));
         let zero = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let lowered = shell.lift.min(zero).dot(quarter);
         let lifted = shell.lift.max(zero).dot(quarter);
         let _e29 = self.surface_settings.shell_m.x();
-        return ((rt::Vec2::splat_from_scalar(_e29) + (width_2 * shell.heights)) + <rt::Vec2<f32>>::from_scalars(lowered, lifted));
+        return ((rt::Vec2::splat_from_scalar(_e29) + (width_3 * shell.heights)) + <rt::Vec2<f32>>::from_scalars(lowered, lifted));
+    }
+    pub(crate) fn way_offsets(
+        &self,
+        pixel_26: PixelIn,
+        prism_4: Prism,
+        slack_3: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_way_offsets(pixel_26, prism_4, rt::into(slack_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_way_offsets(
+        &self,
+        pixel_26: PixelIn,
+        prism_4: Prism,
+        slack_3: rt::Scalar<f32>,
+    ) -> rt::Vec2<f32> {
+        let mut shell_1: Shell;
+
+        shell_1 = pixel_26.shell;
+        shell_1.lift = prism_4.lift;
+        let _e10 = self.surface_settings.shell_m.y();
+        let _e14 = self.surface_settings.shell_m.x();
+        let more = (slack_3 + (rt::Scalar(0.000001f32) * (_e10 - _e14)));
+        let _e19 = shell_1;
+        let _e20 = self.v_offsets_of(_e19);
+        return (_e20 + <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - more), more));
+    }
+    pub(crate) fn sides_over_area(
+        &self,
+        prism_5: Prism,
+        offset_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_sides_over_area(prism_5, rt::into(offset_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_sides_over_area(
+        &self,
+        prism_5: Prism,
+        offset_1: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let a_12 = ((prism_5.p2_ - prism_5.p1_) + ((prism_5.n2_ - prism_5.n1_) * offset_1));
+        let b_11 = ((prism_5.p0_ - prism_5.p2_) + ((prism_5.n0_ - prism_5.n2_) * offset_1));
+        let c_8 = ((prism_5.p1_ - prism_5.p0_) + ((prism_5.n1_ - prism_5.n0_) * offset_1));
+        return (<rt::Vec3<f32>>::from_scalars(a_12.length(), b_11.length(), c_8.length()) / rt::Vec3::splat_from_scalar(b_11.cross(c_8).length().max(rt::Scalar(0.000000000000000000000000000001f32))));
+    }
+    pub(crate) fn way_beyond(
+        &self,
+        prism_6: Prism,
+        offsets: impl rt::Into<rt::Vec2<f32>>,
+        metres: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_way_beyond(prism_6, rt::into(offsets), rt::into(metres)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_way_beyond(
+        &self,
+        prism_6: Prism,
+        offsets: rt::Vec2<f32>,
+        metres: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e4 = self.v_sides_over_area(prism_6, offsets.x());
+        let _e6 = self.v_sides_over_area(prism_6, offsets.y());
+        return (_e4.min(_e6) * metres);
+    }
+    pub(crate) fn grown_way(
+        &self,
+        way_3: Way,
+        beyond_1: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Way {
+        rt::into(self.v_grown_way(way_3, rt::into(beyond_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_grown_way(
+        &self,
+        way_3: Way,
+        beyond_1: rt::Vec3<f32>,
+    ) -> Way {
+        let sum_2 = ((way_3.first + way_3.second) + way_3.third);
+        return <Way>::new((way_3.first + (sum_2 * beyond_1.x())), (way_3.second + (sum_2 * beyond_1.y())), (way_3.third + (sum_2 * beyond_1.z())), rt::Scalar(way_3.turn));
+    }
+    pub(crate) fn root_behind(
+        &self,
+        c_3: impl rt::Into<rt::Vec3<f32>>,
+        place_5: impl rt::Into<rt::Scalar<f32>>,
+        end: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_root_behind(rt::into(c_3), rt::into(place_5), rt::into(end)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_root_behind(
+        &self,
+        c_3: rt::Vec3<f32>,
+        place_5: rt::Scalar<f32>,
+        end: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut first: rt::Scalar<f32>;
+
+        let _e3 = self.v_both_roots(c_3);
+        first = end;
+        if rt::Scalar::into_branch_condition(_e3.x().elementwise_gt(place_5)) {
+            let _e7 = first;
+            first = _e7.min(_e3.x());
+        }
+        if rt::Scalar::into_branch_condition(_e3.y().elementwise_gt(place_5)) {
+            let _e12 = first;
+            first = _e12.min(_e3.y());
+        }
+        let _e15 = first;
+        return _e15;
+    }
+    pub(crate) fn is_inside(
+        &self,
+        way_4: Way,
+        offset_2: impl rt::Into<rt::Scalar<f32>>,
+    ) -> bool {
+        rt::into(self.v_is_inside(way_4, rt::into(offset_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_is_inside(
+        &self,
+        way_4: Way,
+        offset_2: rt::Scalar<f32>,
+    ) -> rt::Scalar<bool> {
+        let mut local_22: rt::Scalar<bool>;
+
+        let _e3 = self.v_quadratic(way_4.first, offset_2);
+        let _e5 = self.v_quadratic(way_4.second, offset_2);
+        let _e7 = self.v_quadratic(way_4.third, offset_2);
+        if rt::Scalar::into_branch_condition((!_e3.min(_e5).min(_e7).elementwise_gt(rt::Scalar(0f32)))) {
+            local_22 = _e3.max(_e5).max(_e7).elementwise_lt(rt::Scalar(0f32));
+        } else {
+            local_22 = rt::Scalar(true);
+        }
+        let _e20 = local_22;
+        return _e20;
+    }
+    pub(crate) fn way_chord(
+        &self,
+        pixel_27: PixelIn,
+        prism_7: Prism,
+        along_9: impl rt::Into<rt::Vec3<f32>>,
+        way_5: Way,
+        offsets_1: impl rt::Into<rt::Vec2<f32>>,
+        beyond_2: impl rt::Into<rt::Vec3<f32>>,
+        tolerance_1: impl rt::Into<rt::Scalar<f32>>,
+        number: impl rt::Into<rt::Scalar<u32>>,
+    ) -> WayChord {
+        rt::into(self.v_way_chord(pixel_27, prism_7, rt::into(along_9), way_5, rt::into(offsets_1), rt::into(beyond_2), rt::into(tolerance_1), rt::into(number)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_way_chord(
+        &self,
+        pixel_27: PixelIn,
+        prism_7: Prism,
+        along_9: rt::Vec3<f32>,
+        way_5: Way,
+        offsets_1: rt::Vec2<f32>,
+        beyond_2: rt::Vec3<f32>,
+        tolerance_1: rt::Scalar<f32>,
+        number: rt::Scalar<u32>,
+    ) -> WayChord {
+        let mut chosen: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        let mut count_1: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut begin: rt::Scalar<f32>;
+        let mut pieces: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_23: rt::Scalar<bool>;
+        let mut local_24: rt::Scalar<bool>;
+
+        let _e8 = self.v_grown_way(way_5, beyond_2);
+        begin = offsets_1.x();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e19 = pieces;
+                if rt::Scalar::into_branch_condition(_e19.elementwise_lt(MOST_PIECES)) {
+                    let _e24 = begin;
+                    local_23 = _e24.elementwise_lt(offsets_1.y());
+                } else {
+                    local_23 = rt::Scalar(false);
+                }
+                let _e28 = local_23;
+                if rt::Scalar::into_branch_condition(_e28) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e29 = pieces;
+                    pieces = (_e29 + rt::Scalar(1u32));
+                    let _e33 = begin;
+                    let _e35 = self.v_root_behind(_e8.first, _e33, offsets_1.y());
+                    let _e37 = begin;
+                    let _e39 = self.v_root_behind(_e8.second, _e37, offsets_1.y());
+                    let _e42 = begin;
+                    let _e44 = self.v_root_behind(_e8.third, _e42, offsets_1.y());
+                    let end_3 = _e35.min(_e39).min(_e44);
+                    let _e46 = begin;
+                    let _e50 = self.v_is_inside(_e8, (rt::Scalar(0.5f32) * (_e46 + end_3)));
+                    if rt::Scalar::into_branch_condition(_e50) {
+                        let _e51 = begin;
+                        let _e53 = self.v_chords_of_piece(pixel_27, prism_7, along_9, way_5, <rt::Vec2<f32>>::from_scalars(_e51, end_3), tolerance_1);
+                        let _e54 = count_1;
+                        if rt::Scalar::into_branch_condition(number.elementwise_ge(_e54)) {
+                            let _e58 = count_1;
+                            local_24 = number.elementwise_lt((_e58 + _e53));
+                        } else {
+                            local_24 = rt::Scalar(false);
+                        }
+                        let _e62 = local_24;
+                        if rt::Scalar::into_branch_condition(_e62) {
+                            let _e63 = begin;
+                            let long_2 = (end_3 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
+                            let _e67 = count_1;
+                            let part_10 = ((number - _e67).cast_elem_as_f32() / _e53.cast_elem_as_f32());
+                            let _e72 = count_1;
+                            let next_7 = (((number - _e72) + rt::Scalar(1u32)).cast_elem_as_f32() / _e53.cast_elem_as_f32());
+                            let _e79 = begin;
+                            let _e82 = begin;
+                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_10)), (_e82 + (long_2 * next_7)));
+                        }
+                        let _e86 = count_1;
+                        count_1 = (_e86 + _e53);
+                    }
+                    begin = end_3;
+                }
+            }
+        }
+        let _e88 = chosen;
+        let _e89 = count_1;
+        return <WayChord>::new(_e88, _e89);
+    }
+    pub(crate) fn folded_enter(
+        &self,
+        pixel_28: PixelIn,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_folded_enter(pixel_28, rt::into(params_12)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_folded_enter(
+        &self,
+        pixel_28: PixelIn,
+        params_12: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut at_23: Entered;
+
+        let along_17 = pixel_28.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_28, along_17);
+        let _e5 = self.v_prism_of(pixel_28, along_17, _e4, params_12);
+        let _e6 = self.v_shell_middle(pixel_28, along_17);
+        at_23 = _e6;
+        let _e8 = self.v_way_of(pixel_28, _e5, along_17);
+        let _e9 = self.v_shell_slack(pixel_28, _e4);
+        let _e10 = self.v_way_offsets(pixel_28, _e5, _e9);
+        let _e11 = at_23;
+        let _e12 = self.v_chord_reach(pixel_28, _e11, _e4, params_12);
+        let _e13 = self.v_way_beyond(_e5, _e10, _e12);
+        let _e17 = self.v_way_chord(pixel_28, _e5, along_17, _e8, _e10, _e13, params_12.x(), rt::Scalar(0u32));
+        rt::Scalar(at_23.segments) = rt::Scalar(_e17.count);
+        let _e19 = at_23;
+        return _e19;
     }
     pub(crate) fn in_slab(
         &self,
-        interval_1: impl rt::Into<rt::Vec2<f32>>,
+        interval_2: impl rt::Into<rt::Vec2<f32>>,
         normal_10: impl rt::Into<rt::Vec3<f32>>,
-        prism: Prism,
-        offsets: impl rt::Into<rt::Vec2<f32>>,
-        along_6: impl rt::Into<rt::Vec3<f32>>,
-        slack_1: impl rt::Into<rt::Scalar<f32>>,
+        prism_8: Prism,
+        offsets_2: impl rt::Into<rt::Vec2<f32>>,
+        along_10: impl rt::Into<rt::Vec3<f32>>,
+        slack_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_in_slab(rt::into(interval_1), rt::into(normal_10), prism, rt::into(offsets), rt::into(along_6), rt::into(slack_1)))
+        rt::into(self.v_in_slab(rt::into(interval_2), rt::into(normal_10), prism_8, rt::into(offsets_2), rt::into(along_10), rt::into(slack_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_in_slab(
         &self,
-        interval_1: rt::Vec2<f32>,
+        interval_2: rt::Vec2<f32>,
         normal_10: rt::Vec3<f32>,
-        prism: Prism,
-        offsets: rt::Vec2<f32>,
-        along_6: rt::Vec3<f32>,
-        slack_1: rt::Scalar<f32>,
+        prism_8: Prism,
+        offsets_2: rt::Vec2<f32>,
+        along_10: rt::Vec3<f32>,
+        slack_4: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let a_7 = <rt::Vec2<f32>>::from_scalars(normal_10.dot((prism.p0_ + (prism.n0_ * offsets.x()))), normal_10.dot((prism.p0_ + (prism.n0_ * offsets.y()))));
-        let b_6 = <rt::Vec2<f32>>::from_scalars(normal_10.dot((prism.p1_ + (prism.n1_ * offsets.x()))), normal_10.dot((prism.p1_ + (prism.n1_ * offsets.y()))));
-        let c_6 = <rt::Vec2<f32>>::from_scalars(normal_10.dot((prism.p2_ + (prism.n2_ * offsets.x()))), normal_10.dot((prism.p2_ + (prism.n2_ * offsets.y()))));
-        let least = a_7.x().min(a_7.y()).min(b_6.x().min(b_6.y())).min(c_6.x().min(c_6.y()));
-        let most_3 = a_7.x().max(a_7.y()).max(b_6.x().max(b_6.y())).max(c_6.x().max(c_6.y()));
-        let beyond = (slack_1 * normal_10.length());
-        let change_1 = normal_10.dot(along_6);
-        let _e72 = self.v_where_positive(interval_1, (rt::Scalar(0f32) - least), change_1, beyond);
-        let _e75 = self.v_where_positive(_e72, most_3, (rt::Scalar(0f32) - change_1), beyond);
+        let a_13 = <rt::Vec2<f32>>::from_scalars(normal_10.dot((prism_8.p0_ + (prism_8.n0_ * offsets_2.x()))), normal_10.dot((prism_8.p0_ + (prism_8.n0_ * offsets_2.y()))));
+        let b_12 = <rt::Vec2<f32>>::from_scalars(normal_10.dot((prism_8.p1_ + (prism_8.n1_ * offsets_2.x()))), normal_10.dot((prism_8.p1_ + (prism_8.n1_ * offsets_2.y()))));
+        let c_9 = <rt::Vec2<f32>>::from_scalars(normal_10.dot((prism_8.p2_ + (prism_8.n2_ * offsets_2.x()))), normal_10.dot((prism_8.p2_ + (prism_8.n2_ * offsets_2.y()))));
+        let least = a_13.x().min(a_13.y()).min(b_12.x().min(b_12.y())).min(c_9.x().min(c_9.y()));
+        let most_5 = a_13.x().max(a_13.y()).max(b_12.x().max(b_12.y())).max(c_9.x().max(c_9.y()));
+        let beyond_3 = (slack_4 * normal_10.length());
+        let change_3 = normal_10.dot(along_10);
+        let _e72 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least), change_3, beyond_3);
+        let _e75 = self.v_where_positive(_e72, most_5, (rt::Scalar(0f32) - change_3), beyond_3);
         return _e75;
     }
     pub(crate) fn span_of(
         &self,
-        pixel_24: PixelIn,
-        prism_1: Prism,
-        along_7: impl rt::Into<rt::Vec3<f32>>,
+        pixel_29: PixelIn,
+        prism_9: Prism,
+        along_11: impl rt::Into<rt::Vec3<f32>>,
         middle_4: impl rt::Into<rt::Scalar<f32>>,
-        params_11: impl rt::Into<rt::Vec4<f32>>,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_span_of(pixel_24, prism_1, rt::into(along_7), rt::into(middle_4), rt::into(params_11)))
+        rt::into(self.v_span_of(pixel_29, prism_9, rt::into(along_11), rt::into(middle_4), rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_span_of(
         &self,
-        pixel_24: PixelIn,
-        prism_1: Prism,
-        along_7: rt::Vec3<f32>,
+        pixel_29: PixelIn,
+        prism_9: Prism,
+        along_11: rt::Vec3<f32>,
         middle_4: rt::Scalar<f32>,
-        params_11: rt::Vec4<f32>,
+        params_13: rt::Vec4<f32>,
     ) -> rt::Vec2<f32> {
-        let mut shell_1: Shell;
+        let mut shell_2: Shell;
         let mut span_1: rt::Vec2<f32>;
 
-        shell_1 = pixel_24.shell;
-        let _e9 = shell_1.lift;
-        shell_1.lift = (_e9 * params_11.y());
-        let _e12 = shell_1;
+        shell_2 = pixel_29.shell;
+        let _e9 = shell_2.lift;
+        shell_2.lift = (_e9 * params_13.y());
+        let _e12 = shell_2;
         let _e13 = self.v_offsets_of(_e12);
-        let _e14 = self.v_shell_slack(pixel_24, middle_4);
-        let low0_ = (prism_1.p0_ + (prism_1.n0_ * _e13.x()));
-        let low1_ = (prism_1.p1_ + (prism_1.n1_ * _e13.x()));
-        let low2_ = (prism_1.p2_ + (prism_1.n2_ * _e13.x()));
-        let high0_ = (prism_1.p0_ + (prism_1.n0_ * _e13.y()));
-        let high1_ = (prism_1.p1_ + (prism_1.n1_ * _e13.y()));
-        let high2_ = (prism_1.p2_ + (prism_1.n2_ * _e13.y()));
+        let _e14 = self.v_shell_slack(pixel_29, middle_4);
+        let low0_ = (prism_9.p0_ + (prism_9.n0_ * _e13.x()));
+        let low1_ = (prism_9.p1_ + (prism_9.n1_ * _e13.x()));
+        let low2_ = (prism_9.p2_ + (prism_9.n2_ * _e13.x()));
+        let high0_ = (prism_9.p0_ + (prism_9.n0_ * _e13.y()));
+        let high1_ = (prism_9.p1_ + (prism_9.n1_ * _e13.y()));
+        let high2_ = (prism_9.p2_ + (prism_9.n2_ * _e13.y()));
         span_1 = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_4), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e50 = span_1;
-        let _e54 = self.v_in_slab(_e50, (low1_ - low0_).cross((low2_ - low0_)), prism_1, _e13, along_7, _e14);
+        let _e54 = self.v_in_slab(_e50, (low1_ - low0_).cross((low2_ - low0_)), prism_9, _e13, along_11, _e14);
         span_1 = _e54;
         let _e55 = span_1;
-        let _e59 = self.v_in_slab(_e55, (high1_ - high0_).cross((high2_ - high0_)), prism_1, _e13, along_7, _e14);
+        let _e59 = self.v_in_slab(_e55, (high1_ - high0_).cross((high2_ - high0_)), prism_9, _e13, along_11, _e14);
         span_1 = _e59;
         let _e61 = span_1.y();
         let _e63 = span_1.x();
@@ -3291,169 +4043,173 @@ impl<'g> Resources<'g> {
             return _e66;
         }
         let _e67 = span_1;
-        let _e71 = self.v_in_slab(_e67, (high1_ - low0_).cross((low1_ - high0_)), prism_1, _e13, along_7, _e14);
+        let _e71 = self.v_in_slab(_e67, (high1_ - low0_).cross((low1_ - high0_)), prism_9, _e13, along_11, _e14);
         span_1 = _e71;
         let _e72 = span_1;
-        let _e76 = self.v_in_slab(_e72, (high2_ - low1_).cross((low2_ - high1_)), prism_1, _e13, along_7, _e14);
+        let _e76 = self.v_in_slab(_e72, (high2_ - low1_).cross((low2_ - high1_)), prism_9, _e13, along_11, _e14);
         span_1 = _e76;
         let _e77 = span_1;
-        let _e81 = self.v_in_slab(_e77, (high0_ - low2_).cross((low0_ - high2_)), prism_1, _e13, along_7, _e14);
+        let _e81 = self.v_in_slab(_e77, (high0_ - low2_).cross((low0_ - high2_)), prism_9, _e13, along_11, _e14);
         span_1 = _e81;
         let _e82 = span_1;
         return _e82;
     }
-    pub(crate) fn lift_of(
+    pub(crate) fn shell_point_from(
         &self,
-        lift: impl rt::Into<rt::Vec3<f32>>,
-        w: impl rt::Into<rt::Vec3<f32>>,
-    ) -> f32 {
-        rt::into(self.v_lift_of(rt::into(lift), rt::into(w)))
+        prism_10: Prism,
+        place_6: impl rt::Into<rt::Vec3<f32>>,
+        from_point: ShellPoint,
+    ) -> ShellPoint {
+        rt::into(self.v_shell_point_from(prism_10, rt::into(place_6), from_point))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_lift_of(
+    fn v_shell_point_from(
         &self,
-        lift: rt::Vec3<f32>,
-        w: rt::Vec3<f32>,
-    ) -> rt::Scalar<f32> {
-        return ((((lift.x() * w.y()) * w.z()) + ((lift.y() * w.z()) * w.x())) + ((lift.z() * w.x()) * w.y()));
-    }
-    pub(crate) fn shell_point(
-        &self,
-        prism_2: Prism,
-        place_5: impl rt::Into<rt::Vec3<f32>>,
-        height_2: impl rt::Into<rt::Scalar<f32>>,
+        prism_10: Prism,
+        place_6: rt::Vec3<f32>,
+        from_point: ShellPoint,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point(prism_2, rt::into(place_5), rt::into(height_2)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shell_point(
-        &self,
-        prism_2: Prism,
-        place_5: rt::Vec3<f32>,
-        height_2: rt::Scalar<f32>,
-    ) -> ShellPoint {
-        let mut w_1: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
+        let mut w_1: rt::Vec3<f32>;
         let mut h_3: rt::Scalar<f32>;
-        let mut step: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut step_1: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let low = self.surface_settings.shell_m.x();
+        let low_1 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
-        let width_3 = (_e10 - low).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        let l = prism_2.lift;
-        h_3 = height_2;
+        let width_4 = (_e10 - low_1).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let l = prism_10.lift;
+        w_1 = from_point.weights;
+        h_3 = rt::Scalar(from_point.height);
         'naga_break: loop {
             'naga_continue: {
-                let _e23 = step;
-                if rt::Scalar::into_branch_condition(_e23.elementwise_lt(NEWTON_STEPS)) {
+                let _e21 = step_1;
+                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(NEWTON_STEPS)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e26 = step;
-                    step = (_e26 + rt::Scalar(1u32));
-                    let _e29 = h_3;
-                    let _e32 = w_1;
-                    let _e33 = self.v_lift_of(l, _e32);
-                    let offset_2 = ((low + (width_3 * _e29)) + _e33);
-                    let _e37 = w_1.x();
-                    let _e41 = w_1.y();
-                    let _e46 = w_1.z();
-                    let normal_19 = (((prism_2.n0_ * _e37) + (prism_2.n1_ * _e41)) + (prism_2.n2_ * _e46));
-                    let _e51 = w_1.x();
-                    let _e55 = w_1.y();
-                    let _e60 = w_1.z();
-                    let base_1 = (((prism_2.p0_ * _e51) + (prism_2.p1_ * _e55)) + (prism_2.p2_ * _e60));
-                    let rest_2 = ((place_5 - base_1) - (normal_19 * offset_2));
-                    let _e68 = w_1.x();
-                    let _e70 = w_1.y();
-                    let _e74 = w_1.z();
-                    let second_1 = ((l.z() * (_e68 - _e70)) + (_e74 * (l.x() - l.y())));
-                    let _e82 = w_1.x();
-                    let _e84 = w_1.z();
-                    let _e88 = w_1.y();
-                    let third_1 = ((l.y() * (_e82 - _e84)) + (_e88 * (l.x() - l.z())));
-                    let a_8 = (((prism_2.p1_ - prism_2.p0_) + ((prism_2.n1_ - prism_2.n0_) * offset_2)) + (normal_19 * second_1));
-                    let b_7 = (((prism_2.p2_ - prism_2.p0_) + ((prism_2.n2_ - prism_2.n0_) * offset_2)) + (normal_19 * third_1));
-                    let c_7 = (normal_19 * width_3);
-                    let across_2 = b_7.cross(c_7);
-                    let volume_1 = a_8.dot(across_2);
+                    let _e24 = step_1;
+                    step_1 = (_e24 + rt::Scalar(1u32));
+                    let _e27 = h_3;
+                    let _e30 = w_1;
+                    let _e31 = self.v_lift_of(l, _e30);
+                    let offset_6 = ((low_1 + (width_4 * _e27)) + _e31);
+                    let _e35 = w_1.x();
+                    let _e39 = w_1.y();
+                    let _e44 = w_1.z();
+                    let normal_20 = (((prism_10.n0_ * _e35) + (prism_10.n1_ * _e39)) + (prism_10.n2_ * _e44));
+                    let _e49 = w_1.x();
+                    let _e53 = w_1.y();
+                    let _e58 = w_1.z();
+                    let base_1 = (((prism_10.p0_ * _e49) + (prism_10.p1_ * _e53)) + (prism_10.p2_ * _e58));
+                    let rest_2 = ((place_6 - base_1) - (normal_20 * offset_6));
+                    let _e66 = w_1.x();
+                    let _e68 = w_1.y();
+                    let _e72 = w_1.z();
+                    let second_3 = ((l.z() * (_e66 - _e68)) + (_e72 * (l.x() - l.y())));
+                    let _e80 = w_1.x();
+                    let _e82 = w_1.z();
+                    let _e86 = w_1.y();
+                    let third_2 = ((l.y() * (_e80 - _e82)) + (_e86 * (l.x() - l.z())));
+                    let a_14 = (((prism_10.p1_ - prism_10.p0_) + ((prism_10.n1_ - prism_10.n0_) * offset_6)) + (normal_20 * second_3));
+                    let b_13 = (((prism_10.p2_ - prism_10.p0_) + ((prism_10.n2_ - prism_10.n0_) * offset_6)) + (normal_20 * third_2));
+                    let c_10 = (normal_20 * width_4);
+                    let across_2 = b_13.cross(c_10);
+                    let volume_1 = a_14.dot(across_2);
                     let db = (rest_2.dot(across_2) / volume_1);
-                    let dc = (rest_2.dot(c_7.cross(a_8)) / volume_1);
-                    let dh = (rest_2.dot(a_8.cross(b_7)) / volume_1);
-                    let _e126 = w_1.x();
-                    let _e130 = w_1.y();
-                    let _e133 = w_1.z();
-                    w_1 = <rt::Vec3<f32>>::from_scalars(((_e126 - db) - dc), (_e130 + db), (_e133 + dc));
-                    let _e136 = h_3;
-                    h_3 = (_e136 + dh);
+                    let dc = (rest_2.dot(c_10.cross(a_14)) / volume_1);
+                    let dh = (rest_2.dot(a_14.cross(b_13)) / volume_1);
+                    let _e124 = w_1.x();
+                    let _e128 = w_1.y();
+                    let _e131 = w_1.z();
+                    w_1 = <rt::Vec3<f32>>::from_scalars(((_e124 - db) - dc), (_e128 + db), (_e131 + dc));
+                    let _e134 = h_3;
+                    h_3 = (_e134 + dh);
                     if rt::Scalar::into_branch_condition(db.abs().max(dc.abs()).max(dh.abs()).elementwise_lt(rt::Scalar(0.0001f32))) {
                         break 'naga_break;
                     }
                 }
             }
         }
-        let _e145 = w_1;
-        let _e146 = h_3;
-        return <ShellPoint>::new(_e145, _e146);
+        let _e143 = w_1;
+        let _e144 = h_3;
+        return <ShellPoint>::new(_e143, _e144);
+    }
+    pub(crate) fn shell_point(
+        &self,
+        prism_11: Prism,
+        place_7: impl rt::Into<rt::Vec3<f32>>,
+        height_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> ShellPoint {
+        rt::into(self.v_shell_point(prism_11, rt::into(place_7), rt::into(height_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shell_point(
+        &self,
+        prism_11: Prism,
+        place_7: rt::Vec3<f32>,
+        height_1: rt::Scalar<f32>,
+    ) -> ShellPoint {
+        let _e8 = self.v_shell_point_from(prism_11, place_7, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_1));
+        return _e8;
     }
     pub(crate) fn surface_prism_enter(
         &self,
-        pixel_25: PixelIn,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        pixel_30: PixelIn,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_enter(pixel_25, rt::into(params_12)))
+        rt::into(self.v_surface_prism_enter(pixel_30, rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_enter(
         &self,
-        pixel_25: PixelIn,
-        params_12: rt::Vec4<f32>,
+        pixel_30: PixelIn,
+        params_14: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_21: Entered;
-        let mut local_11: rt::Scalar<bool>;
+        let mut at_24: Entered;
+        let mut local_25: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_25.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e6 = self.v_surface_tetrahedra_enter(pixel_25, params_12);
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_30.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e6 = self.v_folded_enter(pixel_30, params_14);
             return _e6;
         }
-        let along_12 = pixel_25.direction.normalize();
-        let _e9 = self.v_middle_of(pixel_25, along_12);
-        let _e10 = self.v_prism_of(pixel_25, along_12, _e9, params_12);
-        let _e11 = self.v_shell_middle(pixel_25, along_12);
-        at_21 = _e11;
-        let _e14 = self.v_span_of(pixel_25, _e10, along_12, _e9, params_12);
-        at_21.span = _e14;
-        let _e17 = at_21.span.y();
-        let _e20 = at_21.span.x();
-        let long = (_e17 - _e20).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        if rt::Scalar::into_branch_condition((!(!long.elementwise_gt(rt::Scalar(0f32))))) {
-            local_11 = (!long.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+        let along_18 = pixel_30.direction.normalize();
+        let _e9 = self.v_middle_of(pixel_30, along_18);
+        let _e10 = self.v_prism_of(pixel_30, along_18, _e9, params_14);
+        let _e11 = self.v_shell_middle(pixel_30, along_18);
+        at_24 = _e11;
+        let _e14 = self.v_span_of(pixel_30, _e10, along_18, _e9, params_14);
+        at_24.span = _e14;
+        let _e17 = at_24.span.y();
+        let _e20 = at_24.span.x();
+        let long_3 = (_e17 - _e20).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
+            local_25 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
-            local_11 = rt::Scalar(true);
+            local_25 = rt::Scalar(true);
         }
-        let _e34 = local_11;
+        let _e34 = local_25;
         if rt::Scalar::into_branch_condition(_e34) {
-            let _e35 = at_21;
+            let _e35 = at_24;
             return _e35;
         }
-        let height_7 = (rt::Scalar(0.5f32) * (pixel_25.shell.heights.x() + pixel_25.shell.heights.y()));
-        let _e47 = at_21.span.x();
-        let _e49 = self.v_shell_point(_e10, (along_12 * _e47), height_7);
-        let _e52 = at_21.span.y();
-        let _e54 = self.v_shell_point(_e10, (along_12 * _e52), height_7);
-        let _e57 = at_21.span.x();
-        let _e62 = self.v_shell_point(_e10, (along_12 * (_e57 + (rt::Scalar(0.5f32) * long))), height_7);
-        let _e65 = at_21.span.x();
-        let _e70 = self.v_shell_point(_e10, (along_12 * (_e65 + (rt::Scalar(0.25f32) * long))), height_7);
-        let _e73 = at_21.span.x();
-        let _e78 = self.v_shell_point(_e10, (along_12 * (_e73 + (rt::Scalar(0.75f32) * long))), height_7);
-        let _e80 = self.v_beside_chord(pixel_25, _e49, _e62, _e54, _e70, rt::Scalar(0.25f32));
-        let _e82 = self.v_beside_chord(pixel_25, _e49, _e62, _e54, _e78, rt::Scalar(0.75f32));
-        let quarters = _e80.max(_e82);
-        let _e85 = self.v_beside_chord(pixel_25, _e49, _e62, _e54, _e62, rt::Scalar(0.5f32));
-        let most_4 = _e85.max(quarters);
-        rt::Scalar(at_21.segments) = (most_4 / params_12.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).cast_elem_as_u32();
-        let _e96 = at_21;
+        let height_11 = (rt::Scalar(0.5f32) * (pixel_30.shell.heights.x() + pixel_30.shell.heights.y()));
+        let _e47 = at_24.span.x();
+        let _e49 = self.v_shell_point(_e10, (along_18 * _e47), height_11);
+        let _e52 = at_24.span.y();
+        let _e54 = self.v_shell_point(_e10, (along_18 * _e52), height_11);
+        let _e57 = at_24.span.x();
+        let _e62 = self.v_shell_point(_e10, (along_18 * (_e57 + (rt::Scalar(0.5f32) * long_3))), height_11);
+        let _e65 = at_24.span.x();
+        let _e70 = self.v_shell_point(_e10, (along_18 * (_e65 + (rt::Scalar(0.25f32) * long_3))), height_11);
+        let _e73 = at_24.span.x();
+        let _e78 = self.v_shell_point(_e10, (along_18 * (_e73 + (rt::Scalar(0.75f32) * long_3))), height_11);
+        let _e80 = self.v_beside_chord(pixel_30, _e49, _e62, _e54, _e70, rt::Scalar(0.25f32));
+        let _e82 = self.v_beside_chord(pixel_30, _e49, _e62, _e54, _e78, rt::Scalar(0.75f32));
+        let quarters_1 = _e80.max(_e82);
+        let _e85 = self.v_beside_chord(pixel_30, _e49, _e62, _e54, _e62, rt::Scalar(0.5f32));
+        let most_6 = _e85.max(quarters_1);
+        rt::Scalar(at_24.segments) = (most_6 / params_14.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).cast_elem_as_u32();
+        let _e96 = at_24;
         return _e96;
     }
     pub(crate) fn weight_at(
@@ -3474,173 +4230,359 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ordered_weights(
         &self,
-        shell_2: Shell,
+        shell_3: Shell,
         weights_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ordered_weights(shell_2, rt::into(weights_3)))
+        rt::into(self.v_ordered_weights(shell_3, rt::into(weights_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ordered_weights(
         &self,
-        shell_2: Shell,
+        shell_3: Shell,
         weights_3: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_weight_at(rt::Scalar(shell_2.order), weights_3);
-        let _e7 = self.v_weight_at((rt::Scalar(shell_2.order) >> rt::Scalar(2u32)), weights_3);
-        let _e11 = self.v_weight_at((rt::Scalar(shell_2.order) >> rt::Scalar(4u32)), weights_3);
+        let _e3 = self.v_weight_at(rt::Scalar(shell_3.order), weights_3);
+        let _e7 = self.v_weight_at((rt::Scalar(shell_3.order) >> rt::Scalar(2u32)), weights_3);
+        let _e11 = self.v_weight_at((rt::Scalar(shell_3.order) >> rt::Scalar(4u32)), weights_3);
         return <rt::Vec3<f32>>::from_scalars(_e3, _e7, _e11);
     }
     pub(crate) fn quadric_of(
         &self,
-        pixel_26: PixelIn,
+        pixel_31: PixelIn,
         point_3: impl rt::Into<rt::Vec3<f32>>,
         lift_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_quadric_of(pixel_26, rt::into(point_3), rt::into(lift_1)))
+        rt::into(self.v_quadric_of(pixel_31, rt::into(point_3), rt::into(lift_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_of(
         &self,
-        pixel_26: PixelIn,
+        pixel_31: PixelIn,
         point_3: rt::Vec3<f32>,
         lift_1: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let mut height_3: rt::Scalar<f32>;
+        let mut height_2: rt::Scalar<f32>;
 
-        let _e3 = self.v_plane_normal(pixel_26);
-        let _e4 = self.v_plane_weights(pixel_26, _e3, point_3);
-        let quadric_2 = (((pixel_26.a.quadric * _e4.x()) + (pixel_26.b.quadric * _e4.y())) + (pixel_26.c.quadric * _e4.z()));
+        let _e3 = self.v_plane_normal(pixel_31);
+        let _e4 = self.v_plane_weights(pixel_31, _e3, point_3);
+        let quadric_2 = (((pixel_31.a.quadric * _e4.x()) + (pixel_31.b.quadric * _e4.y())) + (pixel_31.c.quadric * _e4.z()));
         let _e19 = self.v_base_height();
-        height_3 = _e19;
+        height_2 = _e19;
         let _e23 = rt::Scalar(self.surface_settings.bias_m);
         let _e26 = rt::Scalar(self.surface_settings.scale_m);
         if rt::Scalar::into_branch_condition((_e23 + _e26).elementwise_gt(rt::Scalar(0f32))) {
-            let _e30 = height_3;
-            height_3 = ((rt::Scalar(2f32) * _e30) - rt::Scalar(1f32)).select(rt::Scalar(1f32), rt::Scalar(pixel_26.side).elementwise_gt(rt::Scalar(0f32)));
+            let _e30 = height_2;
+            height_2 = ((rt::Scalar(2f32) * _e30) - rt::Scalar(1f32)).select(rt::Scalar(1f32), rt::Scalar(pixel_31.side).elementwise_gt(rt::Scalar(0f32)));
         }
-        let _e43 = self.v_ordered_weights(pixel_26.shell, _e4);
-        let _e44 = self.v_lift_of(pixel_26.shell.lift, _e43);
-        let lifted_1 = (_e44 * (lift_1 * rt::Scalar(pixel_26.side)));
-        let _e50 = height_3;
+        let _e43 = self.v_ordered_weights(pixel_31.shell, _e4);
+        let _e44 = self.v_lift_of(pixel_31.shell.lift, _e43);
+        let lifted_1 = (_e44 * (lift_1 * rt::Scalar(pixel_31.side)));
+        let _e50 = height_2;
         let _e51 = self.v_traced_scale_m();
-        return <rt::Vec4<f32>>::new_31((quadric_2 * rt::Scalar(pixel_26.side)), (_e50 - (lifted_1 / _e51)));
+        return <rt::Vec4<f32>>::new_31((quadric_2 * rt::Scalar(pixel_31.side)), (_e50 - (lifted_1 / _e51)));
     }
     pub(crate) fn surface_quadric_vertical_enter(
         &self,
-        pixel_27: PixelIn,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        pixel_32: PixelIn,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_enter(pixel_27, rt::into(params_13)))
+        rt::into(self.v_surface_quadric_vertical_enter(pixel_32, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_enter(
         &self,
-        pixel_27: PixelIn,
-        params_13: rt::Vec4<f32>,
+        pixel_32: PixelIn,
+        params_15: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_22: Entered;
+        let mut at_25: Entered;
 
-        let _e2 = self.v_surface_plane_enter(pixel_27, params_13);
-        at_22 = _e2;
-        let _e6 = at_22.point;
-        let _e8 = self.v_quadric_of(pixel_27, _e6, params_13.y());
-        at_22.quadric = _e8;
-        let _e11 = at_22.metric.x();
-        let _e14 = at_22.metric.z();
-        let _e18 = at_22.metric.y();
-        let _e21 = at_22.metric.y();
+        let _e2 = self.v_surface_plane_enter(pixel_32, params_15);
+        at_25 = _e2;
+        let _e6 = at_25.point;
+        let _e8 = self.v_quadric_of(pixel_32, _e6, params_15.y());
+        at_25.quadric = _e8;
+        let _e11 = at_25.metric.x();
+        let _e14 = at_25.metric.z();
+        let _e18 = at_25.metric.y();
+        let _e21 = at_25.metric.y();
         let area_3 = ((_e11 * _e14) - (_e18 * _e21));
-        rt::Scalar(at_22.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_3.elementwise_gt(rt::Scalar(0f32)));
-        let _e30 = at_22;
+        rt::Scalar(at_25.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_3.elementwise_gt(rt::Scalar(0f32)));
+        let _e30 = at_25;
         return _e30;
     }
     pub(crate) fn surface_quadric_perpendicular_enter(
         &self,
-        pixel_28: PixelIn,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
+        pixel_33: PixelIn,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_28, rt::into(params_14)))
+        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_33, rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_enter(
         &self,
-        pixel_28: PixelIn,
-        params_14: rt::Vec4<f32>,
+        pixel_33: PixelIn,
+        params_16: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_23: Entered;
+        let mut at_26: Entered;
 
-        let _e2 = self.v_surface_quadric_vertical_enter(pixel_28, params_14);
-        at_23 = _e2;
-        let along_13 = pixel_28.direction.length();
-        let _e6 = at_23;
-        let _e10 = self.v_across_of(_e6, (pixel_28.direction / rt::Vec3::splat_from_scalar(along_13)));
-        let _e11 = self.v_plane_normal(pixel_28);
-        let _e12 = self.v_plane_distance(pixel_28, _e11);
-        let eye_1 = (rt::Scalar(0f32) - (_e12 * along_13));
-        let _e17 = at_23;
+        let _e2 = self.v_surface_quadric_vertical_enter(pixel_33, params_16);
+        at_26 = _e2;
+        let along_19 = pixel_33.direction.length();
+        let _e6 = at_26;
+        let _e10 = self.v_across_of(_e6, (pixel_33.direction / rt::Vec3::splat_from_scalar(along_19)));
+        let _e11 = self.v_plane_normal(pixel_33);
+        let _e12 = self.v_plane_distance(pixel_33, _e11);
+        let eye_1 = (rt::Scalar(0f32) - (_e12 * along_19));
+        let _e17 = at_26;
         let _e18 = self.v_across_span(_e17, _e10, eye_1);
-        at_23.span = _e18;
-        let _e22 = rt::Scalar(at_23.segments);
-        let _e28 = at_23.span.y();
-        let _e31 = at_23.span.x();
-        rt::Scalar(at_23.segments) = rt::Scalar(0u32).select((_e22 * params_14.z().cast_elem_as_u32()), _e28.elementwise_gt(_e31));
-        let _e34 = at_23;
+        at_26.span = _e18;
+        let _e22 = rt::Scalar(at_26.segments);
+        let _e28 = at_26.span.y();
+        let _e31 = at_26.span.x();
+        rt::Scalar(at_26.segments) = rt::Scalar(0u32).select((_e22 * params_16.z().cast_elem_as_u32()), _e28.elementwise_gt(_e31));
+        let _e34 = at_26;
         return _e34;
     }
-    pub(crate) fn surface_enter_stage(&self, pixel_29: PixelIn) -> Entered {
-        rt::into(self.v_surface_enter_stage(pixel_29))
+    pub(crate) fn moved_out(
+        &self,
+        corner_1: Corner,
+        side: impl rt::Into<rt::Scalar<f32>>,
+        offset_3: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_moved_out(corner_1, rt::into(side), rt::into(offset_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_enter_stage(&self, pixel_29: PixelIn) -> Entered {
+    fn v_moved_out(
+        &self,
+        corner_1: Corner,
+        side: rt::Scalar<f32>,
+        offset_3: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        return (corner_1.position + (corner_1.normal * (side * offset_3)));
+    }
+    pub(crate) fn raised(
+        &self,
+        corner_2: Corner,
+        side_1: impl rt::Into<rt::Scalar<f32>>,
+        height_3: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_raised(corner_2, rt::into(side_1), rt::into(height_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_raised(
+        &self,
+        corner_2: Corner,
+        side_1: rt::Scalar<f32>,
+        height_3: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let shell_5 = self.surface_settings.shell_m;
+        let _e14 = self.v_moved_out(corner_2, side_1, (shell_5.x() + ((shell_5.y() - shell_5.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_3)));
+        return _e14;
+    }
+    pub(crate) fn tetrahedron(
+        &self,
+        pixel_34: PixelIn,
+        along_12: impl rt::Into<rt::Vec3<f32>>,
+        middle_5: impl rt::Into<rt::Scalar<f32>>,
+        number_1: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Tetrahedron {
+        rt::into(self.v_tetrahedron(pixel_34, rt::into(along_12), rt::into(middle_5), rt::into(number_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_tetrahedron(
+        &self,
+        pixel_34: PixelIn,
+        along_12: rt::Vec3<f32>,
+        middle_5: rt::Scalar<f32>,
+        number_1: rt::Scalar<u32>,
+    ) -> Tetrahedron {
+        let mut inside_1: rt::Vec2<f32>;
+        let mut local_26: rt::Scalar<bool>;
+
+        let origin_4 = (pixel_34.origin + (along_12 * middle_5));
+        let is_first_1 = number_1.elementwise_eq(rt::Scalar(0u32));
+        let is_last_1 = number_1.elementwise_eq(rt::Scalar(2u32));
+        let _e12 = self.v_ordered(pixel_34, rt::Scalar(0u32));
+        let _e15 = self.v_raised(_e12, rt::Scalar(pixel_34.side), rt::Scalar(0f32));
+        let q0_ = (_e15 - origin_4);
+        let _e20 = self.v_ordered(pixel_34, rt::Scalar(1u32).select(rt::Scalar(0u32), is_last_1));
+        let _e25 = self.v_raised(_e20, rt::Scalar(pixel_34.side), rt::Scalar(0f32).select(rt::Scalar(1f32), is_last_1));
+        let q1_ = (_e25 - origin_4);
+        let _e30 = self.v_ordered(pixel_34, rt::Scalar(1u32).select(rt::Scalar(2u32), is_first_1));
+        let _e35 = self.v_raised(_e30, rt::Scalar(pixel_34.side), rt::Scalar(1f32).select(rt::Scalar(0f32), is_first_1));
+        let q2_ = (_e35 - origin_4);
+        let _e38 = self.v_ordered(pixel_34, rt::Scalar(2u32));
+        let _e41 = self.v_raised(_e38, rt::Scalar(pixel_34.side), rt::Scalar(1f32));
+        let q3_ = (_e41 - origin_4);
+        let e1_ = (q1_ - q0_);
+        let e2_ = (q2_ - q0_);
+        let e3_ = (q3_ - q0_);
+        let n1_ = e2_.cross(e3_);
+        let n2_ = e3_.cross(e1_);
+        let n3_ = e1_.cross(e2_);
+        let n0_ = (e2_ - e1_).cross((e3_ - e1_));
+        let volume_2 = e1_.dot(n1_);
+        let w1_ = ((rt::Scalar(0f32) - q0_.dot(n1_)) / volume_2);
+        let w2_ = ((rt::Scalar(0f32) - q0_.dot(n2_)) / volume_2);
+        let w3_ = ((rt::Scalar(0f32) - q0_.dot(n3_)) / volume_2);
+        let w0_ = (q1_.dot(n0_) / volume_2);
+        let g1_ = (along_12.dot(n1_) / volume_2);
+        let g2_ = (along_12.dot(n2_) / volume_2);
+        let g3_ = (along_12.dot(n3_) / volume_2);
+        let g0_ = (rt::Scalar(0f32) - (along_12.dot(n0_) / volume_2));
+        let _e77 = self.v_shell_slack(pixel_34, middle_5);
+        let slack_5 = (_e77 / volume_2.abs());
+        inside_1 = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_5), rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e85 = inside_1;
+        let _e88 = self.v_where_positive(_e85, w0_, g0_, (slack_5 * n0_.length()));
+        inside_1 = _e88;
+        let _e89 = inside_1;
+        let _e92 = self.v_where_positive(_e89, w1_, g1_, (slack_5 * n1_.length()));
+        inside_1 = _e92;
+        let _e93 = inside_1;
+        let _e96 = self.v_where_positive(_e93, w2_, g2_, (slack_5 * n2_.length()));
+        inside_1 = _e96;
+        let _e97 = inside_1;
+        let _e100 = self.v_where_positive(_e97, w3_, g3_, (slack_5 * n3_.length()));
+        inside_1 = _e100;
+        if rt::Scalar::into_branch_condition((!(!volume_2.abs().elementwise_gt(rt::Scalar(0f32))))) {
+            let _e109 = inside_1.y();
+            local_26 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+        } else {
+            local_26 = rt::Scalar(true);
+        }
+        let _e114 = local_26;
+        if rt::Scalar::into_branch_condition(_e114) {
+            inside_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(-300000000000000000000000000000000000000f32));
+        }
+        if rt::Scalar::into_branch_condition(is_first_1) {
+            let _e118 = inside_1;
+            return <Tetrahedron>::new(_e118, <rt::Vec4<f32>>::from_scalars(w0_, w1_, (w2_ + w3_), w3_), <rt::Vec4<f32>>::from_scalars(g0_, g1_, (g2_ + g3_), g3_));
+        }
+        if rt::Scalar::into_branch_condition(is_last_1) {
+            let upper_1 = <rt::Vec2<f32>>::from_scalars(((w1_ + w2_) + w3_), ((g1_ + g2_) + g3_));
+            let _e129 = inside_1;
+            return <Tetrahedron>::new(_e129, <rt::Vec4<f32>>::from_scalars((w0_ + w1_), w2_, w3_, upper_1.x()), <rt::Vec4<f32>>::from_scalars((g0_ + g1_), g2_, g3_, upper_1.y()));
+        }
+        let _e137 = inside_1;
+        return <Tetrahedron>::new(_e137, <rt::Vec4<f32>>::from_scalars(w0_, (w1_ + w2_), w3_, (w2_ + w3_)), <rt::Vec4<f32>>::from_scalars(g0_, (g1_ + g2_), g3_, (g2_ + g3_)));
+    }
+    pub(crate) fn is_met(
+        &self,
+        pixel_35: PixelIn,
+        along_13: impl rt::Into<rt::Vec3<f32>>,
+        middle_6: impl rt::Into<rt::Scalar<f32>>,
+        number_2: impl rt::Into<rt::Scalar<u32>>,
+    ) -> bool {
+        rt::into(self.v_is_met(pixel_35, rt::into(along_13), rt::into(middle_6), rt::into(number_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_is_met(
+        &self,
+        pixel_35: PixelIn,
+        along_13: rt::Vec3<f32>,
+        middle_6: rt::Scalar<f32>,
+        number_2: rt::Scalar<u32>,
+    ) -> rt::Scalar<bool> {
+        let _e4 = self.v_tetrahedron(pixel_35, along_13, middle_6, number_2);
+        let inside_5 = _e4.inside;
+        return inside_5.y().elementwise_gt(inside_5.x());
+    }
+    pub(crate) fn surface_tetrahedra_enter(
+        &self,
+        pixel_36: PixelIn,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_tetrahedra_enter(pixel_36, rt::into(params_17)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_tetrahedra_enter(
+        &self,
+        pixel_36: PixelIn,
+        params_17: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut at_27: Entered;
+        let mut number_3: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        let along_20 = pixel_36.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_36, along_20);
+        let _e5 = self.v_shell_middle(pixel_36, along_20);
+        at_27 = _e5;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e9 = number_3;
+                if rt::Scalar::into_branch_condition(_e9.elementwise_lt(rt::Scalar(3u32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e12 = number_3;
+                    let _e13 = self.v_is_met(pixel_36, along_20, _e4, _e12);
+                    if rt::Scalar::into_branch_condition(_e13) {
+                        rt::Scalar(at_27.segments) = rt::Scalar(3u32);
+                    }
+                    let _e16 = number_3;
+                    number_3 = (_e16 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e19 = at_27;
+        return _e19;
+    }
+    pub(crate) fn surface_enter_stage(&self, pixel_37: PixelIn) -> Entered {
+        rt::into(self.v_surface_enter_stage(pixel_37))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_enter_stage(&self, pixel_37: PixelIn) -> Entered {
         let _e5 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[0usize].params;
-                let _e11 = self.v_surface_plane_enter(pixel_29, _e10);
+                let _e11 = self.v_surface_plane_enter(pixel_37, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[0usize].params;
-                let _e17 = self.v_surface_prism_enter(pixel_29, _e16);
+                let _e17 = self.v_surface_prism_enter(pixel_37, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[0usize].params;
-                let _e23 = self.v_surface_quadric_perpendicular_enter(pixel_29, _e22);
+                let _e23 = self.v_surface_quadric_perpendicular_enter(pixel_37, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[0usize].params;
-                let _e29 = self.v_surface_quadric_vertical_enter(pixel_29, _e28);
+                let _e29 = self.v_surface_quadric_vertical_enter(pixel_37, _e28);
                 return _e29;
             }
             _ => {
                 let _e34 = self.surface_settings.choices[0usize].params;
-                let _e35 = self.v_surface_tetrahedra_enter(pixel_29, _e34);
+                let _e35 = self.v_surface_tetrahedra_enter(pixel_37, _e34);
                 return _e35;
             }
         }
     }
-    pub(crate) fn enter_relief(&self, pixel_30: PixelIn) -> Entered {
-        rt::into(self.v_enter_relief(pixel_30))
+    pub(crate) fn enter_relief(&self, pixel_38: PixelIn) -> Entered {
+        rt::into(self.v_enter_relief(pixel_38))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_enter_relief(&self, pixel_30: PixelIn) -> Entered {
-        let mut at_24: Entered;
+    fn v_enter_relief(&self, pixel_38: PixelIn) -> Entered {
+        let mut at_28: Entered;
 
-        let _e1 = self.v_surface_enter_stage(pixel_30);
-        at_24 = _e1;
-        let _e3 = at_24;
-        let _e4 = self.v_detail_stage(pixel_30, _e3);
-        rt::Scalar(at_24.level) = rt::Scalar(_e4.level);
-        rt::Scalar(at_24.footprint) = rt::Scalar(_e4.footprint);
-        rt::Scalar(at_24.fade) = rt::Scalar(_e4.fade);
-        let _e11 = at_24;
+        let _e1 = self.v_surface_enter_stage(pixel_38);
+        at_28 = _e1;
+        let _e3 = at_28;
+        let _e4 = self.v_detail_stage(pixel_38, _e3);
+        rt::Scalar(at_28.level) = rt::Scalar(_e4.level);
+        rt::Scalar(at_28.footprint) = rt::Scalar(_e4.footprint);
+        rt::Scalar(at_28.fade) = rt::Scalar(_e4.fade);
+        let _e11 = at_28;
         return _e11;
     }
     pub(crate) fn entered_once(
         &self,
-        path_11: Path,
+        path_16: Path,
         grid_5: Grid,
         above: impl rt::Into<rt::Scalar<f32>>,
         below: impl rt::Into<rt::Scalar<f32>>,
@@ -3648,12 +4590,12 @@ impl<'g> Resources<'g> {
         below_gap: impl rt::Into<rt::Scalar<f32>>,
         so_far: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_entered_once(path_11, grid_5, rt::into(above), rt::into(below), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
+        rt::into(self.v_entered_once(path_16, grid_5, rt::into(above), rt::into(below), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_entered_once(
         &self,
-        path_11: Path,
+        path_16: Path,
         grid_5: Grid,
         above: rt::Scalar<f32>,
         below: rt::Scalar<f32>,
@@ -3666,7 +4608,7 @@ impl<'g> Resources<'g> {
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
         let mut cost_1: rt::Vec3<u32>;
-        let mut local_12: rt::Scalar<bool>;
+        let mut local_27: rt::Scalar<bool>;
 
         near_1 = above;
         far_1 = below;
@@ -3687,26 +4629,26 @@ impl<'g> Resources<'g> {
                     cost_1 = (_e25 + STEP);
                     let _e28 = near_1;
                     let _e29 = far_1;
-                    let middle_8 = (rt::Scalar(0.5f32) * (_e28 + _e29));
+                    let middle_11 = (rt::Scalar(0.5f32) * (_e28 + _e29));
                     let _e33 = near_1;
-                    if rt::Scalar::into_branch_condition(middle_8.elementwise_gt(_e33)) {
+                    if rt::Scalar::into_branch_condition(middle_11.elementwise_gt(_e33)) {
                         let _e37 = far_1;
-                        local_12 = middle_8.elementwise_lt(_e37);
+                        local_27 = middle_11.elementwise_lt(_e37);
                     } else {
-                        local_12 = rt::Scalar(false);
+                        local_27 = rt::Scalar(false);
                     }
-                    let _e40 = local_12;
+                    let _e40 = local_27;
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
-                    let _e42 = self.v_path_gap(path_11, middle_8);
+                    let _e42 = self.v_path_gap(path_16, middle_11);
                     let _e43 = cost_1;
                     cost_1 = (_e43 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e42.elementwise_le(rt::Scalar(0f32))) {
-                        far_1 = middle_8;
+                        far_1 = middle_11;
                         far_gap = _e42;
                     } else {
-                        near_1 = middle_8;
+                        near_1 = middle_11;
                         near_gap = _e42;
                     }
                 }
@@ -3721,22 +4663,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn facing_four(
         &self,
-        middle_5: impl rt::Into<rt::Scalar<f32>>,
-        along_8: impl rt::Into<rt::Scalar<f32>>,
+        middle_7: impl rt::Into<rt::Scalar<f32>>,
+        along_14: impl rt::Into<rt::Scalar<f32>>,
         across: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_facing_four(rt::into(middle_5), rt::into(along_8), rt::into(across)))
+        rt::into(self.v_facing_four(rt::into(middle_7), rt::into(along_14), rt::into(across)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_facing_four(
         &self,
-        middle_5: rt::Scalar<f32>,
-        along_8: rt::Scalar<f32>,
+        middle_7: rt::Scalar<f32>,
+        along_14: rt::Scalar<f32>,
         across: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let x_1 = (along_8 * rt::Scalar(1.7320508f32));
+        let x_1 = (along_14 * rt::Scalar(1.7320508f32));
         let y = (across * rt::Scalar(1.7320508f32));
-        return <rt::Vec4<f32>>::from_scalars((middle_5 + x_1), (middle_5 - x_1), (middle_5 + y), (middle_5 - y)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
+        return <rt::Vec4<f32>>::from_scalars((middle_7 + x_1), (middle_7 - x_1), (middle_7 + y), (middle_7 - y)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
     }
     pub(crate) fn normal_at(
         &self,
@@ -3756,11 +4698,11 @@ impl<'g> Resources<'g> {
         let _e5 = self.surface_settings.normal_size;
         let _e6 = self.v_level_texels(_e5, level_14);
         let _e7 = self.v_texels_around(uv_9, _e6);
-        let k_28 = level_14.cast_elem_as_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_28));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_28));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_28));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_28));
+        let k_29 = level_14.cast_elem_as_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_29));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_29));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_29));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_29));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
@@ -3779,103 +4721,103 @@ impl<'g> Resources<'g> {
         beside: rt::Scalar<f32>,
         rate: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let a_9 = (own * rate);
-        let b_8 = (beside * rate);
-        let along_14 = (rt::Scalar(1f32) + (a_9 * b_8));
-        let apart_2 = (a_9 - b_8).abs();
-        if rt::Scalar::into_branch_condition(apart_2.elementwise_le((rt::Scalar(0.5f32) * along_14))) {
+        let a_15 = (own * rate);
+        let b_14 = (beside * rate);
+        let along_21 = (rt::Scalar(1f32) + (a_15 * b_14));
+        let apart_3 = (a_15 - b_14).abs();
+        if rt::Scalar::into_branch_condition(apart_3.elementwise_le((rt::Scalar(0.5f32) * along_21))) {
             return beside;
         }
-        if rt::Scalar::into_branch_condition(apart_2.elementwise_ge((rt::Scalar(1f32) * along_14))) {
+        if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_21))) {
             return own;
         }
-        let part_8 = (((apart_2 / along_14) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
-        return (beside + ((own - beside) * part_8));
+        let part_11 = (((apart_3 / along_21) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
+        return (beside + ((own - beside) * part_11));
     }
     pub(crate) fn slopes_between_creases(
         &self,
-        at_25: Entered,
+        at_29: Entered,
         uv_10: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_slopes_between_creases(at_25, rt::into(uv_10)))
+        rt::into(self.v_slopes_between_creases(at_29, rt::into(uv_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slopes_between_creases(
         &self,
-        at_25: Entered,
+        at_29: Entered,
         uv_10: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let point_14 = ((uv_10 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e9 = self.v_cell_of(point_14);
-        let part_9 = (point_14 - _e9);
+        let part_12 = (point_14 - _e9);
         let i_2 = _e9.cast_elem_as_i32();
         let _e13 = self.v_height_cell(i_2, rt::Scalar(0u32));
-        let _e14 = self.v_cell_slopes(_e13, part_9);
+        let _e14 = self.v_cell_slopes(_e13, part_12);
         let _e20 = self.v_height_cell((i_2 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(0u32));
-        let _e21 = self.v_cell_slopes(_e20, part_9);
+        let _e21 = self.v_cell_slopes(_e20, part_12);
         let before_u = _e21.x();
         let _e28 = self.v_height_cell((i_2 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(0u32));
-        let _e29 = self.v_cell_slopes(_e28, part_9);
+        let _e29 = self.v_cell_slopes(_e28, part_12);
         let behind_u = _e29.x();
         let _e36 = self.v_height_cell((i_2 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(0u32));
-        let _e37 = self.v_cell_slopes(_e36, part_9);
+        let _e37 = self.v_cell_slopes(_e36, part_12);
         let before_v = _e37.y();
         let _e44 = self.v_height_cell((i_2 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(0u32));
-        let _e45 = self.v_cell_slopes(_e44, part_9);
+        let _e45 = self.v_cell_slopes(_e44, part_12);
         let behind_v = _e45.y();
         let _e50 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_u = ((_e3.x() * _e50) / at_25.tangent.length());
+        let rate_u = ((_e3.x() * _e50) / at_29.tangent.length());
         let _e58 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_v = ((_e3.y() * _e58) / at_25.bitangent.length());
+        let rate_v = ((_e3.y() * _e58) / at_29.bitangent.length());
         let _e64 = self.v_slope_beside(_e14.x(), before_u, rate_u);
         let _e66 = self.v_slope_beside(_e14.y(), before_v, rate_v);
         let before_1 = <rt::Vec2<f32>>::from_scalars(_e64, _e66);
         let _e69 = self.v_slope_beside(_e14.x(), behind_u, rate_u);
         let _e71 = self.v_slope_beside(_e14.y(), behind_v, rate_v);
         let behind_1 = <rt::Vec2<f32>>::from_scalars(_e69, _e71);
-        return (rt::Scalar(0.5f32) * ((_e14 + before_1) + ((behind_1 - before_1) * part_9)));
+        return (rt::Scalar(0.5f32) * ((_e14 + before_1) + ((behind_1 - before_1) * part_12)));
     }
     pub(crate) fn normal_of_slopes(
         &self,
-        at_26: Entered,
+        at_30: Entered,
         slope_u: impl rt::Into<rt::Scalar<f32>>,
         slope_v: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_slopes(at_26, rt::into(slope_u), rt::into(slope_v)))
+        rt::into(self.v_normal_of_slopes(at_30, rt::into(slope_u), rt::into(slope_v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_of_slopes(
         &self,
-        at_26: Entered,
+        at_30: Entered,
         slope_u: rt::Scalar<f32>,
         slope_v: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_1 = (at_26.tangent + (at_26.normal * slope_u));
-        let along_v_1 = (at_26.bitangent + (at_26.normal * slope_v));
+        let along_u_1 = (at_30.tangent + (at_30.normal * slope_u));
+        let along_v_1 = (at_30.bitangent + (at_30.normal * slope_v));
         let across_3 = along_v_1.cross(along_u_1).normalize();
-        return (across_3 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_3.dot(at_26.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_3 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_3.dot(at_30.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_27: Entered,
+        at_31: Entered,
         uv_11: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_27, rt::into(uv_11)))
+        rt::into(self.v_normal_from_height(at_31, rt::into(uv_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
-        at_27: Entered,
+        at_31: Entered,
         uv_11: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let _e6 = rt::Scalar(self.surface_settings.has_creases);
         if rt::Scalar::into_branch_condition(_e6.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_slopes_between_creases(at_27, uv_11);
+            let _e9 = self.v_slopes_between_creases(at_31, uv_11);
             let _e13 = rt::Scalar(self.surface_settings.scale_m);
             let slopes = ((_e9 * _e3) * _e13);
-            let _e17 = self.v_normal_of_slopes(at_27, slopes.x(), slopes.y());
+            let _e17 = self.v_normal_of_slopes(at_31, slopes.x(), slopes.y());
             return _e17;
         }
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
@@ -3890,96 +4832,70 @@ impl<'g> Resources<'g> {
         let slope_u_1 = (rise_u * ((rt::Scalar(0.5f32) * _e3.x()) * _e47));
         let _e55 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v_1 = (rise_v * ((rt::Scalar(0.5f32) * _e3.y()) * _e55));
-        let _e58 = self.v_normal_of_slopes(at_27, slope_u_1, slope_v_1);
+        let _e58 = self.v_normal_of_slopes(at_31, slope_u_1, slope_v_1);
         return _e58;
     }
     pub(crate) fn finest_normal(
         &self,
-        at_28: Entered,
+        at_32: Entered,
         uv_12: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_28, rt::into(uv_12)))
+        rt::into(self.v_finest_normal(at_32, rt::into(uv_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_finest_normal(
         &self,
-        at_28: Entered,
+        at_32: Entered,
         uv_12: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
             let _e9 = self.v_normal_at(uv_12, rt::Scalar(0i32), rt::Scalar(0u32));
-            let _e11 = self.v_from_tangent_space(at_28, _e9.xyz());
+            let _e11 = self.v_from_tangent_space(at_32, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_28, uv_12);
+        let _e13 = self.v_normal_from_height(at_32, uv_12);
         return _e13;
     }
-    pub(crate) fn inside_unit(
-        &self,
-        x0_: impl rt::Into<rt::Scalar<f32>>,
-        dx: impl rt::Into<rt::Scalar<f32>>,
-        interval_2: impl rt::Into<rt::Vec2<f32>>,
-    ) -> rt::Vec2<f32> {
-        rt::into(self.v_inside_unit(rt::into(x0_), rt::into(dx), rt::into(interval_2)))
+    pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
+        rt::into(self.v_miss(rt::into(cost_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_inside_unit(
-        &self,
-        x0_: rt::Scalar<f32>,
-        dx: rt::Scalar<f32>,
-        interval_2: rt::Vec2<f32>,
-    ) -> rt::Vec2<f32> {
-        let mut local_13: rt::Scalar<bool>;
-
-        if rt::Scalar::into_branch_condition(dx.elementwise_eq(rt::Scalar(0f32))) {
-            if rt::Scalar::into_branch_condition((!x0_.elementwise_lt(rt::Scalar(0f32)))) {
-                local_13 = x0_.elementwise_gt(rt::Scalar(1f32));
-            } else {
-                local_13 = rt::Scalar(true);
-            }
-            let _e13 = local_13;
-            if rt::Scalar::into_branch_condition(_e13) {
-                return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
-            }
-            return interval_2;
-        }
-        let a_10 = ((rt::Scalar(0f32) - x0_) / dx);
-        let b_9 = ((rt::Scalar(1f32) - x0_) / dx);
-        return <rt::Vec2<f32>>::from_scalars(interval_2.x().max(a_10.min(b_9)), interval_2.y().min(a_10.max(b_9)));
+    fn v_miss(&self, cost_2: rt::Vec3<u32>) -> Hit {
+        return <Hit>::new(rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), cost_2);
     }
     pub(crate) fn surface_plane_segment(
         &self,
-        pixel_31: PixelIn,
-        at_29: Entered,
+        pixel_39: PixelIn,
+        at_33: Entered,
         k_1: impl rt::Into<rt::Scalar<u32>>,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_31, at_29, rt::into(k_1), rt::into(params_15)))
+        rt::into(self.v_surface_plane_segment(pixel_39, at_33, rt::into(k_1), rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_segment(
         &self,
-        pixel_31: PixelIn,
-        at_29: Entered,
+        pixel_39: PixelIn,
+        at_33: Entered,
         k_1: rt::Scalar<u32>,
-        params_15: rt::Vec4<f32>,
+        params_18: rt::Vec4<f32>,
     ) -> Path {
         let mut enter: rt::Scalar<f32>;
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_3: rt::Vec2<f32>;
 
-        let along_15 = pixel_31.direction.length();
-        let direction_5 = (pixel_31.direction / rt::Vec3::splat_from_scalar(along_15));
-        let _e9 = self.v_climb(at_29, direction_5);
-        let duv_4 = _e9.xy();
-        let descent_3 = (rt::Scalar(0f32) - at_29.normal.dot(direction_5));
+        let along_22 = pixel_39.direction.length();
+        let direction_5 = (pixel_39.direction / rt::Vec3::splat_from_scalar(along_22));
+        let _e9 = self.v_climb(at_33, direction_5);
+        let duv_5 = _e9.xy();
+        let descent_3 = (rt::Scalar(0f32) - at_33.normal.dot(direction_5));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
-        let slope_5 = ((rt::Scalar(0f32) - descent_3) / _e15);
-        let _e20 = self.v_plane_normal(pixel_31);
-        let _e21 = self.v_plane_distance(pixel_31, _e20);
-        let distance = (_e21 * along_15);
+        let slope_7 = ((rt::Scalar(0f32) - descent_3) / _e15);
+        let _e20 = self.v_plane_normal(pixel_39);
+        let _e21 = self.v_plane_distance(pixel_39, _e20);
+        let distance = (_e21 * along_22);
         let eye_2 = (rt::Scalar(0f32) - distance);
         let top_4 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
         enter = top_4.max(eye_2);
@@ -3991,10 +4907,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
             let _e48 = enter;
             let _e49 = leave_4;
-            let _e51 = self.v_inside_unit(at_29.uv.x(), duv_4.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
+            let _e51 = self.v_inside_unit(at_33.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
             interval_3 = _e51;
             let _e56 = interval_3;
-            let _e57 = self.v_inside_unit(at_29.uv.y(), duv_4.y(), _e56);
+            let _e57 = self.v_inside_unit(at_33.uv.y(), duv_5.y(), _e56);
             interval_3 = _e57;
             let _e59 = interval_3.x();
             enter = _e59;
@@ -4003,424 +4919,202 @@ impl<'g> Resources<'g> {
         }
         let _e62 = enter;
         let _e65 = enter;
-        let entry_height = (_e16 + (slope_5 * _e62)).select(rt::Scalar(1f32), _e65.elementwise_eq(top_4));
+        let entry_height = (_e16 + (slope_7 * _e62)).select(rt::Scalar(1f32), _e65.elementwise_eq(top_4));
         let _e69 = enter;
         let base_2 = (rt::Scalar(0f32) - _e69).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e76 = enter;
         let _e81 = leave_4;
         let _e82 = enter;
         let _e87 = enter;
-        return <Path>::new((at_29.uv + (duv_4 * _e76)), duv_4, <rt::Vec3<f32>>::from_scalars(entry_height, slope_5, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_29.metric, RAY_VIEW, rt::Scalar(at_29.level), (distance + _e87), rt::Scalar(1f32));
+        return <Path>::new((at_33.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_7, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_33.metric, RAY_VIEW, rt::Scalar(at_33.level), (distance + _e87), rt::Scalar(1f32));
     }
-    pub(crate) fn path_from(
+    pub(crate) fn folded_segment(
         &self,
-        path_12: Path,
-        t_11: impl rt::Into<rt::Scalar<f32>>,
-    ) -> Path {
-        rt::into(self.v_path_from(path_12, rt::into(t_11)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_path_from(
-        &self,
-        path_12: Path,
-        t_11: rt::Scalar<f32>,
-    ) -> Path {
-        let mut rest: Path;
-
-        rest = path_12;
-        let _e4 = self.v_path_uv(path_12, t_11);
-        rest.uv = _e4;
-        rest.h = <rt::Vec3<f32>>::from_scalars((path_12.h.x() + (t_11 * (path_12.h.y() + (t_11 * path_12.h.z())))), (path_12.h.y() + ((rt::Scalar(2f32) * t_11) * path_12.h.z())), path_12.h.z());
-        rt::Scalar(rest.exit) = (rt::Scalar(path_12.exit) - t_11);
-        rt::Scalar(rest.start) = (rt::Scalar(path_12.start) + t_11);
-        let _e33 = rest;
-        return _e33;
-    }
-    pub(crate) fn grid_of(&self, path_13: Path) -> Grid {
-        rt::into(self.v_grid_of(path_13))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_grid_of(&self, path_13: Path) -> Grid {
-        let _e2 = self.v_height_size(rt::Scalar(path_13.level));
-        return <Grid>::new(((path_13.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_13.duv * _e2));
-    }
-    pub(crate) fn rounded_gap(
-        &self,
-        path_14: Path,
-        slack_2: impl rt::Into<rt::Scalar<f32>>,
-        texels_1: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_rounded_gap(path_14, rt::into(slack_2), rt::into(texels_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_rounded_gap(
-        &self,
-        path_14: Path,
-        slack_2: rt::Scalar<f32>,
-        texels_1: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        let _e4 = self.v_height_size(rt::Scalar(path_14.level));
-        let _e11 = self.v_cell_of(((path_14.uv * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e14 = self.v_height_cell(_e11.cast_elem_as_i32(), rt::Scalar(path_14.level));
-        let range = (_e14.x().max(_e14.y()).max(_e14.z().max(_e14.w())) - _e14.x().min(_e14.y()).min(_e14.z().min(_e14.w())));
-        let change_2 = (path_14.duv.abs() * _e4);
-        let places = ((path_14.uv.abs() * _e4) * rt::Scalar(0.0000009536743f32));
-        let aside_3 = (((((change_2.x() + change_2.y()) * slack_2) + places.x()) + places.y()) + texels_1);
-        return (((path_14.h.y().abs() * slack_2) + (range * aside_3)) + rt::Scalar(0.0000009536743f32));
-    }
-    pub(crate) fn out_of_ground(
-        &self,
-        path_15: Path,
-        slack_3: impl rt::Into<rt::Scalar<f32>>,
-        texels_2: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_out_of_ground(path_15, rt::into(slack_3), rt::into(texels_2)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_out_of_ground(
-        &self,
-        path_15: Path,
-        slack_3: rt::Scalar<f32>,
-        texels_2: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        let mut cell_6: rt::Vec2<f32>;
-        let mut t_12: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_14: rt::Scalar<bool>;
-        let mut local_15: rt::Scalar<bool>;
-        let mut local_16: rt::Scalar<bool>;
-
-        let _e3 = self.v_grid_of(path_15);
-        let _e4 = self.v_rounded_gap(path_15, slack_3, texels_2);
-        let _e6 = self.v_cell_of(_e3.origin);
-        cell_6 = _e6;
-        let _e10 = cell_6;
-        let _e12 = self.v_cell_gap(path_15, _e3, _e10, rt::Scalar(0f32));
-        let is_near = _e12.x().elementwise_ge((rt::Scalar(0f32) - _e4));
-        if rt::Scalar::into_branch_condition(_e12.x().elementwise_le(rt::Scalar(0f32))) {
-            local_14 = _e12.y().elementwise_gt(rt::Scalar(0f32));
-        } else {
-            local_14 = rt::Scalar(false);
-        }
-        let comes_out = local_14;
-        if rt::Scalar::into_branch_condition(is_near) {
-            local_15 = (!comes_out);
-        } else {
-            local_15 = rt::Scalar(false);
-        }
-        let _e31 = local_15;
-        if rt::Scalar::into_branch_condition(_e31) {
-            return rt::Scalar(0f32);
-        }
-        let _e34 = self.v_rounded_gap(path_15, slack_3, rt::Scalar(0f32));
-        'naga_break: loop {
-            'naga_continue: {
-                let _e35 = t_12;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(path_15.exit))) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e38 = cell_6;
-                    let _e39 = self.v_cell_leave(_e3, _e38);
-                    let end_1 = _e39.x().min(_e39.y()).min(rt::Scalar(path_15.exit));
-                    let _e48 = cell_6;
-                    let _e49 = t_12;
-                    let _e50 = self.v_cell_gap(path_15, _e3, _e48, _e49);
-                    let below_4 = (<rt::Vec3<f32>>::from_scalars(_e34, rt::Scalar(0f32), rt::Scalar(0f32)) - _e50);
-                    if rt::Scalar::into_branch_condition((!below_4.x().elementwise_gt(rt::Scalar(0f32)))) {
-                        let _e56 = t_12;
-                        return _e56;
-                    }
-                    let _e57 = t_12;
-                    let span_5 = (end_1 - _e57).max(rt::Scalar(0f32));
-                    let _e61 = self.v_first_root(below_4, span_5);
-                    if rt::Scalar::into_branch_condition(_e61.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e64 = t_12;
-                        return (_e64 + _e61);
-                    }
-                    if rt::Scalar::into_branch_condition(is_near) {
-                        let _e68 = self.v_quadratic(below_4, span_5);
-                        local_16 = _e68.elementwise_gt((_e34 + _e4));
-                    } else {
-                        local_16 = rt::Scalar(false);
-                    }
-                    let _e72 = local_16;
-                    if rt::Scalar::into_branch_condition(_e72) {
-                        return rt::Scalar(0f32);
-                    }
-                    let _e74 = cell_6;
-                    let _e75 = self.v_cell_next(_e3, _e74, _e39);
-                    cell_6 = _e75;
-                    let _e76 = t_12;
-                    t_12 = _e76.max(end_1);
-                }
-            }
-        }
-        return rt::Scalar(path_15.exit);
-    }
-    pub(crate) fn surface_tetrahedra_segment(
-        &self,
-        pixel_32: PixelIn,
-        at_30: Entered,
+        pixel_40: PixelIn,
+        at_34: Entered,
         k_2: impl rt::Into<rt::Scalar<u32>>,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_32, at_30, rt::into(k_2), rt::into(params_16)))
+        rt::into(self.v_folded_segment(pixel_40, at_34, rt::into(k_2), rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_tetrahedra_segment(
+    fn v_folded_segment(
         &self,
-        pixel_32: PixelIn,
-        at_30: Entered,
+        pixel_40: PixelIn,
+        at_34: Entered,
         k_2: rt::Scalar<u32>,
-        params_16: rt::Vec4<f32>,
+        params_19: rt::Vec4<f32>,
     ) -> Path {
-        let mut chosen: Tetrahedron;
-        let mut inside_1: rt::Vec2<f32>;
-        let mut path_16: Path;
+        let mut a_6: WayPoint;
+        let mut b_6: WayPoint;
+        let mut path_17: Path;
+        let mut local_28: rt::Scalar<bool>;
 
-        let along_16 = pixel_32.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_32, along_16);
-        let _e8 = self.v_tetrahedron(pixel_32, along_16, _e6, rt::Scalar(0u32));
-        let _e10 = self.v_tetrahedron(pixel_32, along_16, _e6, rt::Scalar(1u32));
-        let _e12 = self.v_tetrahedron(pixel_32, along_16, _e6, rt::Scalar(2u32));
-        let _e15 = self.v_comes_before(_e8.inside, _e10.inside);
-        let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
-        let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
-        chosen = _e8;
-        if rt::Scalar::into_branch_condition((_e15 + (rt::Scalar(1u32) - _e21)).elementwise_eq(k_2)) {
-            chosen = _e10;
+        let along_23 = pixel_40.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_40, along_23);
+        let _e7 = self.v_prism_of(pixel_40, along_23, _e6, params_19);
+        let _e8 = self.v_shell_slack(pixel_40, _e6);
+        let _e9 = self.v_way_of(pixel_40, _e7, along_23);
+        let _e10 = self.v_way_offsets(pixel_40, _e7, _e8);
+        let _e11 = self.v_chord_reach(pixel_40, at_34, _e6, params_19);
+        let _e12 = self.v_way_beyond(_e7, _e10, _e11);
+        let _e14 = self.v_way_chord(pixel_40, _e7, along_23, _e9, _e10, _e12, params_19.x(), k_2);
+        let _e16 = self.v_before_turn(_e7, along_23, _e9, _e14.offsets);
+        let _e18 = self.v_way_point(_e7, along_23, _e9, _e16.x());
+        a_6 = _e18;
+        let _e25 = self.v_way_point(_e7, along_23, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
+        let _e27 = self.v_way_point(_e7, along_23, _e9, _e16.y());
+        b_6 = _e27;
+        let _e30 = rt::Scalar(b_6.t);
+        let _e32 = rt::Scalar(a_6.t);
+        if rt::Scalar::into_branch_condition(_e30.elementwise_lt(_e32)) {
+            let turned_1 = b_6;
+            let _e35 = a_6;
+            b_6 = _e35;
+            a_6 = turned_1;
         }
-        if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_2)) {
-            chosen = _e12;
+        let _e38 = rt::Scalar(a_6.t);
+        let _e41 = rt::Scalar(b_6.t);
+        let _e43 = rt::Scalar(a_6.t);
+        let part_13 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
+        let _e48 = rt::Scalar(a_6.point.height);
+        let _e53 = rt::Scalar(b_6.point.height);
+        let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_13);
+        let _e56 = a_6.point;
+        let _e58 = b_6.point;
+        let _e60 = rt::Scalar(a_6.t);
+        let _e62 = rt::Scalar(b_6.t);
+        let _e64 = self.v_chord_path(pixel_40, at_34, _e6, params_19, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
+        path_17 = _e64;
+        let _e67 = rt::Scalar(a_6.beside);
+        if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
+            let _e76 = rt::Scalar(b_6.beside);
+            local_28 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
+        } else {
+            local_28 = rt::Scalar(true);
         }
-        let _e30 = self.v_ordered(pixel_32, rt::Scalar(0u32));
-        let _e32 = self.v_ordered(pixel_32, rt::Scalar(1u32));
-        let _e34 = self.v_ordered(pixel_32, rt::Scalar(2u32));
-        let w_2 = chosen.weights;
-        let g = chosen.change;
-        let uv_27 = (((_e30.uv * w_2.x()) + (_e32.uv * w_2.y())) + (_e34.uv * w_2.z()));
-        let duv_5 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
-        let _e61 = self.v_shell_slack(pixel_32, _e6);
-        let beyond_1 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
-        let _e68 = chosen.inside;
-        inside_1 = _e68;
-        let _e70 = inside_1;
-        let _e77 = self.v_where_positive(_e70, (w_2.w() - pixel_32.shell.heights.x()), g.w(), beyond_1);
-        inside_1 = _e77;
-        let _e78 = inside_1;
-        let _e87 = self.v_where_positive(_e78, (pixel_32.shell.heights.y() - w_2.w()), (rt::Scalar(0f32) - g.w()), beyond_1);
-        inside_1 = _e87;
-        let _e90 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
-            let _e95 = inside_1;
-            let _e96 = self.v_inside_unit(uv_27.x(), duv_5.x(), _e95);
-            inside_1 = _e96;
-            let _e99 = inside_1;
-            let _e100 = self.v_inside_unit(uv_27.y(), duv_5.y(), _e99);
-            inside_1 = _e100;
+        let _e82 = local_28;
+        if rt::Scalar::into_branch_condition(_e82) {
+            rt::Scalar(path_17.exit) = rt::Scalar(0f32);
         }
-        let whole = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
-        let _e125 = inside_1.x();
-        let _e131 = inside_1.x();
-        let _e138 = inside_1.y();
-        let _e140 = inside_1.x();
-        let _e146 = inside_1.x();
-        let _e149 = inside_1.y();
-        let _e151 = inside_1.x();
-        path_16 = <Path>::new((uv_27 + (duv_5 * _e125)), duv_5, <rt::Vec3<f32>>::from_scalars((w_2.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_30.metric, RAY_VIEW, rt::Scalar(at_30.level), (_e6 + _e146), ((_e149 - _e151) / whole));
-        let _e158 = rt::Scalar(path_16.exit);
-        if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
-            let _e161 = path_16;
-            let _e162 = path_16;
-            let _e166 = self.v_out_of_ground(_e162, (rt::Scalar(4f32) * _e61), rt::Scalar(0f32));
-            let _e167 = self.v_path_from(_e161, _e166);
-            path_16 = _e167;
-        }
-        let _e168 = path_16;
-        return _e168;
+        let _e85 = path_17;
+        return _e85;
     }
     pub(crate) fn surface_prism_segment(
         &self,
-        pixel_33: PixelIn,
-        at_31: Entered,
+        pixel_41: PixelIn,
+        at_35: Entered,
         k_3: impl rt::Into<rt::Scalar<u32>>,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_33, at_31, rt::into(k_3), rt::into(params_17)))
+        rt::into(self.v_surface_prism_segment(pixel_41, at_35, rt::into(k_3), rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_segment(
         &self,
-        pixel_33: PixelIn,
-        at_31: Entered,
+        pixel_41: PixelIn,
+        at_35: Entered,
         k_3: rt::Scalar<u32>,
-        params_17: rt::Vec4<f32>,
+        params_20: rt::Vec4<f32>,
     ) -> Path {
-        let mut inside_2: rt::Vec2<f32>;
-        let mut path_17: Path;
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_33.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_surface_tetrahedra_segment(pixel_33, at_31, k_3, params_17);
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_41.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e8 = self.v_folded_segment(pixel_41, at_35, k_3, params_20);
             return _e8;
         }
-        let along_17 = pixel_33.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_33, along_17);
-        let _e12 = self.v_prism_of(pixel_33, along_17, _e11, params_17);
-        let heights_1 = pixel_33.shell.heights;
-        let mean_3 = (rt::Scalar(0.5f32) * (heights_1.x() + heights_1.y()));
-        let _e20 = self.v_chord_end(at_31, k_3);
-        let _e23 = self.v_chord_end(at_31, (k_3 + rt::Scalar(1u32)));
-        let long_1 = (_e23 - _e20);
-        let _e26 = self.v_shell_point(_e12, (along_17 * _e20), mean_3);
-        let _e31 = self.v_shell_point(_e12, (along_17 * (rt::Scalar(0.5f32) * (_e20 + _e23))), mean_3);
-        let _e33 = self.v_shell_point(_e12, (along_17 * _e23), mean_3);
-        let _e35 = self.v_uv_of(pixel_33, _e26.weights);
-        let _e37 = self.v_uv_of(pixel_33, _e33.weights);
-        let duv_6 = ((_e37 - _e35) / rt::Vec2::splat_from_scalar(long_1));
-        let bend_2 = (rt::Scalar(2f32) * ((rt::Scalar(_e26.height) + rt::Scalar(_e33.height)) - (rt::Scalar(2f32) * rt::Scalar(_e31.height))));
-        let slope_6 = ((rt::Scalar(_e33.height) - rt::Scalar(_e26.height)) - bend_2);
-        let _e54 = self.v_shell_slack(pixel_33, _e11);
-        let change_3 = ((_e33.weights - _e26.weights) / rt::Vec3::splat_from_scalar(long_1));
-        let _e67 = self.v_height_size(rt::Scalar(0u32));
-        let _e70 = self.v_height_size(rt::Scalar(0u32));
-        let texel_7 = (at_31.metric.x().max(at_31.metric.z()).sqrt() / _e67.x().max(_e70.y()));
-        let edges = <rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length());
-        let twice = (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length();
-        let beyond_2 = (edges * ((_e54 + ((rt::Scalar(2f32) * params_17.x()) * texel_7)) / twice));
-        inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_1);
-        let _e105 = inside_2;
-        let _e110 = self.v_where_positive(_e105, _e26.weights.x(), change_3.x(), beyond_2.x());
-        inside_2 = _e110;
-        let _e111 = inside_2;
-        let _e116 = self.v_where_positive(_e111, _e26.weights.y(), change_3.y(), beyond_2.y());
-        inside_2 = _e116;
-        let _e117 = inside_2;
-        let _e122 = self.v_where_positive(_e117, _e26.weights.z(), change_3.z(), beyond_2.z());
-        inside_2 = _e122;
-        let _e125 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e125.elementwise_eq(WRAP_CLAMP)) {
-            let _e130 = inside_2;
-            let _e131 = self.v_inside_unit(_e35.x(), duv_6.x(), _e130);
-            inside_2 = _e131;
-            let _e134 = inside_2;
-            let _e135 = self.v_inside_unit(_e35.y(), duv_6.y(), _e134);
-            inside_2 = _e135;
-        }
-        let _e142 = inside_2.y();
-        path_17 = <Path>::new(_e35, duv_6, <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e26.height), (slope_6 / long_1), (bend_2 / (long_1 * long_1))), _e142, rt::Scalar(0f32), at_31.metric, RAY_VIEW, rt::Scalar(at_31.level), (_e11 + _e20), (rt::Scalar(1f32) / rt::Scalar(at_31.segments).cast_elem_as_f32()));
-        let _e155 = inside_2.y();
-        let _e157 = inside_2.x();
-        if rt::Scalar::into_branch_condition((!_e155.elementwise_gt(_e157))) {
-            rt::Scalar(path_17.exit) = rt::Scalar(0f32);
-            let _e162 = path_17;
-            return _e162;
-        }
-        let _e163 = path_17;
-        let _e165 = inside_2.x();
-        let _e166 = self.v_path_from(_e163, _e165);
-        path_17 = _e166;
-        let _e169 = path_17.h.x();
-        let above_4 = (_e169 - heights_1.y());
-        if rt::Scalar::into_branch_condition(above_4.elementwise_gt(rt::Scalar(0f32))) {
-            let _e174 = path_17;
-            let _e177 = path_17.h.y();
-            let _e180 = path_17.h.z();
-            let _e183 = rt::Scalar(path_17.exit);
-            let _e184 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_4, _e177, _e180), _e183);
-            let _e186 = rt::Scalar(path_17.exit);
-            let _e188 = self.v_path_from(_e174, _e184.min(_e186));
-            path_17 = _e188;
-        }
-        let _e190 = rt::Scalar(path_17.exit);
-        if rt::Scalar::into_branch_condition(_e190.elementwise_gt(rt::Scalar(0f32))) {
-            let _e193 = path_17;
-            let _e194 = path_17;
-            let _e198 = self.v_out_of_ground(_e194, (rt::Scalar(4f32) * _e54), params_17.x());
-            let _e199 = self.v_path_from(_e193, _e198);
-            path_17 = _e199;
-        }
-        let _e200 = path_17;
-        return _e200;
+        let along_24 = pixel_41.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_41, along_24);
+        let _e12 = self.v_prism_of(pixel_41, along_24, _e11, params_20);
+        let heights_2 = pixel_41.shell.heights;
+        let mean_3 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
+        let _e20 = self.v_chord_end(at_35, k_3);
+        let _e23 = self.v_chord_end(at_35, (k_3 + rt::Scalar(1u32)));
+        let _e25 = self.v_shell_point(_e12, (along_24 * _e20), mean_3);
+        let _e30 = self.v_shell_point(_e12, (along_24 * (rt::Scalar(0.5f32) * (_e20 + _e23))), mean_3);
+        let _e32 = self.v_shell_point(_e12, (along_24 * _e23), mean_3);
+        let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e32.height)) - (rt::Scalar(2f32) * rt::Scalar(_e30.height))));
+        let _e55 = self.v_chord_reach(pixel_41, at_35, _e11, params_20);
+        let beyond_4 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e55 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
+        let _e67 = self.v_chord_path(pixel_41, at_35, _e11, params_20, _e25, _e32, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_4);
+        return _e67;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
         &self,
-        pixel_34: PixelIn,
-        at_32: Entered,
+        pixel_42: PixelIn,
+        at_36: Entered,
         k_4: impl rt::Into<rt::Scalar<u32>>,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_34, at_32, rt::into(k_4), rt::into(params_18)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_42, at_36, rt::into(k_4), rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_segment(
         &self,
-        pixel_34: PixelIn,
-        at_32: Entered,
+        pixel_42: PixelIn,
+        at_36: Entered,
         k_4: rt::Scalar<u32>,
-        params_18: rt::Vec4<f32>,
+        params_21: rt::Vec4<f32>,
     ) -> Path {
-        let mut begin: rt::Scalar<f32>;
-        let mut end: rt::Scalar<f32>;
-        let mut local_17: rt::Scalar<bool>;
+        let mut begin_1: rt::Scalar<f32>;
+        let mut end_1: rt::Scalar<f32>;
+        let mut local_29: rt::Scalar<bool>;
         let mut path_18: Path;
-        let mut inside_3: rt::Vec2<f32>;
+        let mut inside_2: rt::Vec2<f32>;
 
-        let along_18 = pixel_34.direction.length();
-        let _e9 = self.v_across_of(at_32, (pixel_34.direction / rt::Vec3::splat_from_scalar(along_18)));
+        let along_25 = pixel_42.direction.length();
+        let _e9 = self.v_across_of(at_36, (pixel_42.direction / rt::Vec3::splat_from_scalar(along_25)));
         let _e10 = self.v_traced_scale_m();
-        let _e11 = self.v_plane_normal(pixel_34);
-        let _e12 = self.v_plane_distance(pixel_34, _e11);
-        let distance_1 = (_e12 * along_18);
-        let whole_1 = (at_32.span.y() - at_32.span.x());
-        let first_3 = (at_32.span.x() + (whole_1 * (k_4.cast_elem_as_f32() / params_18.z())));
-        let last_3 = (at_32.span.x() + (whole_1 * ((k_4 + rt::Scalar(1u32)).cast_elem_as_f32() / params_18.z())));
-        let long_2 = (last_3 - first_3);
-        let _e38 = self.v_across_depth(_e9, first_3);
-        begin = (at_32.quadric.w() - (_e38 / _e10));
+        let _e11 = self.v_plane_normal(pixel_42);
+        let _e12 = self.v_plane_distance(pixel_42, _e11);
+        let distance_1 = (_e12 * along_25);
+        let whole = (at_36.span.y() - at_36.span.x());
+        let first_7 = (at_36.span.x() + (whole * (k_4.cast_elem_as_f32() / params_21.z())));
+        let last_3 = (at_36.span.x() + (whole * ((k_4 + rt::Scalar(1u32)).cast_elem_as_f32() / params_21.z())));
+        let long_4 = (last_3 - first_7);
+        let _e38 = self.v_across_depth(_e9, first_7);
+        begin_1 = (at_36.quadric.w() - (_e38 / _e10));
         if rt::Scalar::into_branch_condition(k_4.elementwise_eq(rt::Scalar(0u32))) {
-            let _e44 = begin;
-            begin = _e44.min(rt::Scalar(1f32));
+            let _e44 = begin_1;
+            begin_1 = _e44.min(rt::Scalar(1f32));
         }
-        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_3 + last_3)));
-        let middle_9 = (at_32.quadric.w() - (_e52 / _e10));
+        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_7 + last_3)));
+        let middle_12 = (at_36.quadric.w() - (_e52 / _e10));
         let _e57 = self.v_across_depth(_e9, last_3);
-        end = (at_32.quadric.w() - (_e57 / _e10));
-        if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_18.z().cast_elem_as_u32())) {
-            let _e68 = end;
-            local_17 = _e68.elementwise_lt(rt::Scalar(0.5f32));
+        end_1 = (at_36.quadric.w() - (_e57 / _e10));
+        if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_21.z().cast_elem_as_u32())) {
+            let _e68 = end_1;
+            local_29 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
-            local_17 = rt::Scalar(false);
+            local_29 = rt::Scalar(false);
         }
-        let _e72 = local_17;
+        let _e72 = local_29;
         if rt::Scalar::into_branch_condition(_e72) {
-            let _e73 = end;
-            end = _e73.min(rt::Scalar(-0.000001f32));
+            let _e73 = end_1;
+            end_1 = _e73.min(rt::Scalar(-0.000001f32));
         }
-        let _e76 = begin;
-        let _e77 = end;
-        let bend_3 = (rt::Scalar(2f32) * ((_e76 + _e77) - (rt::Scalar(2f32) * middle_9)));
-        let _e84 = end;
-        let _e85 = begin;
-        let slope_7 = ((_e84 - _e85) - bend_3);
-        let base_3 = (rt::Scalar(0f32) - first_3).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let _e98 = begin;
-        path_18 = <Path>::new((at_32.uv + (_e9.duv * first_3)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_7 / long_2), (bend_3 / (long_2 * long_2))), long_2, base_3, at_32.metric, RAY_VIEW, rt::Scalar(at_32.level), (distance_1 + first_3), (rt::Scalar(1f32) / params_18.z()));
-        inside_3 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_2);
+        let _e76 = begin_1;
+        let _e77 = end_1;
+        let bend_5 = (rt::Scalar(2f32) * ((_e76 + _e77) - (rt::Scalar(2f32) * middle_12)));
+        let _e84 = end_1;
+        let _e85 = begin_1;
+        let slope_8 = ((_e84 - _e85) - bend_5);
+        let base_3 = (rt::Scalar(0f32) - first_7).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e98 = begin_1;
+        path_18 = <Path>::new((at_36.uv + (_e9.duv * first_7)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_8 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_36.metric, RAY_VIEW, rt::Scalar(at_36.level), (distance_1 + first_7), (rt::Scalar(1f32) / params_21.z()));
+        inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
         let _e117 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e117.elementwise_eq(WRAP_CLAMP)) {
             let _e122 = path_18.uv.x();
-            let _e125 = inside_3;
+            let _e125 = inside_2;
             let _e126 = self.v_inside_unit(_e122, _e9.duv.x(), _e125);
-            inside_3 = _e126;
+            inside_2 = _e126;
             let _e129 = path_18.uv.y();
-            let _e132 = inside_3;
+            let _e132 = inside_2;
             let _e133 = self.v_inside_unit(_e129, _e9.duv.y(), _e132);
-            inside_3 = _e133;
-            let _e136 = inside_3.y();
+            inside_2 = _e133;
+            let _e136 = inside_2.y();
             rt::Scalar(path_18.exit) = _e136;
             let _e137 = path_18;
-            let _e139 = inside_3.x();
+            let _e139 = inside_2.x();
             let _e140 = self.v_path_from(_e137, _e139);
             path_18 = _e140;
         }
@@ -4433,67 +5127,67 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_quadric_vertical_segment(
         &self,
-        pixel_35: PixelIn,
-        at_33: Entered,
+        pixel_43: PixelIn,
+        at_37: Entered,
         k_5: impl rt::Into<rt::Scalar<u32>>,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_35, at_33, rt::into(k_5), rt::into(params_19)))
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_43, at_37, rt::into(k_5), rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_segment(
         &self,
-        pixel_35: PixelIn,
-        at_33: Entered,
+        pixel_43: PixelIn,
+        at_37: Entered,
         k_5: rt::Scalar<u32>,
-        params_19: rt::Vec4<f32>,
+        params_22: rt::Vec4<f32>,
     ) -> Path {
-        let mut local_18: rt::Scalar<bool>;
-        let mut local_19: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
         let mut enter_1: rt::Scalar<f32>;
         let mut leave_5: rt::Scalar<f32>;
         let mut interval_4: rt::Vec2<f32>;
         let mut path_19: Path;
-        let mut local_20: rt::Scalar<bool>;
+        let mut local_32: rt::Scalar<bool>;
 
-        let along_19 = pixel_35.direction.length();
-        let direction_6 = (pixel_35.direction / rt::Vec3::splat_from_scalar(along_19));
-        let _e9 = self.v_climb(at_33, direction_6);
-        let duv_7 = _e9.xy();
-        let descent_4 = (rt::Scalar(0f32) - at_33.normal.dot(direction_6));
+        let along_26 = pixel_43.direction.length();
+        let direction_6 = (pixel_43.direction / rt::Vec3::splat_from_scalar(along_26));
+        let _e9 = self.v_climb(at_37, direction_6);
+        let duv_6 = _e9.xy();
+        let descent_4 = (rt::Scalar(0f32) - at_37.normal.dot(direction_6));
         let _e15 = self.v_traced_scale_m();
-        let height_8 = at_33.quadric.w();
-        let slope_8 = ((rt::Scalar(0f32) - descent_4) / _e15);
-        let _e23 = self.v_quadric_at(at_33.quadric.xyz(), duv_7);
+        let height_12 = at_37.quadric.w();
+        let slope_9 = ((rt::Scalar(0f32) - descent_4) / _e15);
+        let _e23 = self.v_quadric_at(at_37.quadric.xyz(), duv_6);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
-        let _e27 = self.v_plane_normal(pixel_35);
-        let _e28 = self.v_plane_distance(pixel_35, _e27);
-        let distance_2 = (_e28 * along_19);
+        let _e27 = self.v_plane_normal(pixel_43);
+        let _e28 = self.v_plane_distance(pixel_43, _e27);
+        let distance_2 = (_e28 * along_26);
         let eye_3 = (rt::Scalar(0f32) - distance_2);
-        let _e35 = self.v_bent_descent(((height_8 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
+        let _e35 = self.v_bent_descent(((height_12 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-            if rt::Scalar::into_branch_condition((!height_8.elementwise_lt(rt::Scalar(1f32)))) {
-                local_19 = _e35.elementwise_ge(rt::Scalar(0f32));
+            if rt::Scalar::into_branch_condition((!height_12.elementwise_lt(rt::Scalar(1f32)))) {
+                local_31 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
-                local_19 = rt::Scalar(true);
+                local_31 = rt::Scalar(true);
             }
-            let _e48 = local_19;
-            local_18 = _e48;
+            let _e48 = local_31;
+            local_30 = _e48;
         } else {
-            local_18 = rt::Scalar(false);
+            local_30 = rt::Scalar(false);
         }
-        let comes_down = local_18;
+        let comes_down = local_30;
         enter_1 = _e35.max(eye_3);
         let _e53 = enter_1;
         let _e54 = enter_1;
         let _e59 = enter_1;
-        let begin_3 = (height_8 + (_e53 * (slope_8 + (curve * _e54)))).select(rt::Scalar(1f32), _e59.elementwise_eq(_e35));
+        let begin_4 = (height_12 + (_e53 * (slope_9 + (curve * _e54)))).select(rt::Scalar(1f32), _e59.elementwise_eq(_e35));
         let _e63 = enter_1;
         let _e66 = enter_1;
-        let _e70 = self.v_bent_exit(<rt::Vec3<f32>>::from_scalars(begin_3, (slope_8 + ((rt::Scalar(2f32) * curve) * _e66)), curve));
+        let _e70 = self.v_bent_exit(<rt::Vec3<f32>>::from_scalars(begin_4, (slope_9 + ((rt::Scalar(2f32) * curve) * _e66)), curve));
         leave_5 = (_e63 + _e70);
         if rt::Scalar::into_branch_condition(_e23.elementwise_eq(rt::Scalar(0f32))) {
-            leave_5 = ((height_8 * _e15) / descent_4);
+            leave_5 = ((height_12 * _e15) / descent_4);
             let _e77 = leave_5;
             let _e78 = leave_5;
             leave_5 = (_e77 + ((_e78 - _e35) * rt::Scalar(0.000001f32)));
@@ -4502,10 +5196,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e85.elementwise_eq(WRAP_CLAMP)) {
             let _e91 = enter_1;
             let _e92 = leave_5;
-            let _e94 = self.v_inside_unit(at_33.uv.x(), duv_7.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
+            let _e94 = self.v_inside_unit(at_37.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
             interval_4 = _e94;
             let _e99 = interval_4;
-            let _e100 = self.v_inside_unit(at_33.uv.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(at_37.uv.y(), duv_6.y(), _e99);
             interval_4 = _e100;
             let _e102 = interval_4.x();
             enter_1 = _e102;
@@ -4515,7 +5209,7 @@ impl<'g> Resources<'g> {
         let _e105 = enter_1;
         let _e106 = enter_1;
         let _e111 = enter_1;
-        let entry_height_1 = (height_8 + (_e105 * (slope_8 + (curve * _e106)))).select(rt::Scalar(1f32), _e111.elementwise_eq(_e35));
+        let entry_height_1 = (height_12 + (_e105 * (slope_9 + (curve * _e106)))).select(rt::Scalar(1f32), _e111.elementwise_eq(_e35));
         let _e115 = enter_1;
         let base_4 = (rt::Scalar(0f32) - _e115).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e122 = enter_1;
@@ -4523,209 +5217,284 @@ impl<'g> Resources<'g> {
         let _e131 = leave_5;
         let _e132 = enter_1;
         let _e137 = enter_1;
-        path_19 = <Path>::new((at_33.uv + (duv_7 * _e122)), duv_7, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_8 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_33.metric, RAY_VIEW, rt::Scalar(at_33.level), (distance_2 + _e137), rt::Scalar(1f32));
+        path_19 = <Path>::new((at_37.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_9 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_37.metric, RAY_VIEW, rt::Scalar(at_37.level), (distance_2 + _e137), rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
             let _e147 = rt::Scalar(path_19.exit);
-            local_20 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
+            local_32 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_20 = rt::Scalar(true);
+            local_32 = rt::Scalar(true);
         }
-        let _e152 = local_20;
+        let _e152 = local_32;
         if rt::Scalar::into_branch_condition(_e152) {
             rt::Scalar(path_19.exit) = rt::Scalar(0f32);
         }
         let _e155 = path_19;
         return _e155;
     }
+    pub(crate) fn surface_tetrahedra_segment(
+        &self,
+        pixel_44: PixelIn,
+        at_38: Entered,
+        k_6: impl rt::Into<rt::Scalar<u32>>,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Path {
+        rt::into(self.v_surface_tetrahedra_segment(pixel_44, at_38, rt::into(k_6), rt::into(params_23)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_tetrahedra_segment(
+        &self,
+        pixel_44: PixelIn,
+        at_38: Entered,
+        k_6: rt::Scalar<u32>,
+        params_23: rt::Vec4<f32>,
+    ) -> Path {
+        let mut chosen_1: Tetrahedron;
+        let mut inside_3: rt::Vec2<f32>;
+        let mut path_20: Path;
+
+        let along_27 = pixel_44.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_44, along_27);
+        let _e8 = self.v_tetrahedron(pixel_44, along_27, _e6, rt::Scalar(0u32));
+        let _e10 = self.v_tetrahedron(pixel_44, along_27, _e6, rt::Scalar(1u32));
+        let _e12 = self.v_tetrahedron(pixel_44, along_27, _e6, rt::Scalar(2u32));
+        let _e15 = self.v_comes_before(_e8.inside, _e10.inside);
+        let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
+        let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
+        chosen_1 = _e8;
+        if rt::Scalar::into_branch_condition((_e15 + (rt::Scalar(1u32) - _e21)).elementwise_eq(k_6)) {
+            chosen_1 = _e10;
+        }
+        if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_6)) {
+            chosen_1 = _e12;
+        }
+        let _e30 = self.v_ordered(pixel_44, rt::Scalar(0u32));
+        let _e32 = self.v_ordered(pixel_44, rt::Scalar(1u32));
+        let _e34 = self.v_ordered(pixel_44, rt::Scalar(2u32));
+        let w_3 = chosen_1.weights;
+        let g = chosen_1.change;
+        let uv_27 = (((_e30.uv * w_3.x()) + (_e32.uv * w_3.y())) + (_e34.uv * w_3.z()));
+        let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
+        let _e61 = self.v_shell_slack(pixel_44, _e6);
+        let beyond_5 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
+        let _e68 = chosen_1.inside;
+        inside_3 = _e68;
+        let _e70 = inside_3;
+        let _e77 = self.v_where_positive(_e70, (w_3.w() - pixel_44.shell.heights.x()), g.w(), beyond_5);
+        inside_3 = _e77;
+        let _e78 = inside_3;
+        let _e87 = self.v_where_positive(_e78, (pixel_44.shell.heights.y() - w_3.w()), (rt::Scalar(0f32) - g.w()), beyond_5);
+        inside_3 = _e87;
+        let _e90 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
+            let _e95 = inside_3;
+            let _e96 = self.v_inside_unit(uv_27.x(), duv_7.x(), _e95);
+            inside_3 = _e96;
+            let _e99 = inside_3;
+            let _e100 = self.v_inside_unit(uv_27.y(), duv_7.y(), _e99);
+            inside_3 = _e100;
+        }
+        let whole_1 = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
+        let _e125 = inside_3.x();
+        let _e131 = inside_3.x();
+        let _e138 = inside_3.y();
+        let _e140 = inside_3.x();
+        let _e146 = inside_3.x();
+        let _e149 = inside_3.y();
+        let _e151 = inside_3.x();
+        path_20 = <Path>::new((uv_27 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_3.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_38.metric, RAY_VIEW, rt::Scalar(at_38.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
+        let _e158 = rt::Scalar(path_20.exit);
+        if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
+            let _e161 = path_20;
+            let _e162 = path_20;
+            let _e166 = self.v_out_of_ground(_e162, (rt::Scalar(4f32) * _e61), rt::Scalar(0f32));
+            let _e167 = self.v_path_from(_e161, _e166);
+            path_20 = _e167;
+        }
+        let _e168 = path_20;
+        return _e168;
+    }
     pub(crate) fn surface_segment_stage(
         &self,
-        pixel_36: PixelIn,
-        at_34: Entered,
-        k_6: impl rt::Into<rt::Scalar<u32>>,
+        pixel_45: PixelIn,
+        at_39: Entered,
+        k_7: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_36, at_34, rt::into(k_6)))
+        rt::into(self.v_surface_segment_stage(pixel_45, at_39, rt::into(k_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_segment_stage(
         &self,
-        pixel_36: PixelIn,
-        at_34: Entered,
-        k_6: rt::Scalar<u32>,
+        pixel_45: PixelIn,
+        at_39: Entered,
+        k_7: rt::Scalar<u32>,
     ) -> Path {
         let _e7 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[0usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_36, at_34, k_6, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_45, at_39, k_7, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[0usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_36, at_34, k_6, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_45, at_39, k_7, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[0usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_36, at_34, k_6, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_45, at_39, k_7, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[0usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_36, at_34, k_6, _e30);
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_45, at_39, k_7, _e30);
                 return _e31;
             }
             _ => {
                 let _e36 = self.surface_settings.choices[0usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_36, at_34, k_6, _e36);
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_45, at_39, k_7, _e36);
                 return _e37;
             }
         }
     }
     pub(crate) fn path_slope(
         &self,
-        path_20: Path,
+        path_21: Path,
         t_13: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_slope(path_20, rt::into(t_13)))
+        rt::into(self.v_path_slope(path_21, rt::into(t_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_slope(
         &self,
-        path_20: Path,
+        path_21: Path,
         t_13: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (path_20.h.y() + ((rt::Scalar(2f32) * t_13) * path_20.h.z()));
+        return (path_21.h.y() + ((rt::Scalar(2f32) * t_13) * path_21.h.z()));
     }
     pub(crate) fn flattened(
         &self,
-        path_21: Path,
-        middle_6: impl rt::Into<rt::Scalar<f32>>,
-        part_3: impl rt::Into<rt::Scalar<f32>>,
+        path_22: Path,
+        middle_8: impl rt::Into<rt::Scalar<f32>>,
+        part_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_flattened(path_21, rt::into(middle_6), rt::into(part_3)))
+        rt::into(self.v_flattened(path_22, rt::into(middle_8), rt::into(part_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_flattened(
         &self,
-        path_21: Path,
-        middle_6: rt::Scalar<f32>,
-        part_3: rt::Scalar<f32>,
+        path_22: Path,
+        middle_8: rt::Scalar<f32>,
+        part_4: rt::Scalar<f32>,
     ) -> Path {
         let mut start: rt::Scalar<f32> = rt::Scalar(0f32);
 
-        let kept = (rt::Scalar(1f32) - part_3);
-        let top_5 = (middle_6 + ((rt::Scalar(1f32) - middle_6) * kept));
-        let above_5 = (path_21.h.x() - top_5);
+        let kept = (rt::Scalar(1f32) - part_4);
+        let top_5 = (middle_8 + ((rt::Scalar(1f32) - middle_8) * kept));
+        let above_5 = (path_22.h.x() - top_5);
         let begins = above_5.elementwise_gt(rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(begins) {
-            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_5, path_21.h.y(), path_21.h.z()), rt::Scalar(path_21.exit));
-            start = _e22.min(rt::Scalar(path_21.exit));
+            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_5, path_22.h.y(), path_22.h.z()), rt::Scalar(path_22.exit));
+            start = _e22.min(rt::Scalar(path_22.exit));
         }
-        let height_9 = (middle_6 + ((path_21.h.x() - middle_6) / kept)).select(rt::Scalar(1f32), begins);
+        let height_13 = (middle_8 + ((path_22.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
         let _e32 = start;
-        let _e33 = self.v_path_slope(path_21, _e32);
-        let h_4 = <rt::Vec3<f32>>::from_scalars(height_9, (_e33 / kept), (path_21.h.z() / kept));
+        let _e33 = self.v_path_slope(path_22, _e32);
+        let h_4 = <rt::Vec3<f32>>::from_scalars(height_13, (_e33 / kept), (path_22.h.z() / kept));
         let _e40 = start;
-        let rest_3 = (rt::Scalar(path_21.exit) - _e40);
+        let rest_3 = (rt::Scalar(path_22.exit) - _e40);
         let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_4.x().max(rt::Scalar(0f32)), h_4.y(), h_4.z()), rest_3);
         let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_3);
         let _e53 = start;
-        let base_5 = (rt::Scalar(path_21.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let base_5 = (rt::Scalar(path_22.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e58 = start;
-        let _e59 = self.v_path_uv(path_21, _e58);
+        let _e59 = self.v_path_uv(path_22, _e58);
         let _e65 = start;
-        return <Path>::new(_e59, path_21.duv, h_4, exit_1, base_5, path_21.metric, rt::Scalar(path_21.ray), rt::Scalar(path_21.level), (rt::Scalar(path_21.start) + _e65), rt::Scalar(path_21.share));
+        return <Path>::new(_e59, path_22.duv, h_4, exit_1, base_5, path_22.metric, rt::Scalar(path_22.ray), rt::Scalar(path_22.level), (rt::Scalar(path_22.start) + _e65), rt::Scalar(path_22.share));
     }
     pub(crate) fn segment_of(
         &self,
-        pixel_37: PixelIn,
-        at_35: Entered,
-        k_7: impl rt::Into<rt::Scalar<u32>>,
+        pixel_46: PixelIn,
+        at_40: Entered,
+        k_8: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_37, at_35, rt::into(k_7)))
+        rt::into(self.v_segment_of(pixel_46, at_40, rt::into(k_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_segment_of(
         &self,
-        pixel_37: PixelIn,
-        at_35: Entered,
-        k_7: rt::Scalar<u32>,
+        pixel_46: PixelIn,
+        at_40: Entered,
+        k_8: rt::Scalar<u32>,
     ) -> Path {
-        let mut path_22: Path;
+        let mut path_23: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_37, at_35, k_7);
-        path_22 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_35.fade).elementwise_gt(rt::Scalar(0f32))) {
-            let _e8 = path_22;
+        let _e3 = self.v_surface_segment_stage(pixel_46, at_40, k_8);
+        path_23 = _e3;
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_40.fade).elementwise_gt(rt::Scalar(0f32))) {
+            let _e8 = path_23;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_35.fade));
-            path_22 = _e13;
-            let _e16 = path_22.h.x();
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_40.fade));
+            path_23 = _e13;
+            let _e16 = path_23.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
-                rt::Scalar(path_22.exit) = rt::Scalar(0f32);
+                rt::Scalar(path_23.exit) = rt::Scalar(0f32);
             }
         }
-        let _e22 = path_22;
+        let _e22 = path_23;
         return _e22;
-    }
-    pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
-        rt::into(self.v_miss(rt::into(cost_2)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_miss(&self, cost_2: rt::Vec3<u32>) -> Hit {
-        return <Hit>::new(rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), cost_2);
     }
     pub(crate) fn hit_on_path(
         &self,
-        path_23: Path,
+        path_24: Path,
         t_14: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
         cost_3: impl rt::Into<rt::Vec3<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_23, rt::into(t_14), rt::into(exhausted), rt::into(cost_3)))
+        rt::into(self.v_hit_on_path(path_24, rt::into(t_14), rt::into(exhausted), rt::into(cost_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_path(
         &self,
-        path_23: Path,
+        path_24: Path,
         t_14: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_21: rt::Scalar<bool>;
+        let mut local_33: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_14.elementwise_gt(rt::Scalar(path_23.exit))) {
-            let _e9 = self.v_path_height(path_23, rt::Scalar(path_23.exit));
-            local_21 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+        if rt::Scalar::into_branch_condition(t_14.elementwise_gt(rt::Scalar(path_24.exit))) {
+            let _e9 = self.v_path_height(path_24, rt::Scalar(path_24.exit));
+            local_33 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_21 = rt::Scalar(false);
+            local_33 = rt::Scalar(false);
         }
-        let _e13 = local_21;
+        let _e13 = local_33;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
         }
-        let inside_6 = t_14.clamp(rt::Scalar(0f32), rt::Scalar(path_23.exit));
-        let _e19 = self.v_path_uv(path_23, inside_6);
-        let _e20 = self.v_path_height(path_23, inside_6);
+        let inside_6 = t_14.clamp(rt::Scalar(0f32), rt::Scalar(path_24.exit));
+        let _e19 = self.v_path_uv(path_24, inside_6);
+        let _e20 = self.v_path_height(path_24, inside_6);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_6, cost_3);
     }
-    pub(crate) fn starting_point(&self, path_24: Path, found: Found) -> f32 {
-        rt::into(self.v_starting_point(path_24, found))
+    pub(crate) fn starting_point(&self, path_25: Path, found: Found) -> f32 {
+        rt::into(self.v_starting_point(path_25, found))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_24: Path, found: Found) -> rt::Scalar<f32> {
-        let mut local_22: rt::Scalar<bool>;
+    fn v_starting_point(&self, path_25: Path, found: Found) -> rt::Scalar<f32> {
+        let mut local_34: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_24.base);
+            return rt::Scalar(path_25.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
-            local_22 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
+            local_34 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_22 = rt::Scalar(true);
+            local_34 = rt::Scalar(true);
         }
-        let _e16 = local_22;
+        let _e16 = local_34;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found.far);
         }
@@ -4733,42 +5502,42 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_none(
         &self,
-        path_25: Path,
+        path_26: Path,
         found_1: Found,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_25, found_1, rt::into(params_20)))
+        rt::into(self.v_refine_none(path_26, found_1, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_none(
         &self,
-        path_25: Path,
+        path_26: Path,
         found_1: Found,
-        params_20: rt::Vec4<f32>,
+        params_24: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_1.cost);
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_1.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_25, found_1);
-        let _e16 = self.v_hit_on_path(path_25, _e14, exhausted_1, found_1.cost);
+        let _e14 = self.v_starting_point(path_26, found_1);
+        let _e16 = self.v_hit_on_path(path_26, _e14, exhausted_1, found_1.cost);
         return _e16;
     }
     pub(crate) fn refine_offset(
         &self,
-        path_26: Path,
+        path_27: Path,
         found_2: Found,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_26, found_2, rt::into(params_21)))
+        rt::into(self.v_refine_offset(path_27, found_2, rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
-        path_26: Path,
+        path_27: Path,
         found_2: Found,
-        params_21: rt::Vec4<f32>,
+        params_25: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_15: rt::Scalar<f32>;
 
@@ -4776,33 +5545,33 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_2.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_26, found_2);
-        let _e9 = self.v_path_uv(path_26, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_26.level));
-        let _e12 = self.v_path_slope(path_26, _e8);
+        let _e8 = self.v_starting_point(path_27, found_2);
+        let _e9 = self.v_path_uv(path_27, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_27.level));
+        let _e12 = self.v_path_slope(path_27, _e8);
         t_15 = _e8;
         if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
-            let _e16 = self.v_path_height(path_26, _e8);
+            let _e16 = self.v_path_height(path_27, _e8);
             t_15 = (_e8 + ((_e11 - _e16) / _e12));
         }
         let _e20 = t_15;
-        let _e30 = self.v_hit_on_path(path_26, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED)), (found_2.cost + HEIGHTS_READ));
+        let _e30 = self.v_hit_on_path(path_27, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED)), (found_2.cost + HEIGHTS_READ));
         return _e30;
     }
     pub(crate) fn refine_offset_limited(
         &self,
-        path_27: Path,
+        path_28: Path,
         found_3: Found,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_27, found_3, rt::into(params_22)))
+        rt::into(self.v_refine_offset_limited(path_28, found_3, rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
-        path_27: Path,
+        path_28: Path,
         found_3: Found,
-        params_22: rt::Vec4<f32>,
+        params_26: rt::Vec4<f32>,
     ) -> Hit {
         let mut hit_7: Hit;
 
@@ -4810,13 +5579,13 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_3.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_27, found_3);
-        let _e9 = self.v_path_uv(path_27, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_27.level));
-        let _e12 = self.v_path_height(path_27, _e8);
-        let rise_m = ((_e11 - _e12) * path_27.metric.w());
+        let _e8 = self.v_starting_point(path_28, found_3);
+        let _e9 = self.v_path_uv(path_28, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_28.level));
+        let _e12 = self.v_path_height(path_28, _e8);
+        let rise_m = ((_e11 - _e12) * path_28.metric.w());
         let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e27 = self.v_hit_on_path(path_27, (_e8 - rise_m), exhausted_2, (found_3.cost + HEIGHTS_READ));
+        let _e27 = self.v_hit_on_path(path_28, (_e8 - rise_m), exhausted_2, (found_3.cost + HEIGHTS_READ));
         hit_7 = _e27;
         let _e30 = rt::Scalar(hit_7.found);
         if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
@@ -4851,36 +5620,36 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_z(
         &self,
-        path_28: Path,
+        path_29: Path,
         slope: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_28, rt::into(slope)))
+        rt::into(self.v_normal_z(path_29, rt::into(slope)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_z(
         &self,
-        path_28: Path,
+        path_29: Path,
         slope: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m_1 = path_28.metric;
-        let area_4 = ((m_1.x() * m_1.z()) - (m_1.y() * m_1.y()));
-        let squared_2 = (((((slope.x() * slope.x()) * m_1.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m_1.y())) + ((slope.y() * slope.y()) * m_1.x())) / area_4);
-        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_1.w() * m_1.w()) * squared_2)).sqrt());
+        let m_3 = path_29.metric;
+        let area_4 = ((m_3.x() * m_3.z()) - (m_3.y() * m_3.y()));
+        let squared_2 = (((((slope.x() * slope.x()) * m_3.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m_3.y())) + ((slope.y() * slope.y()) * m_3.x())) / area_4);
+        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_3.w() * m_3.w()) * squared_2)).sqrt());
     }
     pub(crate) fn refine_slope(
         &self,
-        path_29: Path,
+        path_30: Path,
         found_4: Found,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_29, found_4, rt::into(params_23)))
+        rt::into(self.v_refine_slope(path_30, found_4, rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
-        path_29: Path,
+        path_30: Path,
         found_4: Found,
-        params_23: rt::Vec4<f32>,
+        params_27: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_16: rt::Scalar<f32>;
 
@@ -4888,56 +5657,56 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_4.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_29, found_4);
-        let _e9 = self.v_path_uv(path_29, _e8);
-        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_29.level));
-        let _e13 = self.v_path_height(path_29, _e8);
+        let _e8 = self.v_starting_point(path_30, found_4);
+        let _e9 = self.v_path_uv(path_30, _e8);
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_30.level));
+        let _e13 = self.v_path_height(path_30, _e8);
         let rise = (_e11.x() - _e13);
         t_16 = _e8;
-        if rt::Scalar::into_branch_condition(params_23.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e19 = self.v_path_slope(path_29, _e8);
-            let closing = (_e19 - ((_e11.y() * path_29.duv.x()) + (_e11.z() * path_29.duv.y())));
+        if rt::Scalar::into_branch_condition(params_27.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e19 = self.v_path_slope(path_30, _e8);
+            let closing = (_e19 - ((_e11.y() * path_30.duv.x()) + (_e11.z() * path_30.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
                 t_16 = (_e8 + (rise / closing));
             }
         } else {
-            let _e40 = self.v_normal_z(path_29, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_16 = (_e8 - ((rise * path_29.metric.w()) * _e40));
+            let _e40 = self.v_normal_z(path_30, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_16 = (_e8 - ((rise * path_30.metric.w()) * _e40));
         }
         let _e43 = t_16;
-        let _e53 = self.v_hit_on_path(path_29, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (found_4.cost + HEIGHTS_READ));
+        let _e53 = self.v_hit_on_path(path_30, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (found_4.cost + HEIGHTS_READ));
         return _e53;
     }
     pub(crate) fn refine_slope_iterative(
         &self,
-        path_30: Path,
+        path_31: Path,
         found_5: Found,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_30, found_5, rt::into(params_24)))
+        rt::into(self.v_refine_slope_iterative(path_31, found_5, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
-        path_30: Path,
+        path_31: Path,
         found_5: Found,
-        params_24: rt::Vec4<f32>,
+        params_28: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_17: rt::Scalar<f32>;
         let mut cost_4: rt::Vec3<u32>;
-        let mut k_8: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_9: rt::Scalar<f32> = rt::Scalar(0f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_5.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_30, found_5);
+        let _e8 = self.v_starting_point(path_31, found_5);
         t_17 = _e8;
         cost_4 = found_5.cost;
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_8;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_24.x())) {
+                let _e14 = k_9;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_28.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -4945,36 +5714,36 @@ impl<'g> Resources<'g> {
                     let _e17 = cost_4;
                     cost_4 = (_e17 + STEP);
                     let _e20 = t_17;
-                    let _e21 = self.v_path_uv(path_30, _e20);
-                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_30.level));
+                    let _e21 = self.v_path_uv(path_31, _e20);
+                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_31.level));
                     let _e24 = cost_4;
                     cost_4 = (_e24 + HEIGHTS_READ);
                     let _e28 = t_17;
-                    let _e29 = self.v_path_height(path_30, _e28);
+                    let _e29 = self.v_path_height(path_31, _e28);
                     let rise_1 = (_e23.x() - _e29);
-                    if rt::Scalar::into_branch_condition(params_24.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_28.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e34 = t_17;
-                        let _e35 = self.v_path_slope(path_30, _e34);
-                        let closing_1 = (_e35 - ((_e23.y() * path_30.duv.x()) + (_e23.z() * path_30.duv.y())));
+                        let _e35 = self.v_path_slope(path_31, _e34);
+                        let closing_1 = (_e35 - ((_e23.y() * path_31.duv.x()) + (_e23.z() * path_31.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
                             let _e48 = t_17;
                             t_17 = (_e48 + (rise_1 / closing_1));
                         }
                     } else {
                         let _e51 = t_17;
-                        let _e58 = self.v_normal_z(path_30, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
-                        t_17 = (_e51 - ((rise_1 * path_30.metric.w()) * _e58));
+                        let _e58 = self.v_normal_z(path_31, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
+                        t_17 = (_e51 - ((rise_1 * path_31.metric.w()) * _e58));
                     }
                     let _e61 = t_17;
-                    t_17 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_30.exit));
-                    let _e65 = k_8;
-                    k_8 = (_e65 + rt::Scalar(1f32));
+                    t_17 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_31.exit));
+                    let _e65 = k_9;
+                    k_9 = (_e65 + rt::Scalar(1f32));
                 }
             }
         }
         let _e68 = t_17;
         let _e75 = cost_4;
-        let _e76 = self.v_hit_on_path(path_30, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
+        let _e76 = self.v_hit_on_path(path_31, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
         return _e76;
     }
     pub(crate) fn has_interval(&self, found_6: Found) -> bool {
@@ -4982,55 +5751,55 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found_6: Found) -> rt::Scalar<bool> {
-        let mut local_23: rt::Scalar<bool>;
-        let mut local_24: rt::Scalar<bool>;
-        let mut local_25: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.far).elementwise_gt(rt::Scalar(found_6.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_6.status).elementwise_eq(FOUND_BRACKET))) {
-                local_24 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
+                local_36 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
-                local_24 = rt::Scalar(true);
+                local_36 = rt::Scalar(true);
             }
-            let _e16 = local_24;
+            let _e16 = local_36;
             if rt::Scalar::into_branch_condition((!_e16)) {
-                local_25 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
+                local_37 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
             } else {
-                local_25 = rt::Scalar(true);
+                local_37 = rt::Scalar(true);
             }
-            let _e24 = local_25;
-            local_23 = _e24;
+            let _e24 = local_37;
+            local_35 = _e24;
         } else {
-            local_23 = rt::Scalar(false);
+            local_35 = rt::Scalar(false);
         }
-        let _e26 = local_23;
+        let _e26 = local_35;
         return _e26;
     }
     pub(crate) fn refine_binary(
         &self,
-        path_31: Path,
+        path_32: Path,
         found_7: Found,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_31, found_7, rt::into(params_25)))
+        rt::into(self.v_refine_binary(path_32, found_7, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
-        path_31: Path,
+        path_32: Path,
         found_7: Found,
-        params_25: rt::Vec4<f32>,
+        params_29: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_2: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_26: rt::Scalar<bool>;
+        let mut local_38: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
-        let mut k_9: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_10: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_7);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_31, found_7, params_25);
+            let _e5 = self.v_refine_none(path_32, found_7, params_29);
             return _e5;
         }
         near_2 = rt::Scalar(found_7.near);
@@ -5038,17 +5807,17 @@ impl<'g> Resources<'g> {
         cost_5 = found_7.cost;
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
-            let _e19 = self.v_path_height(path_31, _e18);
-            local_26 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            let _e19 = self.v_path_height(path_32, _e18);
+            local_38 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_26 = rt::Scalar(true);
+            local_38 = rt::Scalar(true);
         }
-        let _e23 = local_26;
+        let _e23 = local_38;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = k_9;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_25.x())) {
+                let _e27 = k_10;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_29.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -5057,18 +5826,18 @@ impl<'g> Resources<'g> {
                     cost_5 = (_e30 + STEP);
                     let _e33 = near_2;
                     let _e34 = far_2;
-                    let middle_10 = (rt::Scalar(0.5f32) * (_e33 + _e34));
+                    let middle_13 = (rt::Scalar(0.5f32) * (_e33 + _e34));
                     let _e38 = cost_5;
                     cost_5 = (_e38 + HEIGHTS_READ);
-                    let _e41 = self.v_path_gap(path_31, middle_10);
+                    let _e41 = self.v_path_gap(path_32, middle_13);
                     if rt::Scalar::into_branch_condition(_e41.elementwise_le(rt::Scalar(0f32))) {
-                        far_2 = middle_10;
+                        far_2 = middle_13;
                         crossed = rt::Scalar(true);
                     } else {
-                        near_2 = middle_10;
+                        near_2 = middle_13;
                     }
-                    let _e45 = k_9;
-                    k_9 = (_e45 + rt::Scalar(1f32));
+                    let _e45 = k_10;
+                    k_10 = (_e45 + rt::Scalar(1f32));
                 }
             }
         }
@@ -5081,23 +5850,23 @@ impl<'g> Resources<'g> {
         let _e52 = near_2;
         let _e53 = far_2;
         let _e58 = cost_5;
-        let _e59 = self.v_hit_on_path(path_31, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
+        let _e59 = self.v_hit_on_path(path_32, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
         return _e59;
     }
     pub(crate) fn refine_secant(
         &self,
-        path_32: Path,
+        path_33: Path,
         found_8: Found,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_32, found_8, rt::into(params_26)))
+        rt::into(self.v_refine_secant(path_33, found_8, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
-        path_32: Path,
+        path_33: Path,
         found_8: Found,
-        params_26: rt::Vec4<f32>,
+        params_30: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_3: rt::Scalar<f32>;
         let mut far_3: rt::Scalar<f32>;
@@ -5105,11 +5874,11 @@ impl<'g> Resources<'g> {
         let mut far_gap_1: rt::Scalar<f32>;
         let mut cost_6: rt::Vec3<u32>;
         let mut t_18: rt::Scalar<f32>;
-        let mut k_10: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_11: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_32, found_8, params_26);
+            let _e5 = self.v_refine_none(path_33, found_8, params_30);
             return _e5;
         }
         near_3 = rt::Scalar(found_8.near);
@@ -5119,10 +5888,10 @@ impl<'g> Resources<'g> {
         cost_6 = found_8.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_3;
-            let _e20 = self.v_path_gap(path_32, _e19);
+            let _e20 = self.v_path_gap(path_33, _e19);
             near_gap_1 = _e20;
             let _e21 = far_3;
-            let _e22 = self.v_path_gap(path_32, _e21);
+            let _e22 = self.v_path_gap(path_33, _e21);
             far_gap_1 = _e22;
             let _e23 = cost_6;
             cost_6 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -5137,8 +5906,8 @@ impl<'g> Resources<'g> {
         t_18 = _e33;
         'naga_break: loop {
             'naga_continue: {
-                let _e37 = k_10;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_26.x())) {
+                let _e37 = k_11;
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_30.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -5156,10 +5925,10 @@ impl<'g> Resources<'g> {
                     let _e51 = near_3;
                     let _e53 = near_gap_1;
                     t_18 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
-                    let _e57 = k_10;
-                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_26.x())) {
+                    let _e57 = k_11;
+                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_30.x())) {
                         let _e60 = t_18;
-                        let _e61 = self.v_path_gap(path_32, _e60);
+                        let _e61 = self.v_path_gap(path_33, _e60);
                         let _e62 = cost_6;
                         cost_6 = (_e62 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_le(rt::Scalar(0f32))) {
@@ -5172,41 +5941,41 @@ impl<'g> Resources<'g> {
                             near_gap_1 = _e61;
                         }
                     }
-                    let _e69 = k_10;
-                    k_10 = (_e69 + rt::Scalar(1f32));
+                    let _e69 = k_11;
+                    k_11 = (_e69 + rt::Scalar(1f32));
                 }
             }
         }
         let _e72 = t_18;
         let _e74 = cost_6;
-        let _e75 = self.v_hit_on_path(path_32, _e72, rt::Scalar(0u32), _e74);
+        let _e75 = self.v_hit_on_path(path_33, _e72, rt::Scalar(0u32), _e74);
         return _e75;
     }
     pub(crate) fn refine_true_secant(
         &self,
-        path_33: Path,
+        path_34: Path,
         found_9: Found,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_33, found_9, rt::into(params_27)))
+        rt::into(self.v_refine_true_secant(path_34, found_9, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
-        path_33: Path,
+        path_34: Path,
         found_9: Found,
-        params_27: rt::Vec4<f32>,
+        params_31: rt::Vec4<f32>,
     ) -> Hit {
         let mut before: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
         let mut cost_7: rt::Vec3<u32>;
-        let mut k_11: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_12: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_33, found_9, params_27);
+            let _e5 = self.v_refine_none(path_34, found_9, params_31);
             return _e5;
         }
         before = rt::Scalar(found_9.near);
@@ -5216,10 +5985,10 @@ impl<'g> Resources<'g> {
         cost_7 = found_9.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before;
-            let _e20 = self.v_path_gap(path_33, _e19);
+            let _e20 = self.v_path_gap(path_34, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_33, _e21);
+            let _e22 = self.v_path_gap(path_34, _e21);
             last_gap = _e22;
             let _e23 = cost_7;
             cost_7 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -5232,8 +6001,8 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e35 = k_11;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_27.x())) {
+                let _e35 = k_12;
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_31.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -5250,69 +6019,69 @@ impl<'g> Resources<'g> {
                     let _e47 = last;
                     let _e48 = before;
                     let _e50 = last_gap;
-                    let t_34 = (_e46 + ((_e47 - _e48) * (_e50 / change_4))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
+                    let t_35 = (_e46 + ((_e47 - _e48) * (_e50 / change_4))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
                     let _e57 = last;
                     before = _e57;
                     let _e58 = last_gap;
                     before_gap = _e58;
-                    last = t_34;
-                    let _e59 = k_11;
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_27.x())) {
-                        let _e62 = self.v_path_gap(path_33, t_34);
+                    last = t_35;
+                    let _e59 = k_12;
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_31.x())) {
+                        let _e62 = self.v_path_gap(path_34, t_35);
                         last_gap = _e62;
                         let _e63 = cost_7;
                         cost_7 = (_e63 + HEIGHTS_READ);
                     }
-                    let _e66 = k_11;
-                    k_11 = (_e66 + rt::Scalar(1f32));
+                    let _e66 = k_12;
+                    k_12 = (_e66 + rt::Scalar(1f32));
                 }
             }
         }
         let _e69 = last;
         let _e71 = cost_7;
-        let _e72 = self.v_hit_on_path(path_33, _e69, rt::Scalar(0u32), _e71);
+        let _e72 = self.v_hit_on_path(path_34, _e69, rt::Scalar(0u32), _e71);
         return _e72;
     }
     pub(crate) fn refine_patch(
         &self,
-        path_34: Path,
+        path_35: Path,
         found_10: Found,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_34, found_10, rt::into(params_28)))
+        rt::into(self.v_refine_patch(path_35, found_10, rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
-        path_34: Path,
+        path_35: Path,
         found_10: Found,
-        params_28: rt::Vec4<f32>,
+        params_32: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_19: rt::Scalar<f32>;
         let mut cell_7: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_27: rt::Scalar<bool>;
+        let mut local_39: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_10.cost);
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_34, rt::Scalar(found_10.near), rt::Scalar(1u32), found_10.cost);
+            let _e14 = self.v_hit_on_path(path_35, rt::Scalar(found_10.near), rt::Scalar(1u32), found_10.cost);
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_34, rt::Scalar(found_10.near), rt::Scalar(0u32), found_10.cost);
+            let _e21 = self.v_hit_on_path(path_35, rt::Scalar(found_10.near), rt::Scalar(0u32), found_10.cost);
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_34);
+        let _e22 = self.v_grid_of(path_35);
         t_19 = rt::Scalar(found_10.near);
         let _e27 = t_19;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
         cell_7 = _e30;
         cost_8 = found_10.cost;
         let _e35 = cost_8.x();
-        let limit = (_e35 + params_28.x().cast_elem_as_u32());
+        let limit = (_e35 + params_32.x().cast_elem_as_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_8.x();
@@ -5325,37 +6094,37 @@ impl<'g> Resources<'g> {
                     cost_8 = (_e42 + STEP);
                     let _e45 = cell_7;
                     let _e46 = self.v_cell_leave(_e22, _e45);
-                    let end_2 = _e46.x().min(_e46.y()).min(rt::Scalar(found_10.far));
+                    let end_4 = _e46.x().min(_e46.y()).min(rt::Scalar(found_10.far));
                     let _e52 = t_19;
-                    let span_6 = (end_2 - _e52).max(rt::Scalar(0f32));
+                    let span_6 = (end_4 - _e52).max(rt::Scalar(0f32));
                     let _e56 = cell_7;
                     let _e57 = t_19;
-                    let _e58 = self.v_cell_gap(path_34, _e22, _e56, _e57);
+                    let _e58 = self.v_cell_gap(path_35, _e22, _e56, _e57);
                     let _e59 = cost_8;
                     cost_8 = (_e59 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e58.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e65 = t_19;
                         let _e67 = cost_8;
-                        let _e68 = self.v_hit_on_path(path_34, _e65, rt::Scalar(0u32), _e67);
+                        let _e68 = self.v_hit_on_path(path_35, _e65, rt::Scalar(0u32), _e67);
                         return _e68;
                     }
                     let _e69 = self.v_first_root(_e58, span_6);
                     if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e72 = t_19;
                         let _e75 = cost_8;
-                        let _e76 = self.v_hit_on_path(path_34, (_e72 + _e69), rt::Scalar(0u32), _e75);
+                        let _e76 = self.v_hit_on_path(path_35, (_e72 + _e69), rt::Scalar(0u32), _e75);
                         return _e76;
                     }
-                    if rt::Scalar::into_branch_condition(end_2.elementwise_ge(rt::Scalar(found_10.far))) {
+                    if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(found_10.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_27 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
+                            local_39 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_27 = rt::Scalar(true);
+                            local_39 = rt::Scalar(true);
                         }
-                        let _e89 = local_27;
+                        let _e89 = local_39;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
-                            let _e93 = self.v_hit_on_path(path_34, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
+                            let _e93 = self.v_hit_on_path(path_35, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
                             return _e93;
                         }
                         let _e94 = cost_8;
@@ -5366,152 +6135,152 @@ impl<'g> Resources<'g> {
                     let _e97 = self.v_cell_next(_e22, _e96, _e46);
                     cell_7 = _e97;
                     let _e98 = t_19;
-                    t_19 = _e98.max(end_2);
+                    t_19 = _e98.max(end_4);
                 }
             }
         }
         let _e100 = t_19;
         let _e102 = cost_8;
-        let _e103 = self.v_hit_on_path(path_34, _e100, rt::Scalar(1u32), _e102);
+        let _e103 = self.v_hit_on_path(path_35, _e100, rt::Scalar(1u32), _e102);
         return _e103;
     }
     pub(crate) fn refine_half_texel(
         &self,
-        path_35: Path,
+        path_36: Path,
         found_11: Found,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_35, found_11, rt::into(params_29)))
+        rt::into(self.v_refine_half_texel(path_36, found_11, rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
-        path_35: Path,
+        path_36: Path,
         found_11: Found,
-        params_29: rt::Vec4<f32>,
+        params_33: rt::Vec4<f32>,
     ) -> Hit {
-        let mut part_4: rt::Scalar<f32> = rt::Scalar(0.5f32);
+        let mut part_5: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_35, found_11, params_29);
+            let _e6 = self.v_refine_none(path_36, found_11, params_33);
             return _e6;
         }
-        let _e9 = self.v_height_size(rt::Scalar(path_35.level));
-        let speed_1 = (path_35.duv * _e9).length();
-        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_35.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_35, found_11, params_29);
+        let _e9 = self.v_height_size(rt::Scalar(path_36.level));
+        let speed_1 = (path_36.duv * _e9).length();
+        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_36.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e17 = self.v_refine_none(path_36, found_11, params_33);
             return _e17;
         }
         let half_1 = (rt::Scalar(0.5f32) / speed_1);
         let backward = (rt::Scalar(found_11.far) - half_1).max(rt::Scalar(0f32));
-        let forward_2 = (rt::Scalar(found_11.far) + half_1).min(rt::Scalar(path_35.exit));
-        let _e28 = self.v_path_gap(path_35, backward);
+        let forward_2 = (rt::Scalar(found_11.far) + half_1).min(rt::Scalar(path_36.exit));
+        let _e28 = self.v_path_gap(path_36, backward);
         let before_2 = _e28.abs();
-        let _e30 = self.v_path_gap(path_35, forward_2);
+        let _e30 = self.v_path_gap(path_36, forward_2);
         let behind_2 = _e30.abs();
         if rt::Scalar::into_branch_condition((before_2 + behind_2).elementwise_gt(rt::Scalar(0f32))) {
-            part_4 = (before_2 / (before_2 + behind_2));
+            part_5 = (before_2 / (before_2 + behind_2));
         }
         let cost_22 = ((found_11.cost + HEIGHTS_READ) + HEIGHTS_READ);
-        let _e45 = part_4;
-        let _e49 = self.v_hit_on_path(path_35, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_22);
+        let _e45 = part_5;
+        let _e49 = self.v_hit_on_path(path_36, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_22);
         return _e49;
     }
-    pub(crate) fn refine_stage(&self, path_36: Path, found_12: Found) -> Hit {
-        rt::into(self.v_refine_stage(path_36, found_12))
+    pub(crate) fn refine_stage(&self, path_37: Path, found_12: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_37, found_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_36: Path, found_12: Found) -> Hit {
+    fn v_refine_stage(&self, path_37: Path, found_12: Found) -> Hit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_refine_none(path_36, found_12, _e11);
+                let _e12 = self.v_refine_none(path_37, found_12, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_refine_offset(path_36, found_12, _e17);
+                let _e18 = self.v_refine_offset(path_37, found_12, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_refine_offset_limited(path_36, found_12, _e23);
+                let _e24 = self.v_refine_offset_limited(path_37, found_12, _e23);
                 return _e24;
             }
             3u32 => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_refine_slope(path_36, found_12, _e29);
+                let _e30 = self.v_refine_slope(path_37, found_12, _e29);
                 return _e30;
             }
             4u32 => {
                 let _e35 = self.surface_settings.choices[3usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_36, found_12, _e35);
+                let _e36 = self.v_refine_slope_iterative(path_37, found_12, _e35);
                 return _e36;
             }
             5u32 => {
                 let _e41 = self.surface_settings.choices[3usize].params;
-                let _e42 = self.v_refine_binary(path_36, found_12, _e41);
+                let _e42 = self.v_refine_binary(path_37, found_12, _e41);
                 return _e42;
             }
             6u32 => {
                 let _e47 = self.surface_settings.choices[3usize].params;
-                let _e48 = self.v_refine_secant(path_36, found_12, _e47);
+                let _e48 = self.v_refine_secant(path_37, found_12, _e47);
                 return _e48;
             }
             7u32 => {
                 let _e53 = self.surface_settings.choices[3usize].params;
-                let _e54 = self.v_refine_true_secant(path_36, found_12, _e53);
+                let _e54 = self.v_refine_true_secant(path_37, found_12, _e53);
                 return _e54;
             }
             8u32 => {
                 let _e59 = self.surface_settings.choices[3usize].params;
-                let _e60 = self.v_refine_patch(path_36, found_12, _e59);
+                let _e60 = self.v_refine_patch(path_37, found_12, _e59);
                 return _e60;
             }
             _ => {
                 let _e65 = self.surface_settings.choices[3usize].params;
-                let _e66 = self.v_refine_half_texel(path_36, found_12, _e65);
+                let _e66 = self.v_refine_half_texel(path_37, found_12, _e65);
                 return _e66;
             }
         }
     }
     pub(crate) fn search_none(
         &self,
-        path_37: Path,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
+        path_38: Path,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_37, rt::into(params_30)))
+        rt::into(self.v_search_none(path_38, rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_none(
         &self,
-        path_37: Path,
-        params_30: rt::Vec4<f32>,
+        path_38: Path,
+        params_34: rt::Vec4<f32>,
     ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
-        path_38: Path,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
+        path_39: Path,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_38, rt::into(params_31)))
+        rt::into(self.v_search_linear(path_39, rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
-        path_38: Path,
-        params_31: rt::Vec4<f32>,
+        path_39: Path,
+        params_35: rt::Vec4<f32>,
     ) -> Found {
         let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32>;
         let mut cost_9: rt::Vec3<u32> = HEIGHTS_READ;
-        let mut k_12: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_13: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_5 = (path_38.h.y().abs() * path_38.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max(((params_31.x() * params_31.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_38.share)).ceil());
-        let _e24 = self.v_path_gap(path_38, rt::Scalar(0f32));
+        let cosine_5 = (path_39.h.y().abs() * path_39.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max(((params_35.x() * params_35.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_39.share)).ceil());
+        let _e24 = self.v_path_gap(path_39, rt::Scalar(0f32));
         near_gap_2 = _e24;
         let _e28 = near_gap_2;
         if rt::Scalar::into_branch_condition(_e28.elementwise_lt(rt::Scalar(0f32))) {
@@ -5522,7 +6291,7 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e40 = k_12;
+                let _e40 = k_13;
                 if rt::Scalar::into_branch_condition(_e40.elementwise_le(steps)) {
                 } else {
                     break 'naga_break;
@@ -5530,21 +6299,21 @@ impl<'g> Resources<'g> {
                 {
                     let _e42 = cost_9;
                     cost_9 = (_e42 + STEP);
-                    let _e46 = k_12;
-                    let t_35 = (rt::Scalar(path_38.exit) * (_e46 / steps));
-                    let _e49 = self.v_path_gap(path_38, t_35);
+                    let _e46 = k_13;
+                    let t_36 = (rt::Scalar(path_39.exit) * (_e46 / steps));
+                    let _e49 = self.v_path_gap(path_39, t_36);
                     let _e50 = cost_9;
                     cost_9 = (_e50 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e49.elementwise_le(rt::Scalar(0f32))) {
                         let _e56 = near_4;
                         let _e57 = near_gap_2;
                         let _e58 = cost_9;
-                        return <Found>::new(FOUND_BRACKET, _e56, t_35, _e57, _e49, _e58);
+                        return <Found>::new(FOUND_BRACKET, _e56, t_36, _e57, _e49, _e58);
                     }
-                    near_4 = t_35;
+                    near_4 = t_36;
                     near_gap_2 = _e49;
-                    let _e60 = k_12;
-                    k_12 = (_e60 + rt::Scalar(1f32));
+                    let _e60 = k_13;
+                    k_13 = (_e60 + rt::Scalar(1f32));
                 }
             }
         }
@@ -5557,84 +6326,84 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn least_at(
         &self,
-        c_2: impl rt::Into<rt::Vec3<f32>>,
+        c_4: impl rt::Into<rt::Vec3<f32>>,
         span_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_least_at(rt::into(c_2), rt::into(span_2)))
+        rt::into(self.v_least_at(rt::into(c_4), rt::into(span_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_least_at(
         &self,
-        c_2: rt::Vec3<f32>,
+        c_4: rt::Vec3<f32>,
         span_2: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(c_2.z().elementwise_gt(rt::Scalar(0f32))) {
-            return ((rt::Scalar(0f32) - c_2.y()) / (rt::Scalar(2f32) * c_2.z())).clamp(rt::Scalar(0f32), span_2);
+        if rt::Scalar::into_branch_condition(c_4.z().elementwise_gt(rt::Scalar(0f32))) {
+            return ((rt::Scalar(0f32) - c_4.y()) / (rt::Scalar(2f32) * c_4.z())).clamp(rt::Scalar(0f32), span_2);
         }
         return span_2;
     }
     pub(crate) fn found_in_cell(
         &self,
-        c_3: impl rt::Into<rt::Vec3<f32>>,
+        c_5: impl rt::Into<rt::Vec3<f32>>,
         t_20: impl rt::Into<rt::Scalar<f32>>,
         span_3: impl rt::Into<rt::Scalar<f32>>,
-        first: impl rt::Into<rt::Scalar<bool>>,
+        first_1: impl rt::Into<rt::Scalar<bool>>,
         cost_10: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_found_in_cell(rt::into(c_3), rt::into(t_20), rt::into(span_3), rt::into(first), rt::into(cost_10)))
+        rt::into(self.v_found_in_cell(rt::into(c_5), rt::into(t_20), rt::into(span_3), rt::into(first_1), rt::into(cost_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_found_in_cell(
         &self,
-        c_3: rt::Vec3<f32>,
+        c_5: rt::Vec3<f32>,
         t_20: rt::Scalar<f32>,
         span_3: rt::Scalar<f32>,
-        first: rt::Scalar<bool>,
+        first_1: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_28: rt::Scalar<bool>;
+        let mut local_40: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(c_3.x().elementwise_le(rt::Scalar(0f32))) {
-            if rt::Scalar::into_branch_condition(first) {
-                local_28 = c_3.x().elementwise_lt(rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(c_5.x().elementwise_le(rt::Scalar(0f32))) {
+            if rt::Scalar::into_branch_condition(first_1) {
+                local_40 = c_5.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_28 = rt::Scalar(false);
+                local_40 = rt::Scalar(false);
             }
-            let _e14 = local_28;
+            let _e14 = local_40;
             if rt::Scalar::into_branch_condition(_e14) {
-                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_3.x(), c_3.x(), cost_10);
+                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_5.x(), c_5.x(), cost_10);
             }
-            return <Found>::new(FOUND_BRACKET, t_20, t_20, c_3.x(), c_3.x(), cost_10);
+            return <Found>::new(FOUND_BRACKET, t_20, t_20, c_5.x(), c_5.x(), cost_10);
         }
-        let _e25 = self.v_least_at(c_3, span_3);
-        let _e26 = self.v_quadratic(c_3, _e25);
+        let _e25 = self.v_least_at(c_5, span_3);
+        let _e26 = self.v_quadratic(c_5, _e25);
         if rt::Scalar::into_branch_condition(_e26.elementwise_le(rt::Scalar(0f32))) {
-            return <Found>::new(FOUND_BRACKET, t_20, (t_20 + _e25), c_3.x(), _e26, cost_10);
+            return <Found>::new(FOUND_BRACKET, t_20, (t_20 + _e25), c_5.x(), _e26, cost_10);
         }
-        let _e36 = self.v_quadratic(c_3, span_3);
-        return <Found>::new(FOUND_ABOVE, t_20, (t_20 + span_3), c_3.x(), _e36, cost_10);
+        let _e36 = self.v_quadratic(c_5, span_3);
+        return <Found>::new(FOUND_ABOVE, t_20, (t_20 + span_3), c_5.x(), _e36, cost_10);
     }
     pub(crate) fn search_cells(
         &self,
-        path_39: Path,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
+        path_40: Path,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_39, rt::into(params_32)))
+        rt::into(self.v_search_cells(path_40, rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
-        path_39: Path,
-        params_32: rt::Vec4<f32>,
+        path_40: Path,
+        params_36: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_8: rt::Vec2<f32>;
         let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_11: rt::Vec3<u32> = NO_COST;
 
-        let _e2 = self.v_grid_of(path_39);
+        let _e2 = self.v_grid_of(path_40);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_8 = _e4;
-        let limit_1 = params_32.x().cast_elem_as_u32();
+        let limit_1 = params_36.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = cost_11.x();
@@ -5647,14 +6416,14 @@ impl<'g> Resources<'g> {
                     cost_11 = (_e15 + STEP);
                     let _e18 = cell_8;
                     let _e19 = self.v_cell_leave(_e2, _e18);
-                    let end_3 = _e19.x().min(_e19.y()).min(rt::Scalar(path_39.exit));
+                    let end_5 = _e19.x().min(_e19.y()).min(rt::Scalar(path_40.exit));
                     let _e25 = cell_8;
                     let _e26 = t_21;
-                    let _e27 = self.v_cell_gap(path_39, _e2, _e25, _e26);
+                    let _e27 = self.v_cell_gap(path_40, _e2, _e25, _e26);
                     let _e28 = cost_11;
                     cost_11 = (_e28 + HEIGHTS_READ);
                     let _e31 = t_21;
-                    let span_7 = (end_3 - _e31).max(rt::Scalar(0f32));
+                    let span_7 = (end_5 - _e31).max(rt::Scalar(0f32));
                     let _e35 = t_21;
                     let _e37 = cost_11.x();
                     let _e40 = cost_11;
@@ -5662,58 +6431,58 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e41.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e41;
                     }
-                    if rt::Scalar::into_branch_condition(end_3.elementwise_ge(rt::Scalar(path_39.exit))) {
+                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_40.exit))) {
                         let _e48 = t_21;
                         let _e52 = cost_11;
-                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_39.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
+                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_40.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
                     }
                     let _e54 = cell_8;
                     let _e55 = self.v_cell_next(_e2, _e54, _e19);
                     cell_8 = _e55;
                     let _e56 = t_21;
-                    t_21 = _e56.max(end_3);
+                    t_21 = _e56.max(end_5);
                 }
             }
         }
         let _e59 = t_21;
         let _e61 = cost_11;
-        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
+        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
     }
     pub(crate) fn image_of(
         &self,
         cell_9: impl rt::Into<rt::Scalar<i32>>,
-        n_3: impl rt::Into<rt::Scalar<i32>>,
+        n_4: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_image_of(rt::into(cell_9), rt::into(n_3)))
+        rt::into(self.v_image_of(rt::into(cell_9), rt::into(n_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_image_of(
         &self,
         cell_9: rt::Scalar<i32>,
-        n_3: rt::Scalar<i32>,
+        n_4: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_29: rt::Scalar<bool>;
+        let mut local_41: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_9.elementwise_ge(rt::Scalar(0i32))) {
-            local_29 = cell_9.elementwise_lt(n_3);
+            local_41 = cell_9.elementwise_lt(n_4);
         } else {
-            local_29 = rt::Scalar(false);
+            local_41 = rt::Scalar(false);
         }
-        let _e8 = local_29;
+        let _e8 = local_41;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_9, rt::Scalar(0i32));
         }
         let _e13 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_CLAMP)) {
-            return <rt::Vec2<i32>>::from_scalars(cell_9.clamp(rt::Scalar(0i32), (n_3 - rt::Scalar(1i32))), rt::Scalar(2i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_9.clamp(rt::Scalar(0i32), (n_4 - rt::Scalar(1i32))), rt::Scalar(2i32));
         }
         let _e24 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e24.elementwise_eq(WRAP_REPEAT)) {
-            return <rt::Vec2<i32>>::from_scalars((((cell_9 % n_3) + n_3) % n_3), rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars((((cell_9 % n_4) + n_4) % n_4), rt::Scalar(0i32));
         }
-        let period_1 = (rt::Scalar(2i32) * n_3);
+        let period_1 = (rt::Scalar(2i32) * n_4);
         let folded_1 = (((cell_9 % period_1) + period_1) % period_1);
-        if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_3)) {
+        if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_4)) {
             return <rt::Vec2<i32>>::from_scalars(folded_1, rt::Scalar(0i32));
         }
         if rt::Scalar::into_branch_condition(folded_1.elementwise_eq((period_1 - rt::Scalar(1i32)))) {
@@ -5723,52 +6492,52 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn frustum_slope(
         &self,
-        path_40: Path,
+        path_41: Path,
         cell_10: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_40, rt::into(cell_10), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_41, rt::into(cell_10), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frustum_slope(
         &self,
-        path_40: Path,
+        path_41: Path,
         cell_10: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_30: rt::Scalar<bool>;
+        let mut local_42: rt::Scalar<bool>;
 
-        let _e4 = self.v_height_texels(rt::Scalar(path_40.level));
+        let _e4 = self.v_height_texels(rt::Scalar(path_41.level));
         let _e7 = self.v_image_of(cell_10.x(), _e4.x());
         let _e10 = self.v_image_of(cell_10.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_30 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_42 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_30 = rt::Scalar(true);
+            local_42 = rt::Scalar(true);
         }
-        let _e21 = local_30;
+        let _e21 = local_42;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
-        let _e29 = self.v_search_texel(path_40, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_40.level).cast_elem_as_i32());
+        let _e29 = self.v_search_texel(path_41, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_41.level).cast_elem_as_i32());
         let right_1 = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
         let down = forward_1.y().elementwise_eq(_e10.y().elementwise_eq(rt::Scalar(0i32)));
         return _e29.w().select(_e29.z(), right_1).select(_e29.y().select(_e29.x(), right_1), down);
     }
     pub(crate) fn map_read(
         &self,
-        path_41: Path,
+        path_42: Path,
         texels_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_map_read(path_41, rt::into(texels_3)))
+        rt::into(self.v_map_read(path_42, rt::into(texels_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_map_read(
         &self,
-        path_41: Path,
+        path_42: Path,
         texels_3: rt::Scalar<u32>,
     ) -> rt::Vec3<u32> {
-        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_41.ray).elementwise_eq(RAY_SHADOW));
+        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_42.ray).elementwise_eq(RAY_SHADOW));
         let _e14 = rt::Scalar(self.surface_settings.maps[rt::Scalar::into_array_index(slot)].texel_bytes);
         return <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), (texels_3 * _e14));
     }
@@ -5810,29 +6579,29 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_frustum(
         &self,
-        path_42: Path,
-        params_33: impl rt::Into<rt::Vec4<f32>>,
+        path_43: Path,
+        params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_42, rt::into(params_33)))
+        rt::into(self.v_search_frustum(path_43, rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
-        path_42: Path,
-        params_33: rt::Vec4<f32>,
+        path_43: Path,
+        params_37: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_11: rt::Vec2<f32>;
         let mut t_22: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_2: rt::Scalar<f32>;
-        let mut local_31: rt::Scalar<bool>;
+        let mut local_43: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_42);
+        let _e2 = self.v_grid_of(path_43);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_11 = _e9;
-        let limit_2 = params_33.x().cast_elem_as_u32();
+        let limit_2 = params_37.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_12.x();
@@ -5844,55 +6613,55 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_12;
                     cost_12 = (_e20 + STEP);
                     let _e24 = cost_12.x();
-                    let first_4 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_8 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_11;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_42.level));
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_43.level));
                     let _e31 = cost_12;
                     cost_12 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_11;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_4 = _e35.x().min(_e35.y()).min(rt::Scalar(path_42.exit));
+                    let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_43.exit));
                     let _e41 = t_22;
-                    let span_8 = (end_4 - _e41).max(rt::Scalar(0f32));
+                    let span_8 = (end_6 - _e41).max(rt::Scalar(0f32));
                     let top_7 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
                     let _e52 = t_22;
-                    let _e53 = self.v_path_height(path_42, _e52);
+                    let _e53 = self.v_path_height(path_43, _e52);
                     let _e55 = t_22;
-                    let _e56 = self.v_path_slope(path_42, _e55);
-                    let above_6 = <rt::Vec3<f32>>::from_scalars((_e53 - top_7), _e56, path_42.h.z());
+                    let _e56 = self.v_path_slope(path_43, _e55);
+                    let above_6 = <rt::Vec3<f32>>::from_scalars((_e53 - top_7), _e56, path_43.h.z());
                     let _e63 = t_22;
                     let _e67 = t_22;
-                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_42.h.x().abs() + (_e63 * (path_42.h.y().abs() + (_e67 * path_42.h.z().abs())))));
+                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_43.h.x().abs() + (_e63 * (path_43.h.y().abs() + (_e67 * path_43.h.z().abs())))));
                     let _e77 = t_22;
-                    next_1 = _e77.max(end_4);
+                    next_1 = _e77.max(end_6);
                     slope_2 = rt::Scalar(-1f32);
                     let _e82 = self.v_least_at(above_6, span_8);
                     let _e83 = self.v_quadratic(above_6, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_31 = above_6.x().elementwise_gt(of_heights);
+                        local_43 = above_6.x().elementwise_gt(of_heights);
                     } else {
-                        local_31 = rt::Scalar(false);
+                        local_43 = rt::Scalar(false);
                     }
-                    let _e90 = local_31;
+                    let _e90 = local_43;
                     if rt::Scalar::into_branch_condition(_e90) {
-                        if rt::Scalar::into_branch_condition(end_4.elementwise_lt(rt::Scalar(path_42.exit))) {
+                        if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_43.exit))) {
                             let _e93 = cell_11;
-                            let _e95 = self.v_frustum_slope(path_42, _e93.cast_elem_as_i32(), forward_3);
+                            let _e95 = self.v_frustum_slope(path_43, _e93.cast_elem_as_i32(), forward_3);
                             slope_2 = _e95;
                             let _e96 = slope_2;
                             if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
                                 let _e99 = cost_12;
-                                let _e101 = self.v_map_read(path_42, rt::Scalar(1u32));
+                                let _e101 = self.v_map_read(path_43, rt::Scalar(1u32));
                                 cost_12 = (_e99 + _e101);
                             }
                         }
                     } else {
                         let _e103 = cell_11;
                         let _e104 = t_22;
-                        let _e105 = self.v_gap_to(path_42, _e2, _e103, _e30, _e104);
+                        let _e105 = self.v_gap_to(path_43, _e2, _e103, _e30, _e104);
                         let _e106 = t_22;
                         let _e107 = cost_12;
-                        let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_4, _e107);
+                        let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_8, _e107);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e108;
                         }
@@ -5901,14 +6670,14 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_11;
                         let _e119 = t_22;
-                        let at_88 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_3 = at_88.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_88), forward_3);
+                        let at_93 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_3 = at_93.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_93), forward_3);
                         let _e131 = t_22;
                         let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_2;
                         let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_4));
                         let _e145 = t_22;
-                        let rest_4 = (rt::Scalar(path_42.exit) - _e145);
+                        let rest_4 = (rt::Scalar(path_43.exit) - _e145);
                         let _e147 = slope_2;
                         let _e152 = self.v_stays_above(above_6, _e147, left_3.x(), _e2.step.x(), lost_1.x(), rest_4);
                         let _e153 = slope_2;
@@ -5918,10 +6687,10 @@ impl<'g> Resources<'g> {
                         next_1 = _e159.max((_e160 + _e152.min(_e158)));
                     }
                     let _e164 = next_1;
-                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_42.exit))) {
+                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_43.exit))) {
                         let _e168 = t_22;
                         let _e170 = cost_12;
-                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_42.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
+                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
                     }
                     let _e174 = slope_2;
                     if rt::Scalar::into_branch_condition(_e174.elementwise_ge(rt::Scalar(0f32))) {
@@ -5941,80 +6710,80 @@ impl<'g> Resources<'g> {
         }
         let _e184 = t_22;
         let _e186 = cost_12;
-        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_42.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
+        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
-    pub(crate) fn nearest_corner(&self, at_36: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_36)))
+    pub(crate) fn nearest_corner(&self, at_41: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_nearest_corner(&self, at_36: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_36.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_41: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_41.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
-        path_43: Path,
+        path_44: Path,
         grid_6: Grid,
-        offset_1: impl rt::Into<rt::Vec2<f32>>,
+        offset_4: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_3: impl rt::Into<rt::Scalar<f32>>,
         t_23: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_43, grid_6, rt::into(offset_1), rt::into(apex), rt::into(slope_3), rt::into(t_23)))
+        rt::into(self.v_stays_inside(path_44, grid_6, rt::into(offset_4), rt::into(apex), rt::into(slope_3), rt::into(t_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
         &self,
-        path_43: Path,
+        path_44: Path,
         grid_6: Grid,
-        offset_1: rt::Vec2<f32>,
+        offset_4: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
         slope_3: rt::Scalar<f32>,
         t_23: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_32: rt::Scalar<bool>;
+        let mut local_44: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_5 = (rt::Scalar(path_43.exit) - t_23);
-        let _e8 = self.v_path_height(path_43, t_23);
-        let height_10 = (_e8 - apex);
-        let terms = (path_43.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_43.exit)) * path_43.h.z().abs()));
-        let _e21 = self.v_path_slope(path_43, t_23);
-        let rise_3 = ((_e21 + (path_43.h.z().min(rt::Scalar(0f32)) * rest_5)) - (rt::Scalar(0.0000009536743f32) * terms));
+        let rest_5 = (rt::Scalar(path_44.exit) - t_23);
+        let _e8 = self.v_path_height(path_44, t_23);
+        let height_14 = (_e8 - apex);
+        let terms = (path_44.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_44.exit)) * path_44.h.z().abs()));
+        let _e21 = self.v_path_slope(path_44, t_23);
+        let rise_3 = ((_e21 + (path_44.h.z().min(rt::Scalar(0f32)) * rest_5)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_5;
         if rt::Scalar::into_branch_condition(rise_3.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
-            most = _e34.min((height_10 / (rt::Scalar(0f32) - rise_3)));
+            most = _e34.min((height_14 / (rt::Scalar(0f32) - rise_3)));
         }
         let _e39 = most;
-        let end_5 = (t_23 + _e39);
-        let _e52 = self.v_height_size(rt::Scalar(path_43.level));
-        let far_5 = (((grid_6.origin.abs() + (grid_6.step.abs() * end_5)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
-        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_43.h.x().abs() + (end_5 * (path_43.h.y().abs() + (end_5 * path_43.h.z().abs())))));
+        let end_7 = (t_23 + _e39);
+        let _e52 = self.v_height_size(rt::Scalar(path_44.level));
+        let far_5 = (((grid_6.origin.abs() + (grid_6.step.abs() * end_7)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
+        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_44.h.x().abs() + (end_7 * (path_44.h.y().abs() + (end_7 * path_44.h.z().abs())))));
         let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_3) * (far_5.x() + far_5.y())));
-        let gap_2 = (height_10 - (rt::Scalar(2f32) * lost_2));
-        let _e85 = self.v_height_size(rt::Scalar(path_43.level));
-        let aside_4 = (((grid_6.origin - offset_1) + (grid_6.step * t_23)) / _e85);
-        let c_8 = (((slope_3 * aside_4.length()) - gap_2) * ((slope_3 * aside_4.length()) + gap_2));
+        let gap_2 = (height_14 - (rt::Scalar(2f32) * lost_2));
+        let _e85 = self.v_height_size(rt::Scalar(path_44.level));
+        let aside_4 = (((grid_6.origin - offset_4) + (grid_6.step * t_23)) / _e85);
+        let c_11 = (((slope_3 * aside_4.length()) - gap_2) * ((slope_3 * aside_4.length()) + gap_2));
         if rt::Scalar::into_branch_condition((!gap_2.elementwise_le(rt::Scalar(0f32)))) {
-            local_32 = c_8.elementwise_ge(rt::Scalar(0f32));
+            local_44 = c_11.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_32 = rt::Scalar(true);
+            local_44 = rt::Scalar(true);
         }
-        let _e102 = local_32;
+        let _e102 = local_44;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_10 = (((slope_3 * slope_3) * aside_4.dot(path_43.duv)) - (gap_2 * rise_3));
-        let a_11 = (((slope_3 * slope_3) * path_43.duv.dot(path_43.duv)) - (rise_3 * rise_3));
-        let discriminant_2 = ((b_10 * b_10) - (a_11 * c_8));
-        if rt::Scalar::into_branch_condition(discriminant_2.elementwise_ge(rt::Scalar(0f32))) {
-            let root_3 = discriminant_2.sqrt();
-            if rt::Scalar::into_branch_condition(b_10.elementwise_ge(rt::Scalar(0f32))) {
-                leave_6 = ((rt::Scalar(0f32) - c_8) / (b_10 + root_3));
+        let b_15 = (((slope_3 * slope_3) * aside_4.dot(path_44.duv)) - (gap_2 * rise_3));
+        let a_16 = (((slope_3 * slope_3) * path_44.duv.dot(path_44.duv)) - (rise_3 * rise_3));
+        let discriminant_3 = ((b_15 * b_15) - (a_16 * c_11));
+        if rt::Scalar::into_branch_condition(discriminant_3.elementwise_ge(rt::Scalar(0f32))) {
+            let root_4 = discriminant_3.sqrt();
+            if rt::Scalar::into_branch_condition(b_15.elementwise_ge(rt::Scalar(0f32))) {
+                leave_6 = ((rt::Scalar(0f32) - c_11) / (b_15 + root_4));
             } else {
-                if rt::Scalar::into_branch_condition(a_11.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_6 = ((root_3 - b_10) / a_11);
+                if rt::Scalar::into_branch_condition(a_16.elementwise_gt(rt::Scalar(0f32))) {
+                    leave_6 = ((root_4 - b_15) / a_16);
                 }
             }
         }
@@ -6023,7 +6792,7 @@ impl<'g> Resources<'g> {
         leave_6 = _e135.min(_e136);
         let _e139 = leave_6;
         let _e145 = leave_6;
-        if rt::Scalar::into_branch_condition(((slope_3 * (aside_4 + (path_43.duv * _e139)).length()) + lost_2).elementwise_le((height_10 + (rise_3 * _e145)))) {
+        if rt::Scalar::into_branch_condition(((slope_3 * (aside_4 + (path_44.duv * _e139)).length()) + lost_2).elementwise_le((height_14 + (rise_3 * _e145)))) {
             let _e149 = leave_6;
             return _e149;
         }
@@ -6031,27 +6800,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cone(
         &self,
-        path_44: Path,
-        params_34: impl rt::Into<rt::Vec4<f32>>,
+        path_45: Path,
+        params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_44, rt::into(params_34)))
+        rt::into(self.v_search_cone(path_45, rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
-        path_44: Path,
-        params_34: rt::Vec4<f32>,
+        path_45: Path,
+        params_38: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_12: rt::Vec2<f32>;
         let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_44);
+        let _e2 = self.v_grid_of(path_45);
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_12 = _e9;
-        let limit_3 = params_34.x().cast_elem_as_u32();
+        let limit_3 = params_38.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_13.x();
@@ -6063,58 +6832,58 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_13;
                     cost_13 = (_e20 + STEP);
                     let _e24 = cost_13.x();
-                    let first_5 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_9 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_12;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_44.level));
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_45.level));
                     let _e31 = cost_13;
                     cost_13 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_12;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_44.exit));
+                    let end_8 = _e35.x().min(_e35.y()).min(rt::Scalar(path_45.exit));
                     let _e41 = t_24;
-                    let span_9 = (end_6 - _e41).max(rt::Scalar(0f32));
+                    let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_12;
                     let _e49 = t_24;
-                    let at_89 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_89);
+                    let at_94 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_94);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_24;
                     next_2 = _e54;
                     let _e56 = t_24;
-                    let _e57 = self.v_path_height(path_44, _e56);
+                    let _e57 = self.v_path_height(path_45, _e56);
                     if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
                         let _e59 = cell_12;
                         let texel_8 = (_e59 + _e52);
-                        let _e61 = self.v_cone_slope(path_44, texel_8);
+                        let _e61 = self.v_cone_slope(path_45, texel_8);
                         let _e62 = cost_13;
-                        let _e64 = self.v_map_read(path_44, rt::Scalar(1u32));
+                        let _e64 = self.v_map_read(path_45, rt::Scalar(1u32));
                         cost_13 = (_e62 + _e64);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
                             let _e68 = t_24;
                             let _e69 = t_24;
-                            let _e70 = self.v_stays_inside(path_44, _e2, texel_8, _e53, _e61, _e69);
+                            let _e70 = self.v_stays_inside(path_45, _e2, texel_8, _e53, _e61, _e69);
                             next_2 = (_e68 + _e70);
                         }
                     }
                     let _e72 = next_2;
-                    if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_6)) {
+                    if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_8)) {
                         let _e74 = cell_12;
                         let _e75 = t_24;
-                        let _e76 = self.v_gap_to(path_44, _e2, _e74, _e30, _e75);
+                        let _e76 = self.v_gap_to(path_45, _e2, _e74, _e30, _e75);
                         let _e77 = t_24;
                         let _e78 = cost_13;
-                        let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_5, _e78);
+                        let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_9, _e78);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e79.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e79;
                         }
                         let _e83 = t_24;
-                        next_2 = _e83.max(end_6);
+                        next_2 = _e83.max(end_8);
                     }
                     let _e85 = next_2;
-                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_44.exit))) {
+                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_45.exit))) {
                         let _e89 = t_24;
                         let _e91 = cost_13;
-                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
+                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
                     }
                     let _e95 = cell_12;
                     let _e96 = next_2;
@@ -6127,84 +6896,84 @@ impl<'g> Resources<'g> {
         }
         let _e100 = t_24;
         let _e102 = cost_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
+        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
     }
     pub(crate) fn node_extent(
         &self,
         cell_13: impl rt::Into<rt::Scalar<i32>>,
         image: impl rt::Into<rt::Vec2<i32>>,
-        n_4: impl rt::Into<rt::Scalar<i32>>,
+        n_5: impl rt::Into<rt::Scalar<i32>>,
         level_16: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_13), rt::into(image), rt::into(n_4), rt::into(level_16)))
+        rt::into(self.v_node_extent(rt::into(cell_13), rt::into(image), rt::into(n_5), rt::into(level_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
         &self,
         cell_13: rt::Scalar<i32>,
         image: rt::Vec2<i32>,
-        n_4: rt::Scalar<i32>,
+        n_5: rt::Scalar<i32>,
         level_16: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_33: rt::Scalar<bool>;
+        let mut local_45: rt::Scalar<bool>;
 
-        let first_6 = ((image.x() >> level_16) << level_16);
+        let first_10 = ((image.x() >> level_16) << level_16);
         let side_3 = (rt::Scalar(1i32) << level_16);
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low_1 = (cell_13 - (image.x() - first_6));
-            return <rt::Vec2<i32>>::from_scalars(low_1, (low_1 + side_3.min((n_4 - first_6))));
+            let low_2 = (cell_13 - (image.x() - first_10));
+            return <rt::Vec2<i32>>::from_scalars(low_2, (low_2 + side_3.min((n_5 - first_10))));
         }
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high = ((cell_13 + (image.x() - first_6)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high - side_3.min(((n_4 - rt::Scalar(1i32)) - first_6))), high);
+            let high = ((cell_13 + (image.x() - first_10)) + rt::Scalar(1i32));
+            return <rt::Vec2<i32>>::from_scalars((high - side_3.min(((n_5 - rt::Scalar(1i32)) - first_10))), high);
         }
         if rt::Scalar::into_branch_condition(level_16.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_33 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_45 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_33 = rt::Scalar(false);
+            local_45 = rt::Scalar(false);
         }
-        let _e43 = local_33;
+        let _e43 = local_45;
         if rt::Scalar::into_branch_condition(_e43) {
-            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_4, cell_13.elementwise_ge(n_4)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_13.elementwise_ge(n_4)));
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_5, cell_13.elementwise_ge(n_5)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_13.elementwise_ge(n_5)));
         }
         return <rt::Vec2<i32>>::from_scalars(cell_13, (cell_13 + rt::Scalar(1i32)));
     }
     pub(crate) fn leaves_extent(
         &self,
         origin_1: impl rt::Into<rt::Scalar<f32>>,
-        step_1: impl rt::Into<rt::Scalar<f32>>,
+        step_2: impl rt::Into<rt::Scalar<f32>>,
         extent: impl rt::Into<rt::Vec2<i32>>,
     ) -> f32 {
-        rt::into(self.v_leaves_extent(rt::into(origin_1), rt::into(step_1), rt::into(extent)))
+        rt::into(self.v_leaves_extent(rt::into(origin_1), rt::into(step_2), rt::into(extent)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_leaves_extent(
         &self,
         origin_1: rt::Scalar<f32>,
-        step_1: rt::Scalar<f32>,
+        step_2: rt::Scalar<f32>,
         extent: rt::Vec2<i32>,
     ) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(step_1.elementwise_gt(rt::Scalar(0f32))) {
-            return ((extent.y().cast_elem_as_f32() - origin_1) / step_1);
+        if rt::Scalar::into_branch_condition(step_2.elementwise_gt(rt::Scalar(0f32))) {
+            return ((extent.y().cast_elem_as_f32() - origin_1) / step_2);
         }
-        if rt::Scalar::into_branch_condition(step_1.elementwise_lt(rt::Scalar(0f32))) {
-            return ((extent.x().cast_elem_as_f32() - origin_1) / step_1);
+        if rt::Scalar::into_branch_condition(step_2.elementwise_lt(rt::Scalar(0f32))) {
+            return ((extent.x().cast_elem_as_f32() - origin_1) / step_2);
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
     pub(crate) fn search_pyramid(
         &self,
-        path_45: Path,
-        params_35: impl rt::Into<rt::Vec4<f32>>,
+        path_46: Path,
+        params_39: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_45, rt::into(params_35)))
+        rt::into(self.v_search_pyramid(path_46, rt::into(params_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
-        path_45: Path,
-        params_35: rt::Vec4<f32>,
+        path_46: Path,
+        params_39: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut level_17: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -6212,14 +6981,14 @@ impl<'g> Resources<'g> {
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_34: rt::Scalar<bool>;
-        let mut local_35: rt::Scalar<bool>;
-        let mut local_36: rt::Scalar<bool>;
-        let mut local_37: rt::Scalar<bool>;
+        let mut local_46: rt::Scalar<bool>;
+        let mut local_47: rt::Scalar<bool>;
+        let mut local_48: rt::Scalar<bool>;
+        let mut local_49: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_45);
-        let _e4 = self.v_height_texels(rt::Scalar(path_45.level));
-        let long_3 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_45.exit));
+        let _e2 = self.v_grid_of(path_46);
+        let _e4 = self.v_height_texels(rt::Scalar(path_46.level));
+        let long_5 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_46.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = top;
@@ -6231,7 +7000,7 @@ impl<'g> Resources<'g> {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
                     let _e28 = level_17;
-                    if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).cast_elem_as_f32().elementwise_lt(long_3)) {
+                    if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).cast_elem_as_f32().elementwise_lt(long_5)) {
                         let _e33 = level_17;
                         level_17 = (_e33 + rt::Scalar(1u32));
                     }
@@ -6240,7 +7009,7 @@ impl<'g> Resources<'g> {
         }
         let _e37 = self.v_cell_of(_e2.origin);
         cell_14 = _e37.cast_elem_as_i32();
-        let limit_4 = params_35.x().cast_elem_as_u32();
+        let limit_4 = params_39.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e51 = cost_14.x();
@@ -6255,33 +7024,33 @@ impl<'g> Resources<'g> {
                     let _e59 = self.v_image_of(_e57, _e4.x());
                     let _e61 = cell_14.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_12 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let place_18 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
                     let _e67 = level_17;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over_1 = <rt::Vec2<i32>>::from_scalars((place_12.x() >> above_level), (place_12.y() >> above_level));
+                    let over_1 = <rt::Vec2<i32>>::from_scalars((place_18.x() >> above_level), (place_18.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_1.x()))) {
                             let _e89 = parent.y();
-                            local_35 = _e89.elementwise_ne(over_1.y());
+                            local_47 = _e89.elementwise_ne(over_1.y());
                         } else {
-                            local_35 = rt::Scalar(true);
+                            local_47 = rt::Scalar(true);
                         }
-                        let _e93 = local_35;
-                        local_34 = _e93;
+                        let _e93 = local_47;
+                        local_46 = _e93;
                     } else {
-                        local_34 = rt::Scalar(false);
+                        local_46 = rt::Scalar(false);
                     }
-                    let left_4 = local_34;
+                    let left_4 = local_46;
                     if rt::Scalar::into_branch_condition(left_4) {
                         let _e98 = level_17;
                         let _e99 = top;
-                        local_36 = _e98.elementwise_lt(_e99);
+                        local_48 = _e98.elementwise_lt(_e99);
                     } else {
-                        local_36 = rt::Scalar(false);
+                        local_48 = rt::Scalar(false);
                     }
-                    let _e102 = local_36;
+                    let _e102 = local_48;
                     if rt::Scalar::into_branch_condition(_e102) {
                         level_17 = above_level;
                     }
@@ -6293,10 +7062,10 @@ impl<'g> Resources<'g> {
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
-                    let end_7 = _e117.min(_e122).min(rt::Scalar(path_45.exit));
+                    let end_9 = _e117.min(_e122).min(rt::Scalar(path_46.exit));
                     let _e126 = t_25;
-                    let span_10 = (end_7 - _e126).max(rt::Scalar(0f32));
-                    let low_2 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
+                    let span_10 = (end_9 - _e126).max(rt::Scalar(0f32));
+                    let low_3 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_4 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
                     let _e140 = level_17;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
@@ -6304,9 +7073,9 @@ impl<'g> Resources<'g> {
                         cost_14 = (_e143 + HEIGHTS_READ);
                         let _e146 = cell_14;
                         let _e148 = cell_14;
-                        let _e150 = self.v_height_cell(_e148, rt::Scalar(path_45.level));
+                        let _e150 = self.v_height_cell(_e148, rt::Scalar(path_46.level));
                         let _e151 = t_25;
-                        let _e152 = self.v_gap_to(path_45, _e2, _e146.cast_elem_as_f32(), _e150, _e151);
+                        let _e152 = self.v_gap_to(path_46, _e2, _e146.cast_elem_as_f32(), _e150, _e151);
                         let _e153 = t_25;
                         let _e154 = t_25;
                         let _e157 = cost_14;
@@ -6316,30 +7085,30 @@ impl<'g> Resources<'g> {
                         }
                     } else {
                         let _e162 = cost_14;
-                        let _e164 = self.v_map_read(path_45, rt::Scalar(1u32));
+                        let _e164 = self.v_map_read(path_46, rt::Scalar(1u32));
                         cost_14 = (_e162 + _e164);
                         let _e167 = level_17;
                         let _e170 = level_17;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_12.x() >> _e167), (place_12.y() >> _e170));
+                        let node = <rt::Vec2<i32>>::from_scalars((place_18.x() >> _e167), (place_18.y() >> _e170));
                         let _e174 = level_17;
-                        let _e180 = self.v_search_texel(path_45, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_45.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let _e180 = self.v_search_texel(path_46, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_46.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
                         let _e182 = t_25;
                         let furthest = (_e182 + span_10);
-                        let rounded = (path_45.h.x().abs() + (furthest * (path_45.h.y().abs() + (furthest * path_45.h.z().abs()))));
+                        let rounded = (path_46.h.x().abs() + (furthest * (path_46.h.y().abs() + (furthest * path_46.h.z().abs()))));
                         let _e197 = t_25;
-                        let _e198 = self.v_path_height(path_45, _e197);
+                        let _e198 = self.v_path_height(path_46, _e197);
                         let _e203 = t_25;
-                        let _e204 = self.v_path_slope(path_45, _e203);
-                        let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_45.h.z());
+                        let _e204 = self.v_path_slope(path_46, _e203);
+                        let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_46.h.z());
                         if rt::Scalar::into_branch_condition((!gap_3.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e214 = self.v_least_at(gap_3, span_10);
                             let _e215 = self.v_quadratic(gap_3, _e214);
-                            local_37 = _e215.elementwise_le(rt::Scalar(0f32));
+                            local_49 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_37 = rt::Scalar(true);
+                            local_49 = rt::Scalar(true);
                         }
-                        let _e219 = local_37;
+                        let _e219 = local_49;
                         if rt::Scalar::into_branch_condition(_e219) {
                             if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
                                 let _e223 = t_25;
@@ -6348,91 +7117,91 @@ impl<'g> Resources<'g> {
                             }
                             let _e229 = t_25;
                             let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
-                            cell_14 = _e232.cast_elem_as_i32().clamp(low_2, last_4);
+                            cell_14 = _e232.cast_elem_as_i32().clamp(low_3, last_4);
                             let _e235 = level_17;
                             level_17 = (_e235 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_7.elementwise_ge(rt::Scalar(path_45.exit))) {
+                    if rt::Scalar::into_branch_condition(end_9.elementwise_ge(rt::Scalar(path_46.exit))) {
                         let _e244 = t_25;
                         let _e246 = cost_14;
-                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
+                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
                     }
-                    let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_7)));
-                    cell_14 = _e254.cast_elem_as_i32().clamp(low_2, last_4);
-                    if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_7)) {
-                        cell_14.set_x((low_2.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                    let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_9)));
+                    cell_14 = _e254.cast_elem_as_i32().clamp(low_3, last_4);
+                    if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_9)) {
+                        cell_14.set_x((low_3.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_7)) {
-                        cell_14.set_y((low_2.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                    if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_9)) {
+                        cell_14.set_y((low_3.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
                     let _e280 = level_17;
                     let _e285 = level_17;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_12.x() >> (_e280 + rt::Scalar(1u32))), (place_12.y() >> (_e285 + rt::Scalar(1u32))));
+                    parent = <rt::Vec2<i32>>::from_scalars((place_18.x() >> (_e280 + rt::Scalar(1u32))), (place_18.y() >> (_e285 + rt::Scalar(1u32))));
                     let _e290 = t_25;
-                    t_25 = _e290.max(end_7);
+                    t_25 = _e290.max(end_9);
                 }
             }
         }
         let _e293 = t_25;
         let _e295 = cost_14;
-        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
+        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
     }
     pub(crate) fn texel_extent(
         &self,
         texel_2: impl rt::Into<rt::Scalar<i32>>,
-        n_5: impl rt::Into<rt::Scalar<i32>>,
+        n_6: impl rt::Into<rt::Scalar<i32>>,
         level_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_5), rt::into(level_18)))
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_6), rt::into(level_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_texel_extent(
         &self,
         texel_2: rt::Scalar<i32>,
-        n_5: rt::Scalar<i32>,
+        n_6: rt::Scalar<i32>,
         level_18: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_38: rt::Scalar<bool>;
+        let mut local_50: rt::Scalar<bool>;
 
-        let _e3 = self.v_wrap_index(texel_2, n_5);
-        let first_7 = ((_e3 >> level_18) << level_18);
-        let last_5 = (first_7 + (rt::Scalar(1i32) << level_18)).min(n_5);
+        let _e3 = self.v_wrap_index(texel_2, n_6);
+        let first_11 = ((_e3 >> level_18) << level_18);
+        let last_5 = (first_11 + (rt::Scalar(1i32) << level_18)).min(n_6);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_38 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_50 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_38 = rt::Scalar(true);
+            local_50 = rt::Scalar(true);
         }
-        let _e20 = local_38;
+        let _e20 = local_50;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_7), ((texel_2 - _e3) + last_5));
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_11), ((texel_2 - _e3) + last_5));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
-            let period_2 = (rt::Scalar(2i32) * n_5);
+            let period_2 = (rt::Scalar(2i32) * n_6);
             let folded_2 = (((texel_2 % period_2) + period_2) % period_2);
-            if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_5)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_7), ((texel_2 - _e3) + last_5));
+            if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_6)) {
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_11), ((texel_2 - _e3) + last_5));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_5) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_7) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_5) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_11) + rt::Scalar(1i32)));
         }
         return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
     }
     pub(crate) fn search_pyramid_texels(
         &self,
-        path_46: Path,
-        params_36: impl rt::Into<rt::Vec4<f32>>,
+        path_47: Path,
+        params_40: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_46, rt::into(params_36)))
+        rt::into(self.v_search_pyramid_texels(path_47, rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
-        path_46: Path,
-        params_36: rt::Vec4<f32>,
+        path_47: Path,
+        params_40: rt::Vec4<f32>,
     ) -> Found {
         let mut level_19: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
@@ -6442,11 +7211,11 @@ impl<'g> Resources<'g> {
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e3 = self.v_height_texels(rt::Scalar(path_46.level));
-        let _e6 = self.v_height_size(rt::Scalar(path_46.level));
-        let origin_5 = (path_46.uv * _e6);
-        let _e10 = self.v_height_size(rt::Scalar(path_46.level));
-        let step_3 = (path_46.duv * _e10);
+        let _e3 = self.v_height_texels(rt::Scalar(path_47.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_47.level));
+        let origin_5 = (path_47.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_47.level));
+        let step_4 = (path_47.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = level_19;
@@ -6462,10 +7231,10 @@ impl<'g> Resources<'g> {
         }
         let _e24 = self.v_cell_of(origin_5);
         texel_3 = _e24.cast_elem_as_i32();
-        let limit_5 = params_36.x().cast_elem_as_u32();
+        let limit_5 = params_40.x().cast_elem_as_u32();
         let _e35 = level_19;
-        finest_1 = params_36.y().cast_elem_as_u32().min(_e35);
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_46.ray).elementwise_eq(RAY_SHADOW)) {
+        finest_1 = params_40.y().cast_elem_as_u32().min(_e35);
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_47.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
         'naga_break: loop {
@@ -6482,23 +7251,23 @@ impl<'g> Resources<'g> {
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_13 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_19 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
                     let _e59 = level_19;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_15;
                         cost_15 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_13, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_19, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
                         let _e70 = level_19;
                         let _e73 = level_19;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_13.x() >> _e70), (place_13.y() >> _e73));
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_19.x() >> _e70), (place_19.y() >> _e73));
                         let _e76 = cost_15;
-                        let _e78 = self.v_map_read(path_46, rt::Scalar(1u32));
+                        let _e78 = self.v_map_read(path_47, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
                         let _e81 = level_19;
-                        let _e85 = self.v_search_texel(path_46, node_1, rt::Scalar(0i32), (_e81.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let _e85 = self.v_search_texel(path_47, node_1, rt::Scalar(0i32), (_e81.cast_elem_as_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
@@ -6507,24 +7276,24 @@ impl<'g> Resources<'g> {
                     let _e93 = texel_3.y();
                     let _e95 = level_19;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
-                    let _e99 = self.v_leaves_extent(origin_5.x(), step_3.x(), _e91);
-                    let _e102 = self.v_leaves_extent(origin_5.y(), step_3.y(), _e96);
+                    let _e99 = self.v_leaves_extent(origin_5.x(), step_4.x(), _e91);
+                    let _e102 = self.v_leaves_extent(origin_5.y(), step_4.y(), _e96);
                     let leave_7 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
                     let _e109 = t_26;
-                    let end_8 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_46.exit)).max(_e109);
+                    let end_10 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_47.exit)).max(_e109);
                     let _e111 = t_26;
-                    let _e112 = self.v_path_height(path_46, _e111);
+                    let _e112 = self.v_path_height(path_47, _e111);
                     let _e113 = highest;
                     let _e115 = t_26;
-                    let _e116 = self.v_path_slope(path_46, _e115);
-                    let gap_4 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_46.h.z());
+                    let _e116 = self.v_path_slope(path_47, _e115);
+                    let gap_4 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_47.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
                         let _e125 = t_26;
-                        let _e127 = self.v_first_root(gap_4, (end_8 - _e125));
+                        let _e127 = self.v_first_root(gap_4, (end_10 - _e125));
                         sinks = _e127;
                     }
-                    let low_3 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
+                    let low_4 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
                     let last_6 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
@@ -6541,30 +7310,30 @@ impl<'g> Resources<'g> {
                         let _e154 = level_19;
                         level_19 = (_e154 - rt::Scalar(1u32));
                         let _e157 = t_26;
-                        let _e160 = self.v_cell_of((origin_5 + (step_3 * _e157)));
-                        texel_3 = _e160.cast_elem_as_i32().clamp(low_3, last_6);
+                        let _e160 = self.v_cell_of((origin_5 + (step_4 * _e157)));
+                        texel_3 = _e160.cast_elem_as_i32().clamp(low_4, last_6);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_8.elementwise_ge(rt::Scalar(path_46.exit))) {
+                        if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_47.exit))) {
                             let _e166 = t_26;
                             let _e168 = cost_15;
-                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
+                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
-                        let _e174 = self.v_cell_of((origin_5 + (step_3 * end_8)));
-                        texel_3 = _e174.cast_elem_as_i32().clamp(low_3, last_6);
-                        if rt::Scalar::into_branch_condition(leave_7.x().elementwise_le(end_8)) {
-                            texel_3.set_x((low_3.x() - rt::Scalar(1i32)).select(_e91.y(), step_3.x().elementwise_gt(rt::Scalar(0f32))));
+                        let _e174 = self.v_cell_of((origin_5 + (step_4 * end_10)));
+                        texel_3 = _e174.cast_elem_as_i32().clamp(low_4, last_6);
+                        if rt::Scalar::into_branch_condition(leave_7.x().elementwise_le(end_10)) {
+                            texel_3.set_x((low_4.x() - rt::Scalar(1i32)).select(_e91.y(), step_4.x().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        if rt::Scalar::into_branch_condition(leave_7.y().elementwise_le(end_8)) {
-                            texel_3.set_y((low_3.y() - rt::Scalar(1i32)).select(_e96.y(), step_3.y().elementwise_gt(rt::Scalar(0f32))));
+                        if rt::Scalar::into_branch_condition(leave_7.y().elementwise_le(end_10)) {
+                            texel_3.set_y((low_4.y() - rt::Scalar(1i32)).select(_e96.y(), step_4.y().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        t_26 = end_8;
+                        t_26 = end_10;
                     }
                 }
             }
         }
         let _e200 = t_26;
         let _e202 = cost_15;
-        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
+        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
     }
     pub(crate) fn leaves_window(
         &self,
@@ -6589,16 +7358,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_dilation_erosion(
         &self,
-        path_47: Path,
-        params_37: impl rt::Into<rt::Vec4<f32>>,
+        path_48: Path,
+        params_41: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_47, rt::into(params_37)))
+        rt::into(self.v_search_dilation_erosion(path_48, rt::into(params_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
-        path_47: Path,
-        params_37: rt::Vec4<f32>,
+        path_48: Path,
+        params_41: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_16: rt::Vec2<f32>;
         let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -6606,17 +7375,17 @@ impl<'g> Resources<'g> {
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_39: rt::Scalar<bool>;
-        let mut local_40: rt::Scalar<bool>;
-        let mut local_41: rt::Scalar<bool>;
-        let mut local_42: rt::Scalar<bool>;
+        let mut local_51: rt::Scalar<bool>;
+        let mut local_52: rt::Scalar<bool>;
+        let mut local_53: rt::Scalar<bool>;
+        let mut local_54: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_47);
-        let _e4 = self.v_height_texels(rt::Scalar(path_47.level));
+        let _e2 = self.v_grid_of(path_48);
+        let _e4 = self.v_height_texels(rt::Scalar(path_48.level));
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_16 = _e11;
-        let limit_6 = params_37.x().cast_elem_as_u32();
+        let limit_6 = params_41.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_16.x();
@@ -6629,41 +7398,41 @@ impl<'g> Resources<'g> {
                     cost_16 = (_e24 + STEP);
                     let _e27 = cell_16;
                     let _e28 = self.v_cell_leave(_e2, _e27);
-                    let end_9 = _e28.x().min(_e28.y()).min(rt::Scalar(path_47.exit));
+                    let end_11 = _e28.x().min(_e28.y()).min(rt::Scalar(path_48.exit));
                     let _e34 = t_27;
-                    let span_11 = (end_9 - _e34).max(rt::Scalar(0f32));
+                    let span_11 = (end_11 - _e34).max(rt::Scalar(0f32));
                     let _e38 = t_27;
                     next_3 = _e38;
-                    looks = params_37.y().elementwise_gt(rt::Scalar(0.5f32));
+                    looks = params_41.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e45 = cell_16.x();
                     let _e48 = self.v_image_of(_e45.cast_elem_as_i32(), _e4.x());
                     let _e50 = cell_16.y();
                     let _e53 = self.v_image_of(_e50.cast_elem_as_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_39 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_51 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_39 = rt::Scalar(true);
+                        local_51 = rt::Scalar(true);
                     }
-                    let _e64 = local_39;
+                    let _e64 = local_51;
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e72 = self.v_search_texel(path_47, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_47.level).cast_elem_as_i32());
+                        let _e72 = self.v_search_texel(path_48, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_48.level).cast_elem_as_i32());
                         let _e73 = cost_16;
-                        let _e75 = self.v_map_read(path_47, rt::Scalar(1u32));
+                        let _e75 = self.v_map_read(path_48, rt::Scalar(1u32));
                         cost_16 = (_e73 + _e75);
                         let _e77 = cell_16;
-                        let _e79 = self.v_leaves_window(_e2, _e77, params_37.z());
+                        let _e79 = self.v_leaves_window(_e2, _e77, params_41.z());
                         let _e82 = t_27;
-                        let reach = (_e79.min(rt::Scalar(path_47.exit)) - _e82).max(rt::Scalar(0f32));
+                        let reach = (_e79.min(rt::Scalar(path_48.exit)) - _e82).max(rt::Scalar(0f32));
                         let _e86 = t_27;
                         let furthest_1 = (_e86 + reach);
-                        let rounded_1 = (path_47.h.x().abs() + (furthest_1 * (path_47.h.y().abs() + (furthest_1 * path_47.h.z().abs()))));
+                        let rounded_1 = (path_48.h.x().abs() + (furthest_1 * (path_48.h.y().abs() + (furthest_1 * path_48.h.z().abs()))));
                         let _e101 = t_27;
-                        let _e102 = self.v_path_height(path_47, _e101);
+                        let _e102 = self.v_path_height(path_48, _e101);
                         let _e108 = t_27;
-                        let _e109 = self.v_path_slope(path_47, _e108);
-                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_47.h.z());
+                        let _e109 = self.v_path_slope(path_48, _e108);
+                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_48.h.z());
                         if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
                             let _e116 = t_27;
                             safe_ = _e116;
@@ -6680,43 +7449,43 @@ impl<'g> Resources<'g> {
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_40 = _e131.elementwise_lt(end_9);
+                            local_52 = _e131.elementwise_lt(end_11);
                         } else {
-                            local_40 = rt::Scalar(false);
+                            local_52 = rt::Scalar(false);
                         }
-                        let _e134 = local_40;
+                        let _e134 = local_52;
                         if rt::Scalar::into_branch_condition(_e134) {
-                            let _e137 = self.v_path_height(path_47, end_9);
-                            local_41 = _e137.elementwise_lt(_e72.x());
+                            let _e137 = self.v_path_height(path_48, end_11);
+                            local_53 = _e137.elementwise_lt(_e72.x());
                         } else {
-                            local_41 = rt::Scalar(false);
+                            local_53 = rt::Scalar(false);
                         }
-                        let _e141 = local_41;
+                        let _e141 = local_53;
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
-                            let _e144 = self.v_bracket_between(path_47, _e142, end_9, _e143);
+                            let _e144 = self.v_bracket_between(path_48, _e142, end_11, _e143);
                             return _e144;
                         }
                     }
                     let _e145 = next_3;
-                    if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_9))) {
+                    if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_11))) {
                         let _e150 = t_27;
-                        local_42 = (!end_9.elementwise_gt(_e150));
+                        local_54 = (!end_11.elementwise_gt(_e150));
                     } else {
-                        local_42 = rt::Scalar(true);
+                        local_54 = rt::Scalar(true);
                     }
-                    let _e154 = local_42;
+                    let _e154 = local_54;
                     if rt::Scalar::into_branch_condition(_e154) {
                         let _e155 = looks;
                         if rt::Scalar::into_branch_condition(_e155) {
                             let _e156 = cost_16;
                             cost_16 = (_e156 + HEIGHTS_READ);
                             let _e159 = cell_16;
-                            let _e162 = self.v_height_cell(_e159.cast_elem_as_i32(), rt::Scalar(path_47.level));
+                            let _e162 = self.v_height_cell(_e159.cast_elem_as_i32(), rt::Scalar(path_48.level));
                             let _e163 = cell_16;
                             let _e164 = t_27;
-                            let _e165 = self.v_gap_to(path_47, _e2, _e163, _e162, _e164);
+                            let _e165 = self.v_gap_to(path_48, _e2, _e163, _e162, _e164);
                             let _e166 = t_27;
                             let _e167 = t_27;
                             let _e170 = cost_16;
@@ -6726,13 +7495,13 @@ impl<'g> Resources<'g> {
                             }
                         }
                         let _e175 = t_27;
-                        next_3 = _e175.max(end_9);
+                        next_3 = _e175.max(end_11);
                     }
                     let _e177 = next_3;
-                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_47.exit))) {
+                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_48.exit))) {
                         let _e181 = t_27;
                         let _e183 = cost_16;
-                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
+                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
                     }
                     let _e187 = cell_16;
                     let _e188 = next_3;
@@ -6745,40 +7514,40 @@ impl<'g> Resources<'g> {
         }
         let _e192 = t_27;
         let _e194 = cost_16;
-        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
+        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
     }
     pub(crate) fn search_sphere(
         &self,
-        path_48: Path,
-        params_38: impl rt::Into<rt::Vec4<f32>>,
+        path_49: Path,
+        params_42: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_48, rt::into(params_38)))
+        rt::into(self.v_search_sphere(path_49, rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
-        path_48: Path,
-        params_38: rt::Vec4<f32>,
+        path_49: Path,
+        params_42: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_17: rt::Vec2<f32>;
         let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_43: rt::Scalar<bool>;
+        let mut local_55: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_48);
+        let _e2 = self.v_grid_of(path_49);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_48, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_48, rt::Scalar(path_48.exit));
+        let _e9 = self.v_path_slope(path_49, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_49, rt::Scalar(path_49.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let fastest = <rt::Vec3<f32>>::new_21(path_48.duv, climb_1).length();
+        let fastest = <rt::Vec3<f32>>::new_21(path_49.duv, climb_1).length();
         let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_6 = (path_48.uv.abs() + (path_48.duv.abs() * rt::Scalar(path_48.exit)));
-        let height_terms = (path_48.h.x().abs() + (rt::Scalar(path_48.exit) * (path_48.h.y().abs() + (rt::Scalar(path_48.exit) * path_48.h.z().abs()))));
+        let far_6 = (path_49.uv.abs() + (path_49.duv.abs() * rt::Scalar(path_49.exit)));
+        let height_terms = (path_49.h.x().abs() + (rt::Scalar(path_49.exit) * (path_49.h.y().abs() + (rt::Scalar(path_49.exit) * path_49.h.z().abs()))));
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_6.x() + far_6.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_17 = _e52;
-        let limit_7 = params_38.x().cast_elem_as_u32();
+        let limit_7 = params_42.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e61 = cost_17.x();
@@ -6791,18 +7560,18 @@ impl<'g> Resources<'g> {
                     cost_17 = (_e63 + STEP);
                     let _e66 = cell_17;
                     let _e67 = self.v_cell_leave(_e2, _e66);
-                    let end_10 = _e67.x().min(_e67.y()).min(rt::Scalar(path_48.exit));
+                    let end_12 = _e67.x().min(_e67.y()).min(rt::Scalar(path_49.exit));
                     let _e73 = t_28;
-                    let span_12 = (end_10 - _e73).max(rt::Scalar(0f32));
+                    let span_12 = (end_12 - _e73).max(rt::Scalar(0f32));
                     let _e77 = t_28;
-                    let _e78 = self.v_path_uv(path_48, _e77);
+                    let _e78 = self.v_path_uv(path_49, _e77);
                     let _e79 = t_28;
-                    let _e80 = self.v_path_height(path_48, _e79);
-                    let _e82 = self.v_distance_at(path_48, _e78, _e80, params_38.z());
+                    let _e80 = self.v_path_height(path_49, _e79);
+                    let _e82 = self.v_distance_at(path_49, _e78, _e80, params_42.z());
                     let free_1 = (_e82 - lost_3);
                     let _e84 = cost_17;
-                    let _e86 = self.v_map_read(path_48, rt::Scalar(4u32));
-                    let _e89 = self.v_map_read(path_48, rt::Scalar(4u32));
+                    let _e86 = self.v_map_read(path_49, rt::Scalar(4u32));
+                    let _e89 = self.v_map_read(path_49, rt::Scalar(4u32));
                     cost_17 = ((_e84 + _e86) + _e89);
                     let _e91 = t_28;
                     next_4 = _e91;
@@ -6810,31 +7579,31 @@ impl<'g> Resources<'g> {
                         let _e95 = t_28;
                         next_4 = (_e95 + (free_1 / speed_2));
                     }
-                    if rt::Scalar::into_branch_condition(params_38.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_42.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_4;
                         let _e102 = t_28;
-                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_48.exit))))) {
+                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_49.exit))))) {
                             let _e110 = t_28;
                             let _e112 = cost_17;
-                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
+                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
                         }
                     } else {
                         let _e116 = next_4;
-                        if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_10))) {
+                        if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_12))) {
                             let _e121 = t_28;
-                            local_43 = (!end_10.elementwise_gt(_e121));
+                            local_55 = (!end_12.elementwise_gt(_e121));
                         } else {
-                            local_43 = rt::Scalar(true);
+                            local_55 = rt::Scalar(true);
                         }
-                        let _e125 = local_43;
+                        let _e125 = local_55;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
                             let _e129 = cell_17;
                             let _e130 = cell_17;
-                            let _e133 = self.v_height_cell(_e130.cast_elem_as_i32(), rt::Scalar(path_48.level));
+                            let _e133 = self.v_height_cell(_e130.cast_elem_as_i32(), rt::Scalar(path_49.level));
                             let _e134 = t_28;
-                            let _e135 = self.v_gap_to(path_48, _e2, _e129, _e133, _e134);
+                            let _e135 = self.v_gap_to(path_49, _e2, _e129, _e133, _e134);
                             let _e136 = t_28;
                             let _e137 = t_28;
                             let _e140 = cost_17;
@@ -6843,14 +7612,14 @@ impl<'g> Resources<'g> {
                                 return _e141;
                             }
                             let _e145 = t_28;
-                            next_4 = _e145.max(end_10);
+                            next_4 = _e145.max(end_12);
                         }
                     }
                     let _e147 = next_4;
-                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_48.exit))) {
+                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_49.exit))) {
                         let _e151 = t_28;
                         let _e153 = cost_17;
-                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
+                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
                     }
                     let _e157 = cell_17;
                     let _e158 = next_4;
@@ -6863,33 +7632,33 @@ impl<'g> Resources<'g> {
         }
         let _e162 = t_28;
         let _e164 = cost_17;
-        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
+        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
     }
     pub(crate) fn search_cone_moved(
         &self,
-        path_49: Path,
-        params_39: impl rt::Into<rt::Vec4<f32>>,
+        path_50: Path,
+        params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_49, rt::into(params_39)))
+        rt::into(self.v_search_cone_moved(path_50, rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
-        path_49: Path,
-        params_39: rt::Vec4<f32>,
+        path_50: Path,
+        params_43: rt::Vec4<f32>,
     ) -> Found {
         let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
-        let mut k_13: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_44: rt::Scalar<bool>;
+        let mut k_14: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_56: rt::Scalar<bool>;
 
-        let aside_5 = path_49.duv.length();
+        let aside_5 = path_50.duv.length();
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_13;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_39.x())) {
+                let _e14 = k_14;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_43.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -6897,17 +7666,17 @@ impl<'g> Resources<'g> {
                     let _e17 = cost_18;
                     cost_18 = (_e17 + STEP);
                     let _e20 = t_29;
-                    let _e21 = self.v_path_gap(path_49, _e20);
+                    let _e21 = self.v_path_gap(path_50, _e20);
                     let _e22 = cost_18;
                     cost_18 = (_e22 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
                         let _e27 = t_29;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_44 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_56 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_44 = rt::Scalar(false);
+                            local_56 = rt::Scalar(false);
                         }
-                        let _e35 = local_44;
+                        let _e35 = local_56;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
@@ -6922,83 +7691,83 @@ impl<'g> Resources<'g> {
                     near_5 = _e47;
                     near_gap_3 = _e21;
                     let _e48 = t_29;
-                    let _e49 = self.v_path_uv(path_49, _e48);
-                    let _e51 = self.v_search_texel_between(path_49, _e49, rt::Scalar(0i32));
+                    let _e49 = self.v_path_uv(path_50, _e48);
+                    let _e51 = self.v_search_texel_between(path_50, _e49, rt::Scalar(0i32));
                     let _e53 = self.v_slope_of(_e51.x());
                     let _e54 = cost_18;
-                    let _e56 = self.v_map_read(path_49, rt::Scalar(4u32));
+                    let _e56 = self.v_map_read(path_50, rt::Scalar(4u32));
                     cost_18 = (_e54 + _e56);
                     if rt::Scalar::into_branch_condition(_e53.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
                     let _e61 = t_29;
-                    let rest_6 = (rt::Scalar(path_49.exit) - _e61);
+                    let rest_6 = (rt::Scalar(path_50.exit) - _e61);
                     let _e63 = t_29;
-                    let _e64 = self.v_path_slope(path_49, _e63);
-                    let rise_4 = (_e64 + (path_49.h.z().min(rt::Scalar(0f32)) * rest_6));
-                    let terms_1 = (path_49.h.x().abs() + (rt::Scalar(path_49.exit) * (path_49.h.y().abs() + (rt::Scalar(path_49.exit) * path_49.h.z().abs()))));
-                    let far_7 = (((path_49.uv.abs() + (path_49.duv.abs() * rt::Scalar(path_49.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
+                    let _e64 = self.v_path_slope(path_50, _e63);
+                    let rise_4 = (_e64 + (path_50.h.z().min(rt::Scalar(0f32)) * rest_6));
+                    let terms_1 = (path_50.h.x().abs() + (rt::Scalar(path_50.exit) * (path_50.h.y().abs() + (rt::Scalar(path_50.exit) * path_50.h.z().abs()))));
+                    let far_7 = (((path_50.uv.abs() + (path_50.duv.abs() * rt::Scalar(path_50.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
                     let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_7.x()) + far_7.y()));
                     let nearing = ((_e53 * aside_5) - rise_4);
                     let closing_3 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
                         let _e112 = t_29;
                         let _e114 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
+                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                     }
                     let _e118 = t_29;
                     t_29 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
                     let _e124 = t_29;
-                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_49.exit))) {
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_50.exit))) {
                         let _e128 = near_5;
                         let _e130 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
-                    let _e134 = k_13;
-                    k_13 = (_e134 + rt::Scalar(1f32));
+                    let _e134 = k_14;
+                    k_14 = (_e134 + rt::Scalar(1f32));
                 }
             }
         }
         let _e138 = t_29;
         let _e140 = t_29;
-        let _e141 = self.v_path_height(path_49, _e140);
+        let _e141 = self.v_path_height(path_50, _e140);
         let _e142 = cost_18;
-        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_49.exit), _e141, rt::Scalar(0f32), _e142);
+        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_50.exit), _e141, rt::Scalar(0f32), _e142);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
-        path_50: Path,
-        params_40: impl rt::Into<rt::Vec4<f32>>,
+        path_51: Path,
+        params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_50, rt::into(params_40)))
+        rt::into(self.v_search_relaxed_cone(path_51, rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
-        path_50: Path,
-        params_40: rt::Vec4<f32>,
+        path_51: Path,
+        params_44: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_18: rt::Vec2<f32>;
         let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_45: rt::Scalar<bool>;
+        let mut local_57: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_46: rt::Scalar<bool>;
+        let mut local_58: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_50);
+        let _e2 = self.v_grid_of(path_51);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_6 = path_50.duv.length();
-        let _e11 = self.v_path_slope(path_50, rt::Scalar(0f32));
-        let terms_2 = (path_50.h.x().abs() + (rt::Scalar(path_50.exit) * path_50.h.y().abs()));
-        let _e33 = self.v_height_size(rt::Scalar(path_50.level));
-        let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_50.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let aside_6 = path_51.duv.length();
+        let _e11 = self.v_path_slope(path_51, rt::Scalar(0f32));
+        let terms_2 = (path_51.h.x().abs() + (rt::Scalar(path_51.exit) * path_51.h.y().abs()));
+        let _e33 = self.v_height_size(rt::Scalar(path_51.level));
+        let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_51.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_18 = _e36;
-        let limit_8 = params_40.x().cast_elem_as_u32();
+        let limit_8 = params_44.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e49 = cost_19.x();
@@ -7011,14 +7780,14 @@ impl<'g> Resources<'g> {
                     cost_19 = (_e51 + STEP);
                     let _e54 = cell_18;
                     let _e55 = self.v_cell_leave(_e2, _e54);
-                    let end_11 = _e55.x().min(_e55.y()).min(rt::Scalar(path_50.exit));
+                    let end_13 = _e55.x().min(_e55.y()).min(rt::Scalar(path_51.exit));
                     let _e61 = t_30;
-                    let span_13 = (end_11 - _e61).max(rt::Scalar(0f32));
+                    let span_13 = (end_13 - _e61).max(rt::Scalar(0f32));
                     let _e65 = cell_18;
                     let _e66 = cell_18;
-                    let _e69 = self.v_height_cell(_e66.cast_elem_as_i32(), rt::Scalar(path_50.level));
+                    let _e69 = self.v_height_cell(_e66.cast_elem_as_i32(), rt::Scalar(path_51.level));
                     let _e70 = t_30;
-                    let _e71 = self.v_gap_to(path_50, _e2, _e65, _e69, _e70);
+                    let _e71 = self.v_gap_to(path_51, _e2, _e65, _e69, _e70);
                     let _e72 = cost_19;
                     cost_19 = (_e72 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e71.x().elementwise_le(rt::Scalar(0f32))) {
@@ -7026,17 +7795,17 @@ impl<'g> Resources<'g> {
                         let _e79 = t_30;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_45 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_57 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_45 = rt::Scalar(false);
+                            local_57 = rt::Scalar(false);
                         }
-                        let _e87 = local_45;
+                        let _e87 = local_57;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
                             let _e89 = t_30;
                             let _e90 = near_gap_4;
                             let _e92 = cost_19;
-                            let _e93 = self.v_entered_once(path_50, _e2, _e88, _e89, _e90, _e71.x(), _e92);
+                            let _e93 = self.v_entered_once(path_51, _e2, _e88, _e89, _e90, _e71.x(), _e92);
                             return _e93;
                         }
                         let _e94 = t_30;
@@ -7048,7 +7817,7 @@ impl<'g> Resources<'g> {
                     let _e100 = t_30;
                     start_1 = _e100;
                     gap = _e71.x();
-                    if rt::Scalar::into_branch_condition(params_40.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_44.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e107 = t_30;
                         let _e108 = t_30;
                         let _e111 = cost_19;
@@ -7057,14 +7826,14 @@ impl<'g> Resources<'g> {
                             return _e112;
                         }
                         let _e116 = t_30;
-                        start_1 = _e116.max(end_11);
+                        start_1 = _e116.max(end_13);
                         gap = rt::Scalar(_e112.far_gap);
                     }
                     let _e119 = start_1;
-                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_50.exit))) {
+                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_51.exit))) {
                         let _e123 = t_30;
                         let _e125 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
+                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_51.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
                     }
                     let _e129 = start_1;
                     near_6 = _e129;
@@ -7074,9 +7843,9 @@ impl<'g> Resources<'g> {
                     let _e133 = cell_18;
                     let _e136 = start_1;
                     let _e139 = self.v_nearest_corner(((_e2.origin - _e133) + (_e2.step * _e136)));
-                    let _e141 = self.v_cone_slope(path_50, (_e131 + _e139));
+                    let _e141 = self.v_cone_slope(path_51, (_e131 + _e139));
                     let _e142 = cost_19;
-                    let _e144 = self.v_map_read(path_50, rt::Scalar(1u32));
+                    let _e144 = self.v_map_read(path_51, rt::Scalar(1u32));
                     cost_19 = (_e142 + _e144);
                     let _e146 = start_1;
                     next_5 = _e146;
@@ -7091,35 +7860,35 @@ impl<'g> Resources<'g> {
                             next_5 = (_e167 + (room_1.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_40.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_44.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
                         let _e178 = t_30;
-                        local_46 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_50.exit))));
+                        local_58 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_51.exit))));
                     } else {
-                        local_46 = rt::Scalar(false);
+                        local_58 = rt::Scalar(false);
                     }
-                    let _e186 = local_46;
+                    let _e186 = local_58;
                     if rt::Scalar::into_branch_condition(_e186) {
                         let _e188 = t_30;
                         let _e190 = gap;
                         let _e191 = cost_19;
-                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_50.exit), _e190, rt::Scalar(0f32), _e191);
+                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_51.exit), _e190, rt::Scalar(0f32), _e191);
                     }
                     let _e194 = next_5;
-                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_50.exit))) {
-                        let _e198 = self.v_path_gap(path_50, rt::Scalar(path_50.exit));
+                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_51.exit))) {
+                        let _e198 = self.v_path_gap(path_51, rt::Scalar(path_51.exit));
                         let _e199 = cost_19;
                         cost_19 = (_e199 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e198.elementwise_le(rt::Scalar(0f32))) {
                             let _e204 = start_1;
                             let _e206 = gap;
                             let _e207 = cost_19;
-                            let _e208 = self.v_entered_once(path_50, _e2, _e204, rt::Scalar(path_50.exit), _e206, _e198, _e207);
+                            let _e208 = self.v_entered_once(path_51, _e2, _e204, rt::Scalar(path_51.exit), _e206, _e198, _e207);
                             return _e208;
                         }
                         let _e210 = start_1;
                         let _e212 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
+                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_51.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
                     }
                     let _e216 = cell_18;
                     let _e217 = next_5;
@@ -7132,34 +7901,34 @@ impl<'g> Resources<'g> {
         }
         let _e221 = t_30;
         let _e223 = cost_19;
-        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
+        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_51.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
-        path_51: Path,
-        params_41: impl rt::Into<rt::Vec4<f32>>,
+        path_52: Path,
+        params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_51, rt::into(params_41)))
+        rt::into(self.v_search_relaxed_cone_resting(path_52, rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
-        path_51: Path,
-        params_41: rt::Vec4<f32>,
+        path_52: Path,
+        params_45: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_19: rt::Vec2<f32>;
         let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_47: rt::Scalar<bool>;
+        let mut local_59: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_51);
+        let _e2 = self.v_grid_of(path_52);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_19 = _e9;
-        let limit_9 = params_41.x().cast_elem_as_u32();
+        let limit_9 = params_45.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_20.x();
@@ -7171,33 +7940,33 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_20;
                     cost_20 = (_e24 + STEP);
                     let _e27 = cell_19;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_51.level));
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_52.level));
                     let _e31 = cost_20;
                     cost_20 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_19;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_12 = _e35.x().min(_e35.y()).min(rt::Scalar(path_51.exit));
+                    let end_14 = _e35.x().min(_e35.y()).min(rt::Scalar(path_52.exit));
                     let _e41 = t_31;
-                    let span_14 = (end_12 - _e41).max(rt::Scalar(0f32));
+                    let span_14 = (end_14 - _e41).max(rt::Scalar(0f32));
                     let _e45 = cell_19;
                     let _e46 = t_31;
-                    let _e47 = self.v_gap_to(path_51, _e2, _e45, _e30, _e46);
+                    let _e47 = self.v_gap_to(path_52, _e2, _e45, _e30, _e46);
                     if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_7;
                         let _e52 = t_31;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_47 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_59 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_47 = rt::Scalar(false);
+                            local_59 = rt::Scalar(false);
                         }
-                        let _e60 = local_47;
+                        let _e60 = local_59;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
                             let _e62 = t_31;
                             let _e63 = near_gap_5;
                             let _e65 = cost_20;
-                            let _e66 = self.v_entered_once(path_51, _e2, _e61, _e62, _e63, _e47.x(), _e65);
+                            let _e66 = self.v_entered_once(path_52, _e2, _e61, _e62, _e63, _e47.x(), _e65);
                             return _e66;
                         }
                         let _e67 = t_31;
@@ -7214,11 +7983,11 @@ impl<'g> Resources<'g> {
                         return _e78;
                     }
                     let _e82 = t_31;
-                    let start_2 = _e82.max(end_12);
-                    if rt::Scalar::into_branch_condition(start_2.elementwise_ge(rt::Scalar(path_51.exit))) {
+                    let start_2 = _e82.max(end_14);
+                    if rt::Scalar::into_branch_condition(start_2.elementwise_ge(rt::Scalar(path_52.exit))) {
                         let _e87 = t_31;
                         let _e89 = cost_20;
-                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_51.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_52.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
                     near_7 = start_2;
                     near_gap_5 = rt::Scalar(_e78.far_gap);
@@ -7226,32 +7995,32 @@ impl<'g> Resources<'g> {
                     let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_2)));
                     let _e101 = self.v_corner_height(_e30, _e100);
                     next_6 = start_2;
-                    let _e103 = self.v_path_height(path_51, start_2);
+                    let _e103 = self.v_path_height(path_52, start_2);
                     if rt::Scalar::into_branch_condition(_e103.elementwise_gt(_e101)) {
                         let _e105 = cell_19;
                         let texel_9 = (_e105 + _e100);
-                        let _e107 = self.v_cone_slope(path_51, texel_9);
+                        let _e107 = self.v_cone_slope(path_52, texel_9);
                         let _e108 = cost_20;
-                        let _e110 = self.v_map_read(path_51, rt::Scalar(1u32));
+                        let _e110 = self.v_map_read(path_52, rt::Scalar(1u32));
                         cost_20 = (_e108 + _e110);
                         if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e114 = self.v_stays_inside(path_51, _e2, texel_9, _e101, _e107, start_2);
+                            let _e114 = self.v_stays_inside(path_52, _e2, texel_9, _e101, _e107, start_2);
                             next_6 = (start_2 + _e114);
                         }
                     }
                     let _e116 = next_6;
-                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_51.exit))) {
-                        let _e120 = self.v_path_gap(path_51, rt::Scalar(path_51.exit));
+                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_52.exit))) {
+                        let _e120 = self.v_path_gap(path_52, rt::Scalar(path_52.exit));
                         let _e121 = cost_20;
                         cost_20 = (_e121 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
                             let _e127 = near_gap_5;
                             let _e128 = cost_20;
-                            let _e129 = self.v_entered_once(path_51, _e2, start_2, rt::Scalar(path_51.exit), _e127, _e120, _e128);
+                            let _e129 = self.v_entered_once(path_52, _e2, start_2, rt::Scalar(path_52.exit), _e127, _e120, _e128);
                             return _e129;
                         }
                         let _e132 = cost_20;
-                        return <Found>::new(FOUND_MISS, start_2, rt::Scalar(path_51.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
+                        return <Found>::new(FOUND_MISS, start_2, rt::Scalar(path_52.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
                     }
                     let _e136 = cell_19;
                     let _e137 = next_6;
@@ -7264,288 +8033,376 @@ impl<'g> Resources<'g> {
         }
         let _e141 = t_31;
         let _e143 = cost_20;
-        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_51.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
+        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_52.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
     }
-    pub(crate) fn search_stage(&self, path_52: Path) -> Found {
-        rt::into(self.v_search_stage(path_52))
+    pub(crate) fn search_stage(&self, path_53: Path) -> Found {
+        rt::into(self.v_search_stage(path_53))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_52: Path) -> Found {
+    fn v_search_stage(&self, path_53: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[2usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[2usize].params;
-                let _e11 = self.v_search_none(path_52, _e10);
+                let _e11 = self.v_search_none(path_53, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[2usize].params;
-                let _e17 = self.v_search_linear(path_52, _e16);
+                let _e17 = self.v_search_linear(path_53, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[2usize].params;
-                let _e23 = self.v_search_cells(path_52, _e22);
+                let _e23 = self.v_search_cells(path_53, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[2usize].params;
-                let _e29 = self.v_search_frustum(path_52, _e28);
+                let _e29 = self.v_search_frustum(path_53, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[2usize].params;
-                let _e35 = self.v_search_cone(path_52, _e34);
+                let _e35 = self.v_search_cone(path_53, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[2usize].params;
-                let _e41 = self.v_search_pyramid(path_52, _e40);
+                let _e41 = self.v_search_pyramid(path_53, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[2usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_52, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_53, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[2usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_52, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_53, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[2usize].params;
-                let _e59 = self.v_search_sphere(path_52, _e58);
+                let _e59 = self.v_search_sphere(path_53, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[2usize].params;
-                let _e65 = self.v_search_cone_moved(path_52, _e64);
+                let _e65 = self.v_search_cone_moved(path_53, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[2usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_52, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_53, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[2usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_52, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_53, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn trace(&self, path_53: Path) -> Hit {
-        rt::into(self.v_trace(path_53))
+    pub(crate) fn trace(&self, path_54: Path) -> Hit {
+        rt::into(self.v_trace(path_54))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_trace(&self, path_53: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_53);
-        let _e2 = self.v_refine_stage(path_53, _e1);
+    fn v_trace(&self, path_54: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_54);
+        let _e2 = self.v_refine_stage(path_54, _e1);
         return _e2;
     }
     pub(crate) fn surface_plane_polish(
         &self,
-        pixel_38: PixelIn,
-        at_37: Entered,
-        path_54: Path,
+        pixel_47: PixelIn,
+        at_42: Entered,
+        path_55: Path,
         hit_8: Hit,
-        params_42: impl rt::Into<rt::Vec4<f32>>,
+        params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_38, at_37, path_54, hit_8, rt::into(params_42)))
+        rt::into(self.v_surface_plane_polish(pixel_47, at_42, path_55, hit_8, rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_polish(
         &self,
-        pixel_38: PixelIn,
-        at_37: Entered,
-        path_54: Path,
+        pixel_47: PixelIn,
+        at_42: Entered,
+        path_55: Path,
         hit_8: Hit,
-        params_42: rt::Vec4<f32>,
+        params_46: rt::Vec4<f32>,
     ) -> Hit {
         return hit_8;
     }
+    pub(crate) fn weights_at_offset(
+        &self,
+        prism_12: Prism,
+        place_8: impl rt::Into<rt::Vec3<f32>>,
+        offset_5: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_weights_at_offset(prism_12, rt::into(place_8), rt::into(offset_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_weights_at_offset(
+        &self,
+        prism_12: Prism,
+        place_8: rt::Vec3<f32>,
+        offset_5: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let corner_6 = (prism_12.p0_ + (prism_12.n0_ * offset_5));
+        let a_17 = ((prism_12.p1_ - prism_12.p0_) + ((prism_12.n1_ - prism_12.n0_) * offset_5));
+        let b_16 = ((prism_12.p2_ - prism_12.p0_) + ((prism_12.n2_ - prism_12.n0_) * offset_5));
+        let rest_7 = (place_8 - corner_6);
+        let across_4 = a_17.cross(b_16);
+        let square_1 = across_4.dot(across_4);
+        if rt::Scalar::into_branch_condition((!square_1.elementwise_gt(rt::Scalar(0f32)))) {
+            return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
+        }
+        let second_4 = (rest_7.cross(b_16).dot(across_4) / square_1);
+        let third_3 = (a_17.cross(rest_7).dot(across_4) / square_1);
+        return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_4) - third_3), second_4, third_3);
+    }
+    pub(crate) fn shell_point_near(
+        &self,
+        prism_13: Prism,
+        place_9: impl rt::Into<rt::Vec3<f32>>,
+        height_4: impl rt::Into<rt::Scalar<f32>>,
+    ) -> ShellPoint {
+        rt::into(self.v_shell_point_near(prism_13, rt::into(place_9), rt::into(height_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shell_point_near(
+        &self,
+        prism_13: Prism,
+        place_9: rt::Vec3<f32>,
+        height_4: rt::Scalar<f32>,
+    ) -> ShellPoint {
+        let low_5 = self.surface_settings.shell_m.x();
+        let _e10 = self.surface_settings.shell_m.y();
+        let offset_7 = (low_5 + ((_e10 - low_5).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_4));
+        let _e16 = self.v_weights_at_offset(prism_13, place_9, offset_7);
+        let _e18 = self.v_lift_of(prism_13.lift, _e16);
+        let _e20 = self.v_weights_at_offset(prism_13, place_9, (offset_7 + _e18));
+        let near_8 = <ShellPoint>::new(_e20, height_4);
+        let _e22 = self.v_shell_point_from(prism_13, place_9, near_8);
+        let moved = (_e22.weights - near_8.weights).abs();
+        let away = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_4).abs()));
+        if rt::Scalar::into_branch_condition(away.elementwise_lt(rt::Scalar(0.5f32))) {
+            return _e22;
+        }
+        return near_8;
+    }
+    pub(crate) fn point_of_way(
+        &self,
+        pixel_48: PixelIn,
+        prism_14: Prism,
+        place_10: impl rt::Into<rt::Vec3<f32>>,
+        height_5: impl rt::Into<rt::Scalar<f32>>,
+    ) -> ShellPoint {
+        rt::into(self.v_point_of_way(pixel_48, prism_14, rt::into(place_10), rt::into(height_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_point_of_way(
+        &self,
+        pixel_48: PixelIn,
+        prism_14: Prism,
+        place_10: rt::Vec3<f32>,
+        height_5: rt::Scalar<f32>,
+    ) -> ShellPoint {
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_48.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e8 = self.v_shell_point_near(prism_14, place_10, height_5);
+            return _e8;
+        }
+        let _e9 = self.v_shell_point(prism_14, place_10, height_5);
+        return _e9;
+    }
     pub(crate) fn surface_prism_polish(
         &self,
-        pixel_39: PixelIn,
-        at_38: Entered,
-        path_55: Path,
+        pixel_49: PixelIn,
+        at_43: Entered,
+        path_56: Path,
         hit_9: Hit,
-        params_43: impl rt::Into<rt::Vec4<f32>>,
+        params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_39, at_38, path_55, hit_9, rt::into(params_43)))
+        rt::into(self.v_surface_prism_polish(pixel_49, at_43, path_56, hit_9, rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_polish(
         &self,
-        pixel_39: PixelIn,
-        at_38: Entered,
-        path_55: Path,
+        pixel_49: PixelIn,
+        at_43: Entered,
+        path_56: Path,
         hit_9: Hit,
-        params_43: rt::Vec4<f32>,
+        params_47: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_32: rt::Scalar<f32>;
         let mut point_4: ShellPoint;
-        let mut step_2: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut step_3: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_39.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            return hit_9;
-        }
-        let along_20 = pixel_39.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_39, along_20);
-        let _e12 = self.v_prism_of(pixel_39, along_20, _e11, params_43);
-        let _e14 = self.v_path_gap(path_55, rt::Scalar(hit_9.t));
-        let _e15 = self.v_grid_of(path_55);
-        let texels_4 = _e15.step.abs();
-        let most_5 = ((rt::Scalar(2f32) * params_43.x()) / texels_4.x().max(texels_4.y()).max((path_55.h.y().abs() / rt::Scalar(0.0625f32))));
+        let along_28 = pixel_49.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_49, along_28);
+        let _e8 = self.v_prism_of(pixel_49, along_28, _e7, params_47);
+        let _e10 = self.v_path_gap(path_56, rt::Scalar(hit_9.t));
+        let _e11 = self.v_grid_of(path_56);
+        let texels_4 = _e11.step.abs();
+        let most_7 = ((rt::Scalar(2f32) * params_47.x()) / texels_4.x().max(texels_4.y()).max((path_56.h.y().abs() / rt::Scalar(0.0625f32))));
         t_32 = rt::Scalar(hit_9.t);
+        let _e30 = t_32;
         let _e34 = t_32;
-        let _e38 = t_32;
-        let _e39 = self.v_path_height(path_55, _e38);
-        let _e40 = self.v_shell_point(_e12, (along_20 * ((rt::Scalar(path_55.start) + _e34) - _e11)), _e39);
-        point_4 = _e40;
+        let _e35 = self.v_path_height(path_56, _e34);
+        let _e36 = self.v_point_of_way(pixel_49, _e8, (along_28 * ((rt::Scalar(path_56.start) + _e30) - _e7)), _e35);
+        point_4 = _e36;
         'naga_break: loop {
             'naga_continue: {
-                let _e44 = step_2;
-                if rt::Scalar::into_branch_condition(_e44.elementwise_lt(POLISH_STEPS)) {
+                let _e40 = step_3;
+                if rt::Scalar::into_branch_condition(_e40.elementwise_lt(POLISH_STEPS)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e47 = step_2;
-                    step_2 = (_e47 + rt::Scalar(1u32));
-                    let _e51 = rt::Scalar(point_4.height);
-                    let _e53 = point_4.weights;
-                    let _e54 = self.v_uv_of(pixel_39, _e53);
-                    let _e56 = self.v_height_at(_e54, rt::Scalar(path_55.level));
-                    let gap_6 = ((_e51 - _e56) - _e14);
+                    let _e43 = step_3;
+                    step_3 = (_e43 + rt::Scalar(1u32));
+                    let _e47 = rt::Scalar(point_4.height);
+                    let _e49 = point_4.weights;
+                    let _e50 = self.v_uv_of(pixel_49, _e49);
+                    let _e52 = self.v_height_at(_e50, rt::Scalar(path_56.level));
+                    let gap_6 = ((_e47 - _e52) - _e10);
+                    let _e57 = t_32;
+                    let _e60 = self.v_cell_of((_e11.origin + (_e11.step * _e57)));
                     let _e61 = t_32;
-                    let _e64 = self.v_cell_of((_e15.origin + (_e15.step * _e61)));
-                    let _e65 = t_32;
-                    let _e66 = self.v_cell_gap(path_55, _e15, _e64, _e65);
-                    let change_5 = _e66.y();
+                    let _e62 = self.v_cell_gap(path_56, _e11, _e60, _e61);
+                    let change_5 = _e62.y();
                     if rt::Scalar::into_branch_condition(change_5.elementwise_lt(rt::Scalar(0f32))) {
-                        let _e70 = t_32;
-                        t_32 = (_e70 - (gap_6 / change_5)).clamp((rt::Scalar(hit_9.t) - most_5), (rt::Scalar(hit_9.t) + most_5));
+                        let _e66 = t_32;
+                        t_32 = (_e66 - (gap_6 / change_5)).clamp((rt::Scalar(hit_9.t) - most_7), (rt::Scalar(hit_9.t) + most_7));
                     }
+                    let _e75 = t_32;
                     let _e79 = t_32;
-                    let _e83 = t_32;
-                    let _e84 = self.v_path_height(path_55, _e83);
-                    let _e85 = self.v_shell_point(_e12, (along_20 * ((rt::Scalar(path_55.start) + _e79) - _e11)), _e84);
-                    point_4 = _e85;
+                    let _e80 = self.v_path_height(path_56, _e79);
+                    let _e81 = self.v_point_of_way(pixel_49, _e8, (along_28 * ((rt::Scalar(path_56.start) + _e75) - _e7)), _e80);
+                    point_4 = _e81;
                 }
             }
         }
-        let _e89 = point_4.weights;
-        let _e90 = self.v_uv_of(pixel_39, _e89);
-        let _e92 = rt::Scalar(point_4.height);
-        let _e93 = t_32;
-        return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_9.exhausted), _e90, _e92, _e93, hit_9.cost);
+        let _e85 = point_4.weights;
+        let _e86 = self.v_uv_of(pixel_49, _e85);
+        let _e88 = rt::Scalar(point_4.height);
+        let _e89 = t_32;
+        return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_9.exhausted), _e86, _e88, _e89, hit_9.cost);
     }
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
-        pixel_40: PixelIn,
-        at_39: Entered,
-        path_56: Path,
+        pixel_50: PixelIn,
+        at_44: Entered,
+        path_57: Path,
         hit_10: Hit,
-        params_44: impl rt::Into<rt::Vec4<f32>>,
+        params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_40, at_39, path_56, hit_10, rt::into(params_44)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_50, at_44, path_57, hit_10, rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_polish(
         &self,
-        pixel_40: PixelIn,
-        at_39: Entered,
-        path_56: Path,
+        pixel_50: PixelIn,
+        at_44: Entered,
+        path_57: Path,
         hit_10: Hit,
-        params_44: rt::Vec4<f32>,
+        params_48: rt::Vec4<f32>,
     ) -> Hit {
         return hit_10;
     }
     pub(crate) fn surface_quadric_vertical_polish(
         &self,
-        pixel_41: PixelIn,
-        at_40: Entered,
-        path_57: Path,
+        pixel_51: PixelIn,
+        at_45: Entered,
+        path_58: Path,
         hit_11: Hit,
-        params_45: impl rt::Into<rt::Vec4<f32>>,
+        params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_41, at_40, path_57, hit_11, rt::into(params_45)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_51, at_45, path_58, hit_11, rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_polish(
         &self,
-        pixel_41: PixelIn,
-        at_40: Entered,
-        path_57: Path,
+        pixel_51: PixelIn,
+        at_45: Entered,
+        path_58: Path,
         hit_11: Hit,
-        params_45: rt::Vec4<f32>,
+        params_49: rt::Vec4<f32>,
     ) -> Hit {
         return hit_11;
     }
     pub(crate) fn surface_tetrahedra_polish(
         &self,
-        pixel_42: PixelIn,
-        at_41: Entered,
-        path_58: Path,
+        pixel_52: PixelIn,
+        at_46: Entered,
+        path_59: Path,
         hit_12: Hit,
-        params_46: impl rt::Into<rt::Vec4<f32>>,
+        params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_42, at_41, path_58, hit_12, rt::into(params_46)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_52, at_46, path_59, hit_12, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_polish(
         &self,
-        pixel_42: PixelIn,
-        at_41: Entered,
-        path_58: Path,
+        pixel_52: PixelIn,
+        at_46: Entered,
+        path_59: Path,
         hit_12: Hit,
-        params_46: rt::Vec4<f32>,
+        params_50: rt::Vec4<f32>,
     ) -> Hit {
         return hit_12;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_43: PixelIn, at_42: Entered, path_59: Path, hit_13: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_43, at_42, path_59, hit_13))
+    pub(crate) fn surface_polish_stage(&self, pixel_53: PixelIn, at_47: Entered, path_60: Path, hit_13: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_53, at_47, path_60, hit_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_43: PixelIn, at_42: Entered, path_59: Path, hit_13: Hit) -> Hit {
+    fn v_surface_polish_stage(&self, pixel_53: PixelIn, at_47: Entered, path_60: Path, hit_13: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[0usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_43, at_42, path_59, hit_13, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_53, at_47, path_60, hit_13, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[0usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_43, at_42, path_59, hit_13, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_53, at_47, path_60, hit_13, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[0usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_43, at_42, path_59, hit_13, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_53, at_47, path_60, hit_13, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[0usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_43, at_42, path_59, hit_13, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_53, at_47, path_60, hit_13, _e31);
                 return _e32;
             }
             _ => {
                 let _e37 = self.surface_settings.choices[0usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_43, at_42, path_59, hit_13, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_53, at_47, path_60, hit_13, _e37);
                 return _e38;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_44: PixelIn, at_43: Entered, path_60: Path, hit_14: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_44, at_43, path_60, hit_14))
+    pub(crate) fn polish_hit(&self, pixel_54: PixelIn, at_48: Entered, path_61: Path, hit_14: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_54, at_48, path_61, hit_14))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_polish_hit(&self, pixel_44: PixelIn, at_43: Entered, path_60: Path, hit_14: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_44, at_43, path_60, hit_14);
+    fn v_polish_hit(&self, pixel_54: PixelIn, at_48: Entered, path_61: Path, hit_14: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_54, at_48, path_61, hit_14);
         return _e4;
+    }
+    pub(crate) fn key_of(&self, depth_5: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_key_of(rt::into(depth_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_key_of(&self, depth_5: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let _e3 = rt::Scalar(self.frame.near);
+        let _e6 = rt::Scalar(self.frame.near);
+        return (_e3 / (_e6 + depth_5.max(rt::Scalar(0f32))));
     }
     pub(crate) fn in_hole(&self, uv_14: impl rt::Into<rt::Vec2<f32>>) -> bool {
         rt::into(self.v_in_hole(rt::into(uv_14)))
@@ -7572,75 +8429,96 @@ impl<'g> Resources<'g> {
         let below_5 = _e48.x().max(_e53.x());
         return above_7.max(below_5).elementwise_gt(rt::Scalar(0f32));
     }
-    pub(crate) fn key_of(&self, depth_5: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_key_of(rt::into(depth_5)))
+    pub(crate) fn first_hit(&self, pixel_55: PixelIn, at_49: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_55, at_49))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_key_of(&self, depth_5: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let _e3 = rt::Scalar(self.frame.near);
-        let _e6 = rt::Scalar(self.frame.near);
-        return (_e3 / (_e6 + depth_5.max(rt::Scalar(0f32))));
-    }
-    pub(crate) fn first_hit(&self, pixel_45: PixelIn, at_44: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_45, at_44))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_hit(&self, pixel_45: PixelIn, at_44: Entered) -> FirstHit {
+    fn v_first_hit(&self, pixel_55: PixelIn, at_49: Entered) -> FirstHit {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
-        let mut k_14: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut first_2: FirstHit;
+        let mut k_15: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut hit_15: Hit;
+        let mut local_60: rt::Scalar<bool>;
+        let mut local_61: rt::Scalar<bool>;
+        let mut local_62: rt::Scalar<bool>;
 
+        let _e4 = cost_21;
+        let _e5 = self.v_miss(_e4);
+        first_2 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e6 = k_14;
-                if rt::Scalar::into_branch_condition(_e6.elementwise_lt(rt::Scalar(at_44.segments))) {
+                let _e12 = k_15;
+                if rt::Scalar::into_branch_condition(_e12.elementwise_lt(rt::Scalar(at_49.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e9 = k_14;
-                    let _e10 = self.v_segment_of(pixel_45, at_44, _e9);
-                    if rt::Scalar::into_branch_condition(rt::Scalar(_e10.exit).elementwise_gt(rt::Scalar(0f32))) {
-                        let _e14 = self.v_trace(_e10);
-                        hit_15 = _e14;
-                        let _e16 = cost_21;
-                        let _e18 = hit_15.cost;
-                        cost_21 = (_e16 + _e18);
-                        let _e21 = rt::Scalar(hit_15.found);
-                        if rt::Scalar::into_branch_condition(_e21.elementwise_eq(rt::Scalar(1u32))) {
-                            let _e25 = cost_21;
-                            hit_15.cost = _e25;
-                            let _e26 = hit_15;
-                            let _e27 = self.v_polish_hit(pixel_45, at_44, _e10, _e26);
-                            hit_15 = _e27;
-                            let _e29 = hit_15.uv;
-                            let _e30 = self.v_in_hole(_e29);
-                            if rt::Scalar::into_branch_condition((!_e30)) {
-                                let _e32 = hit_15;
-                                let _e33 = k_14;
-                                let _e34 = hit_15;
-                                let _e35 = self.v_depth_on_ray(pixel_45, _e10, _e34);
-                                let _e36 = self.v_key_of(_e35);
-                                return <FirstHit>::new(_e32, _e33, _e36);
+                    let _e15 = k_15;
+                    let _e16 = self.v_segment_of(pixel_55, at_49, _e15);
+                    if rt::Scalar::into_branch_condition(rt::Scalar(_e16.exit).elementwise_gt(rt::Scalar(0f32))) {
+                        let _e20 = self.v_trace(_e16);
+                        hit_15 = _e20;
+                        let _e22 = cost_21;
+                        let _e24 = hit_15.cost;
+                        cost_21 = (_e22 + _e24);
+                        let _e27 = rt::Scalar(hit_15.found);
+                        if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(1u32))) {
+                            let _e30 = hit_15;
+                            let _e31 = self.v_polish_hit(pixel_55, at_49, _e16, _e30);
+                            hit_15 = _e31;
+                            let _e32 = hit_15;
+                            let _e33 = self.v_depth_on_ray(pixel_55, _e16, _e32);
+                            let _e34 = self.v_key_of(_e33);
+                            let _e36 = hit_15.uv;
+                            let _e37 = self.v_in_hole(_e36);
+                            let is_open = (!_e37);
+                            if rt::Scalar::into_branch_condition(is_open) {
+                                let _e43 = rt::Scalar(first_2.hit.found);
+                                if rt::Scalar::into_branch_condition((!_e43.elementwise_eq(rt::Scalar(0u32)))) {
+                                    let _e50 = rt::Scalar(first_2.key);
+                                    local_61 = _e34.elementwise_gt(_e50);
+                                } else {
+                                    local_61 = rt::Scalar(true);
+                                }
+                                let _e53 = local_61;
+                                local_60 = _e53;
+                            } else {
+                                local_60 = rt::Scalar(false);
+                            }
+                            let _e55 = local_60;
+                            if rt::Scalar::into_branch_condition(_e55) {
+                                let _e56 = hit_15;
+                                let _e57 = k_15;
+                                first_2 = <FirstHit>::new(_e56, _e57, _e34);
+                            }
+                            if rt::Scalar::into_branch_condition(is_open) {
+                                local_62 = rt::Scalar(pixel_55.shell.order).elementwise_lt(SHELL_FOLDED);
+                            } else {
+                                local_62 = rt::Scalar(false);
+                            }
+                            let _e66 = local_62;
+                            if rt::Scalar::into_branch_condition(_e66) {
+                                break 'naga_break;
                             }
                         }
                     }
-                    let _e38 = k_14;
-                    k_14 = (_e38 + rt::Scalar(1u32));
+                    let _e67 = k_15;
+                    k_15 = (_e67 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e41 = cost_21;
-        let _e42 = self.v_miss(_e41);
-        return <FirstHit>::new(_e42, rt::Scalar(0u32), rt::Scalar(0f32));
+        let _e72 = cost_21;
+        first_2.hit.cost = _e72;
+        let _e73 = first_2;
+        return _e73;
     }
-    pub(crate) fn footprint_m(&self, at_45: Entered) -> f32 {
-        rt::into(self.v_footprint_m(at_45))
+    pub(crate) fn footprint_m(&self, at_50: Entered) -> f32 {
+        rt::into(self.v_footprint_m(at_50))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_footprint_m(&self, at_45: Entered) -> rt::Scalar<f32> {
+    fn v_footprint_m(&self, at_50: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        return ((rt::Scalar(at_45.footprint) * at_45.metric.x().sqrt()) / _e7.x());
+        return ((rt::Scalar(at_50.footprint) * at_50.metric.x().sqrt()) / _e7.x());
     }
     pub(crate) fn near_uv(&self, uv_15: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_near_uv(rt::into(uv_15)))
@@ -7657,48 +8535,48 @@ impl<'g> Resources<'g> {
         }
         return uv_15;
     }
-    pub(crate) fn from_hit(&self, at_46: Entered, hit_16: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_46, hit_16, light_1))
+    pub(crate) fn from_hit(&self, at_51: Entered, hit_16: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_51, hit_16, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_from_hit(&self, at_46: Entered, hit_16: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_46, light_1.direction);
+    fn v_from_hit(&self, at_51: Entered, hit_16: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_51, light_1.direction);
         let _e6 = self.v_near_uv(hit_16.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_46.level));
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_51.level));
         let h_5 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_5, rt::Scalar(0f32), rt::Scalar(0f32), at_46.metric, RAY_SHADOW, rt::Scalar(at_46.level), rt::Scalar(0f32), rt::Scalar(1f32));
+        return <Path>::new(_e6, _e4.xy(), h_5, rt::Scalar(0f32), rt::Scalar(0f32), at_51.metric, RAY_SHADOW, rt::Scalar(at_51.level), rt::Scalar(0f32), rt::Scalar(1f32));
     }
-    pub(crate) fn way_out(&self, path_61: Path, light_2: Toward) -> f32 {
-        rt::into(self.v_way_out(path_61, light_2))
+    pub(crate) fn way_out(&self, path_62: Path, light_2: Toward) -> f32 {
+        rt::into(self.v_way_out(path_62, light_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_way_out(&self, path_61: Path, light_2: Toward) -> rt::Scalar<f32> {
-        let mut way: rt::Scalar<f32>;
+    fn v_way_out(&self, path_62: Path, light_2: Toward) -> rt::Scalar<f32> {
+        let mut way_6: rt::Scalar<f32>;
         let mut interval_5: rt::Vec2<f32>;
 
-        way = ((rt::Scalar(1f32) - path_61.h.x()) / path_61.h.y()).min(rt::Scalar(light_2.distance));
+        way_6 = ((rt::Scalar(1f32) - path_62.h.x()) / path_62.h.y()).min(rt::Scalar(light_2.distance));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
-            let _e21 = way;
-            let _e24 = self.v_inside_unit(path_61.uv.x(), path_61.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
+            let _e21 = way_6;
+            let _e24 = self.v_inside_unit(path_62.uv.x(), path_62.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
             interval_5 = _e24;
             let _e30 = interval_5;
-            let _e31 = self.v_inside_unit(path_61.uv.y(), path_61.duv.y(), _e30);
+            let _e31 = self.v_inside_unit(path_62.uv.y(), path_62.duv.y(), _e30);
             interval_5 = _e31;
             let _e33 = interval_5.y();
-            way = _e33;
+            way_6 = _e33;
         }
-        let _e34 = way;
+        let _e34 = way_6;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_47: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_47, hit_17, light_3))
+    pub(crate) fn light_ray(&self, at_52: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_52, hit_17, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_47: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
-        let mut local_48: rt::Scalar<bool>;
+    fn v_light_ray(&self, at_52: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
+        let mut local_63: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_47, hit_17, light_3);
+        let _e3 = self.v_from_hit(at_52, hit_17, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -7709,103 +8587,103 @@ impl<'g> Resources<'g> {
         let _e17 = self.v_grid_of(_e3);
         let _e19 = self.v_cell_of(_e17.origin);
         let _e20 = self.v_cell_leave(_e17, _e19);
-        let end_13 = _e20.x().min(_e20.y()).min(_e11).max(rt::Scalar(0f32));
+        let end_15 = _e20.x().min(_e20.y()).min(_e11).max(rt::Scalar(0f32));
         let _e29 = self.v_height_cell(_e19.cast_elem_as_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_48 = (_e31.y() + (_e31.z() * end_13)).elementwise_lt(rt::Scalar(0f32));
+            local_63 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_48 = rt::Scalar(true);
+            local_63 = rt::Scalar(true);
         }
-        let _e45 = local_48;
+        let _e45 = local_63;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
-        if rt::Scalar::into_branch_condition(end_13.elementwise_ge(_e11)) {
+        if rt::Scalar::into_branch_condition(end_15.elementwise_ge(_e11)) {
             return <LightRay>::new(LIGHT_RAY_LIT, _e3);
         }
-        let _e51 = self.v_path_uv(_e3, end_13);
-        let gap_7 = (end_13 * (_e31.y() + (_e31.z() * end_13)));
+        let _e51 = self.v_path_uv(_e3, end_15);
+        let gap_7 = (end_15 * (_e31.y() + (_e31.z() * end_15)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
         let h_6 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_69 = <Path>::new(_e51, _e3.duv, h_6, (_e11 - end_13), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_13, rt::Scalar(1f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_69);
+        let path_70 = <Path>::new(_e51, _e3.duv, h_6, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_70);
     }
-    pub(crate) fn shadow_search_stage(&self, path_62: Path) -> Found {
-        rt::into(self.v_shadow_search_stage(path_62))
+    pub(crate) fn shadow_search_stage(&self, path_63: Path) -> Found {
+        rt::into(self.v_shadow_search_stage(path_63))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_search_stage(&self, path_62: Path) -> Found {
+    fn v_shadow_search_stage(&self, path_63: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[6usize].params;
-                let _e11 = self.v_search_none(path_62, _e10);
+                let _e11 = self.v_search_none(path_63, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[6usize].params;
-                let _e17 = self.v_search_linear(path_62, _e16);
+                let _e17 = self.v_search_linear(path_63, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[6usize].params;
-                let _e23 = self.v_search_cells(path_62, _e22);
+                let _e23 = self.v_search_cells(path_63, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[6usize].params;
-                let _e29 = self.v_search_frustum(path_62, _e28);
+                let _e29 = self.v_search_frustum(path_63, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[6usize].params;
-                let _e35 = self.v_search_cone(path_62, _e34);
+                let _e35 = self.v_search_cone(path_63, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[6usize].params;
-                let _e41 = self.v_search_pyramid(path_62, _e40);
+                let _e41 = self.v_search_pyramid(path_63, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[6usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_62, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_63, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[6usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_62, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_63, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[6usize].params;
-                let _e59 = self.v_search_sphere(path_62, _e58);
+                let _e59 = self.v_search_sphere(path_63, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[6usize].params;
-                let _e65 = self.v_search_cone_moved(path_62, _e64);
+                let _e65 = self.v_search_cone_moved(path_63, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[6usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_62, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_63, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[6usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_62, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_63, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn free_way(&self, at_48: Entered, hit_18: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_48, hit_18, light_4))
+    pub(crate) fn free_way(&self, at_53: Entered, hit_18: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_53, hit_18, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_free_way(&self, at_48: Entered, hit_18: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_48, hit_18, light_4);
+    fn v_free_way(&self, at_53: Entered, hit_18: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_53, hit_18, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -7825,35 +8703,35 @@ impl<'g> Resources<'g> {
     pub(crate) fn holds_filter(
         &self,
         view_6: LightView,
-        place_6: impl rt::Into<rt::Vec3<f32>>,
+        place_11: impl rt::Into<rt::Vec3<f32>>,
         half: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_holds_filter(view_6, rt::into(place_6), rt::into(half)))
+        rt::into(self.v_holds_filter(view_6, rt::into(place_11), rt::into(half)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_holds_filter(
         &self,
         view_6: LightView,
-        place_6: rt::Vec3<f32>,
+        place_11: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_49: rt::Scalar<bool>;
-        let mut local_50: rt::Scalar<bool>;
+        let mut local_64: rt::Scalar<bool>;
+        let mut local_65: rt::Scalar<bool>;
 
-        let least_1 = (place_6.x().min(place_6.y()) - half);
-        let most_6 = (place_6.x().max(place_6.y()) + half);
-        if rt::Scalar::into_branch_condition(place_6.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_49 = least_1.elementwise_ge(rt::Scalar(0f32));
+        let least_1 = (place_11.x().min(place_11.y()) - half);
+        let most_8 = (place_11.x().max(place_11.y()) + half);
+        if rt::Scalar::into_branch_condition(place_11.z().elementwise_gt(rt::Scalar(0f32))) {
+            local_64 = least_1.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_49 = rt::Scalar(false);
+            local_64 = rt::Scalar(false);
         }
-        let _e19 = local_49;
+        let _e19 = local_64;
         if rt::Scalar::into_branch_condition(_e19) {
-            local_50 = most_6.elementwise_le(rt::Scalar(view_6.size).cast_elem_as_f32());
+            local_65 = most_8.elementwise_le(rt::Scalar(view_6.size).cast_elem_as_f32());
         } else {
-            local_50 = rt::Scalar(false);
+            local_65 = rt::Scalar(false);
         }
-        let _e26 = local_50;
+        let _e26 = local_65;
         return _e26;
     }
     pub(crate) fn light_place(
@@ -7869,31 +8747,31 @@ impl<'g> Resources<'g> {
         view_7: LightView,
         point_5: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_90 = <rt::Vec4<f32>>::new_31(point_5, rt::Scalar(1f32));
-        let depth_7 = view_7.depth.dot(at_90);
+        let at_95 = <rt::Vec4<f32>>::new_31(point_5, rt::Scalar(1f32));
+        let depth_7 = view_7.depth.dot(at_95);
         let over_2 = rt::Scalar(1f32).select(depth_7, rt::Scalar(view_7.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_7.column.dot(at_90), view_7.row.dot(at_90)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_7.column.dot(at_95), view_7.row.dot(at_95)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
     }
     pub(crate) fn patch_normal(
         &self,
-        at_49: Entered,
+        at_54: Entered,
         uv_16: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_49, rt::into(uv_16)))
+        rt::into(self.v_patch_normal(at_54, rt::into(uv_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_patch_normal(
         &self,
-        at_49: Entered,
+        at_54: Entered,
         uv_16: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_height_and_slope(uv_16, rt::Scalar(at_49.level));
+        let _e3 = self.v_height_and_slope(uv_16, rt::Scalar(at_54.level));
         let _e9 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_2 = (at_49.tangent + (at_49.normal * (_e3.y() * _e9)));
+        let along_u_2 = (at_54.tangent + (at_54.normal * (_e3.y() * _e9)));
         let _e18 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_2 = (at_49.bitangent + (at_49.normal * (_e3.z() * _e18)));
-        let across_4 = along_v_2.cross(along_u_2).normalize();
-        return (across_4 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_4.dot(at_49.normal).elementwise_ge(rt::Scalar(0f32))));
+        let along_v_2 = (at_54.bitangent + (at_54.normal * (_e3.z() * _e18)));
+        let across_5 = along_v_2.cross(along_u_2).normalize();
+        return (across_5 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_5.dot(at_54.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
@@ -7912,48 +8790,48 @@ impl<'g> Resources<'g> {
         normal_11: rt::Vec3<f32>,
         texel_4: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let corner_6 = ((view_8.corner.xyz() + (view_8.across.xyz() * texel_4.x())) + (view_8.along.xyz() * texel_4.y()));
+        let corner_7 = ((view_8.corner.xyz() + (view_8.across.xyz() * texel_4.x())) + (view_8.along.xyz() * texel_4.y()));
         if rt::Scalar::into_branch_condition(rt::Scalar(view_8.from_point).elementwise_eq(rt::Scalar(1u32))) {
-            return (normal_11.dot((point_6 - view_8.eye.xyz())) / normal_11.dot(corner_6));
+            return (normal_11.dot((point_6 - view_8.eye.xyz())) / normal_11.dot(corner_7));
         }
-        return (normal_11.dot((point_6 - corner_6)) / normal_11.dot(view_8.depth.xyz()));
+        return (normal_11.dot((point_6 - corner_7)) / normal_11.dot(view_8.depth.xyz()));
     }
     pub(crate) fn light_texel(
         &self,
-        place_7: impl rt::Into<rt::Vec2<i32>>,
+        place_12: impl rt::Into<rt::Vec2<i32>>,
         view_9: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_light_texel(rt::into(place_7), rt::into(view_9)))
+        rt::into(self.v_light_texel(rt::into(place_12), rt::into(view_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_texel(
         &self,
-        place_7: rt::Vec2<i32>,
+        place_12: rt::Vec2<i32>,
         view_9: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_7, rt::Scalar::into_inner(view_9), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_12, rt::Scalar::into_inner(view_9), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4.x();
     }
     pub(crate) fn row_sees(
         &self,
-        at_50: InView,
+        at_55: InView,
         row: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_50, rt::into(row), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_55, rt::into(row), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_row_sees(
         &self,
-        at_50: InView,
+        at_55: InView,
         row: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column: rt::Scalar<f32>;
 
-        let view_16 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_50.number))];
-        column = at_50.low.x().floor();
+        let view_16 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_55.number))];
+        column = at_55.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = column;
@@ -7964,13 +8842,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e18 = column;
                     let _e24 = column;
-                    let wide_2 = (at_50.high.x().min((_e18 + rt::Scalar(1f32))) - at_50.low.x().max(_e24));
+                    let wide_2 = (at_55.high.x().min((_e18 + rt::Scalar(1f32))) - at_55.low.x().max(_e24));
                     let _e27 = column;
-                    let place_14 = <rt::Vec2<f32>>::from_scalars(_e27, row);
-                    let _e35 = self.v_plane_depth(view_16, at_50.point, at_50.normal, (place_14 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_8 = _e35.clamp(rt::Scalar(at_50.least_depth), rt::Scalar(at_50.most_depth));
+                    let place_20 = <rt::Vec2<f32>>::from_scalars(_e27, row);
+                    let _e35 = self.v_plane_depth(view_16, at_55.point, at_55.normal, (place_20 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_8 = _e35.clamp(rt::Scalar(at_55.least_depth), rt::Scalar(at_55.most_depth));
                     let key = (rt::Scalar(view_16.near) / (rt::Scalar(view_16.near) + depth_8.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_14.cast_elem_as_i32(), rt::Scalar(at_50.number).cast_elem_as_i32());
+                    let _e48 = self.v_light_texel(place_20.cast_elem_as_i32(), rt::Scalar(at_55.number).cast_elem_as_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -7985,38 +8863,38 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_part(
         &self,
-        number_3: impl rt::Into<rt::Scalar<u32>>,
-        at_51: Entered,
+        number_4: impl rt::Into<rt::Scalar<u32>>,
+        at_56: Entered,
         normal_12: impl rt::Into<rt::Vec3<f32>>,
-        place_8: impl rt::Into<rt::Vec3<f32>>,
+        place_13: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_3), at_51, rt::into(normal_12), rt::into(place_8), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_4), at_56, rt::into(normal_12), rt::into(place_13), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
         &self,
-        number_3: rt::Scalar<u32>,
-        at_51: Entered,
+        number_4: rt::Scalar<u32>,
+        at_56: Entered,
         normal_12: rt::Vec3<f32>,
-        place_8: rt::Vec3<f32>,
+        place_13: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
         bias: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut seen: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut row_1: rt::Scalar<f32>;
 
-        let view_17 = self.frame.light_views[rt::Scalar::into_array_index(number_3)];
-        let texel_m = (rt::Scalar(view_17.texel_m) * rt::Scalar(1f32).select(place_8.z(), rt::Scalar(view_17.from_point).elementwise_eq(rt::Scalar(1u32))));
-        let _e19 = self.v_footprint_m(at_51);
-        let point_16 = (at_51.point + (normal_12 * (bias * texel_m.max(_e19))));
+        let view_17 = self.frame.light_views[rt::Scalar::into_array_index(number_4)];
+        let texel_m = (rt::Scalar(view_17.texel_m) * rt::Scalar(1f32).select(place_13.z(), rt::Scalar(view_17.from_point).elementwise_eq(rt::Scalar(1u32))));
+        let _e19 = self.v_footprint_m(at_56);
+        let point_16 = (at_56.point + (normal_12 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
-        let low_4 = (place_8.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
-        let high_1 = (low_4 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
+        let low_6 = (place_13.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
+        let high_1 = (low_6 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
         let last_7 = high_1.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_17.size).cast_elem_as_f32(), rt::Scalar(view_17.size).cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_3, point_16, normal_12, low_4, high_1, (place_8.z() - reach_1), (place_8.z() + reach_1));
-        row_1 = low_4.y().floor();
+        let in_view = <InView>::new(number_4, point_16, normal_12, low_6, high_1, (place_13.z() - reach_1), (place_13.z() + reach_1));
+        row_1 = low_6.y().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e55 = row_1;
@@ -8027,7 +8905,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e59 = row_1;
                     let _e64 = row_1;
-                    let tall = (high_1.y().min((_e59 + rt::Scalar(1f32))) - low_4.y().max(_e64));
+                    let tall = (high_1.y().min((_e59 + rt::Scalar(1f32))) - low_6.y().max(_e64));
                     let _e67 = seen;
                     let _e68 = row_1;
                     let _e70 = self.v_row_sees(in_view, _e68, last_7.x());
@@ -8042,58 +8920,58 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_seen(
         &self,
-        at_52: Entered,
+        at_57: Entered,
         uv_17: impl rt::Into<rt::Vec2<f32>>,
-        number_4: impl rt::Into<rt::Scalar<u32>>,
+        number_5: impl rt::Into<rt::Scalar<u32>>,
         toward: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_52, rt::into(uv_17), rt::into(number_4), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_57, rt::into(uv_17), rt::into(number_5), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
-        at_52: Entered,
+        at_57: Entered,
         uv_17: rt::Vec2<f32>,
-        number_4: rt::Scalar<u32>,
+        number_5: rt::Scalar<u32>,
         toward: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
         bias_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut k_15: rt::Scalar<u32>;
+        let mut k_16: rt::Scalar<u32>;
 
-        let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_4)];
+        let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_5)];
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_52, uv_17);
+        let _e14 = self.v_patch_normal(at_57, uv_17);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let width_4 = filter_texels.max(rt::Scalar(0.001f32));
-        k_15 = rt::Scalar(light_17.first_view);
+        let width_5 = filter_texels.max(rt::Scalar(0.001f32));
+        k_16 = rt::Scalar(light_17.first_view);
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_15;
+                let _e24 = k_16;
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt((rt::Scalar(light_17.first_view) + rt::Scalar(light_17.views)))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e31 = k_15;
+                    let _e31 = k_16;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_light_place(_e33, at_52.point);
-                    let _e38 = k_15;
+                    let _e35 = self.v_light_place(_e33, at_57.point);
+                    let _e38 = k_16;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
-                    let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_4));
+                    let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_5));
                     if rt::Scalar::into_branch_condition(_e43) {
-                        let _e44 = k_15;
-                        let _e45 = self.v_seen_part(_e44, at_52, _e14, _e35, width_4, bias_1);
+                        let _e44 = k_16;
+                        let _e45 = self.v_seen_part(_e44, at_57, _e14, _e35, width_5, bias_1);
                         return _e45;
                     }
-                    let _e46 = k_15;
-                    k_15 = (_e46 + rt::Scalar(1u32));
+                    let _e46 = k_16;
+                    k_16 = (_e46 + rt::Scalar(1u32));
                 }
             }
         }
@@ -8101,28 +8979,28 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mean_of_five(
         &self,
-        middle_7: impl rt::Into<rt::Scalar<f32>>,
+        middle_9: impl rt::Into<rt::Scalar<f32>>,
         four: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_mean_of_five(rt::into(middle_7), rt::into(four)))
+        rt::into(self.v_mean_of_five(rt::into(middle_9), rt::into(four)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mean_of_five(
         &self,
-        middle_7: rt::Scalar<f32>,
+        middle_9: rt::Scalar<f32>,
         four: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return ((middle_7 * rt::Scalar(0.33333334f32)) + (four * rt::Scalar(0.16666667f32)));
+        return ((middle_9 * rt::Scalar(0.33333334f32)) + (four * rt::Scalar(0.16666667f32)));
     }
-    pub(crate) fn means_of_one(&self, n_6: impl rt::Into<rt::Vec3<f32>>) -> Normals {
-        rt::into(self.v_means_of_one(rt::into(n_6)))
+    pub(crate) fn means_of_one(&self, n_7: impl rt::Into<rt::Vec3<f32>>) -> Normals {
+        rt::into(self.v_means_of_one(rt::into(n_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_means_of_one(&self, n_6: rt::Vec3<f32>) -> Normals {
-        let upright = n_6.z().max(rt::Scalar(0.05f32));
-        let slope_9 = (<rt::Vec2<f32>>::from_scalars((-n_6.x()), (-n_6.y())) / rt::Vec2::splat_from_scalar(upright));
-        let square_1 = ((slope_9 * slope_9) * upright);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_6, slope_9.x()), <rt::Vec4<f32>>::from_scalars(square_1.x(), ((slope_9.x() * slope_9.y()) * upright), square_1.y(), slope_9.y()));
+    fn v_means_of_one(&self, n_7: rt::Vec3<f32>) -> Normals {
+        let upright = n_7.z().max(rt::Scalar(0.05f32));
+        let slope_10 = (<rt::Vec2<f32>>::from_scalars((-n_7.x()), (-n_7.y())) / rt::Vec2::splat_from_scalar(upright));
+        let square_2 = ((slope_10 * slope_10) * upright);
+        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_7, slope_10.x()), <rt::Vec4<f32>>::from_scalars(square_2.x(), ((slope_10.x() * slope_10.y()) * upright), square_2.y(), slope_10.y()));
     }
     pub(crate) fn no_table(&self) -> SeenTable {
         rt::into(self.v_no_table())
@@ -8139,45 +9017,45 @@ impl<'g> Resources<'g> {
     fn v_one_seen(&self, normal_13: rt::Vec3<f32>) -> SeenNormals {
         let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let none_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let parts = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let parts_1 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let _e13 = self.v_no_table();
-        return <SeenNormals>::new(normal_13, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts, rt::Scalar(0f32), _e13);
+        return <SeenNormals>::new(normal_13, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts_1, rt::Scalar(0f32), _e13);
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_53: Entered,
+        at_58: Entered,
         v: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_53, rt::into(v)))
+        rt::into(self.v_to_tangent_space(at_58, rt::into(v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_to_tangent_space(
         &self,
-        at_53: Entered,
+        at_58: Entered,
         v: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_3 = at_53.tangent.normalize();
-        let along_v_3 = at_53.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v), (-along_v_3.dot(v)), at_53.normal.dot(v));
+        let along_u_3 = at_58.tangent.normalize();
+        let along_v_3 = at_58.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v), (-along_v_3.dot(v)), at_58.normal.dot(v));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_54: Entered,
+        at_59: Entered,
         uv_18: impl rt::Into<rt::Vec2<f32>>,
         level_20: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_54, rt::into(uv_18), rt::into(level_20)))
+        rt::into(self.v_normals_of_level(at_59, rt::into(uv_18), rt::into(level_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_54: Entered,
+        at_59: Entered,
         uv_18: rt::Vec2<f32>,
         level_20: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_20.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_54, uv_18);
-            let _e6 = self.v_to_tangent_space(at_54, _e5);
+            let _e5 = self.v_finest_normal(at_59, uv_18);
+            let _e6 = self.v_to_tangent_space(at_59, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
@@ -8188,8 +9066,8 @@ impl<'g> Resources<'g> {
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_2 = ((tile.x() * at_54.tangent.normalize().dot(at_54.tangent)) / at_54.tangent.dot(at_54.tangent));
-        let y_1 = ((tile.y() * at_54.bitangent.normalize().dot(at_54.bitangent)) / at_54.bitangent.dot(at_54.bitangent));
+        let x_2 = ((tile.x() * at_59.tangent.normalize().dot(at_59.tangent)) / at_59.tangent.dot(at_59.tangent));
+        let y_1 = ((tile.y() * at_59.bitangent.normalize().dot(at_59.bitangent)) / at_59.bitangent.dot(at_59.bitangent));
         let _e44 = self.v_normal_at(uv_18, rt::Scalar(0i32), (level_20 - rt::Scalar(1u32)));
         let _e48 = self.v_normal_at(uv_18, rt::Scalar(1i32), (level_20 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_2), (_e44.y() * y_1), _e44.z());
@@ -8206,84 +9084,84 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_55: Entered,
+        at_60: Entered,
         normals: Normals,
         view_10: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_55, normals, rt::into(view_10)))
+        rt::into(self.v_seen_normals(at_60, normals, rt::into(view_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_55: Entered,
+        at_60: Entered,
         normals: Normals,
         view_10: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let first_8 = normals.first;
-        let second_2 = normals.second;
-        let slope_10 = <rt::Vec2<f32>>::from_scalars(first_8.w(), second_2.w());
-        let upright_1 = first_8.z().max(rt::Scalar(0.05f32));
-        let x_3 = (first_8.x() / upright_1);
-        let y_2 = (first_8.y() / upright_1);
-        let a_12 = ((second_2.x() / upright_1) - (x_3 * x_3)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_11 = (((second_2.y() / upright_1) - (x_3 * y_2)) / a_12);
-        let spread = ((second_2.z() / upright_1) - (y_2 * y_2)).max(rt::Scalar(0f32));
-        let d_1 = (spread - (b_11 * b_11)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_2.x(), second_2.y(), first_8.x())) - (first_8.xyz() * slope_10.x()));
-        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_2.y(), second_2.z(), first_8.y())) - (first_8.xyz() * slope_10.y()));
-        let most_7 = ((a_12 * a_12) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_21 = (with_x / rt::Vec3::splat_from_scalar(a_12.max((with_x.length() / most_7))));
-        let rest_7 = (with_y - (along_21 * b_11));
-        let across_5 = (rest_7 / rt::Vec3::splat_from_scalar(d_1.max((rest_7.length() / most_7))));
-        let _e77 = self.v_to_tangent_space(at_55, view_10);
-        let middle_11 = (_e77.z() - _e77.xy().dot(slope_10));
-        let _e91 = self.v_facing_four(middle_11, (-((_e77.x() * a_12) + (_e77.y() * b_11))), (-(_e77.y() * d_1)));
-        let one = middle_11.max(rt::Scalar(0f32));
+        let first_12 = normals.first;
+        let second_5 = normals.second;
+        let slope_11 = <rt::Vec2<f32>>::from_scalars(first_12.w(), second_5.w());
+        let upright_1 = first_12.z().max(rt::Scalar(0.05f32));
+        let x_3 = (first_12.x() / upright_1);
+        let y_2 = (first_12.y() / upright_1);
+        let a_18 = ((second_5.x() / upright_1) - (x_3 * x_3)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_17 = (((second_5.y() / upright_1) - (x_3 * y_2)) / a_18);
+        let spread = ((second_5.z() / upright_1) - (y_2 * y_2)).max(rt::Scalar(0f32));
+        let d_1 = (spread - (b_17 * b_17)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_12.x())) - (first_12.xyz() * slope_11.x()));
+        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_12.y())) - (first_12.xyz() * slope_11.y()));
+        let most_9 = ((a_18 * a_18) + spread).sqrt().min(rt::Scalar(1f32));
+        let along_29 = (with_x / rt::Vec3::splat_from_scalar(a_18.max((with_x.length() / most_9))));
+        let rest_8 = (with_y - (along_29 * b_17));
+        let across_6 = (rest_8 / rt::Vec3::splat_from_scalar(d_1.max((rest_8.length() / most_9))));
+        let _e77 = self.v_to_tangent_space(at_60, view_10);
+        let middle_14 = (_e77.z() - _e77.xy().dot(slope_11));
+        let _e91 = self.v_facing_four(middle_14, (-((_e77.x() * a_18) + (_e77.y() * b_17))), (-(_e77.y() * d_1)));
+        let one = middle_14.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one, _e94);
         let all = _e95.max(rt::Scalar(0.001f32));
-        let aside_7 = ((along_21 * ((_e91.x() - _e91.y()) / all)) + (across_5 * ((_e91.z() - _e91.w()) / all)));
-        let _e113 = self.v_from_tangent_space(at_55, (first_8.xyz() + (aside_7 * rt::Scalar(0.28867513f32))));
+        let aside_7 = ((along_29 * ((_e91.x() - _e91.y()) / all)) + (across_6 * ((_e91.z() - _e91.w()) / all)));
+        let _e113 = self.v_from_tangent_space(at_60, (first_12.xyz() + (aside_7 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_8.xyz(), along_21, across_5, slope_10, <rt::Vec2<f32>>::from_scalars(a_12, b_11), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_12.xyz(), along_29, across_6, slope_11, <rt::Vec2<f32>>::from_scalars(a_18, b_17), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_56: Entered) -> f32 {
-        rt::into(self.v_table_part(at_56))
+    pub(crate) fn table_part(&self, at_61: Entered) -> f32 {
+        rt::into(self.v_table_part(at_61))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_table_part(&self, at_56: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_61: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_56.fade) * ((rt::Scalar(at_56.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_61.fade) * ((rt::Scalar(at_61.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_57: Entered,
+        at_62: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
-        part_5: impl rt::Into<rt::Scalar<f32>>,
+        part_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_57, seen_1, table, rt::into(part_5)))
+        rt::into(self.v_with_table(at_62, seen_1, table, rt::into(part_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_with_table(
         &self,
-        at_57: Entered,
+        at_62: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
-        part_5: rt::Scalar<f32>,
+        part_6: rt::Scalar<f32>,
     ) -> SeenNormals {
         let mut told: SeenNormals;
 
         told = seen_1;
         let before_3 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_57, table.mean);
-        let mean_4 = (before_3 + ((_e9 - before_3) * part_5));
+        let _e9 = self.v_from_tangent_space(at_62, table.mean);
+        let mean_4 = (before_3 + ((_e9 - before_3) * part_6));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
-        rt::Scalar(told.table_part) = part_5;
+        rt::Scalar(told.table_part) = part_6;
         told.table = table;
         let _e21 = told;
         return _e21;
@@ -8320,20 +9198,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_between(
         &self,
-        a_3: SeenTexel,
-        b_3: SeenTexel,
-        part_6: impl rt::Into<rt::Scalar<f32>>,
+        a_7: SeenTexel,
+        b_7: SeenTexel,
+        part_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_between(a_3, b_3, rt::into(part_6)))
+        rt::into(self.v_seen_between(a_7, b_7, rt::into(part_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_between(
         &self,
-        a_3: SeenTexel,
-        b_3: SeenTexel,
-        part_6: rt::Scalar<f32>,
+        a_7: SeenTexel,
+        b_7: SeenTexel,
+        part_7: rt::Scalar<f32>,
     ) -> SeenTexel {
-        return <SeenTexel>::new((a_3.first + ((b_3.first - a_3.first) * part_6)), (a_3.second + ((b_3.second - a_3.second) * part_6)));
+        return <SeenTexel>::new((a_7.first + ((b_7.first - a_7.first) * part_7)), (a_7.second + ((b_7.second - a_7.second) * part_7)));
     }
     pub(crate) fn seen_texel(
         &self,
@@ -8384,22 +9262,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_58: Entered,
+        at_63: Entered,
         uv_21: impl rt::Into<rt::Vec2<f32>>,
         view_11: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_58, rt::into(uv_21), rt::into(view_11), levels_2))
+        rt::into(self.v_table_of(at_63, rt::into(uv_21), rt::into(view_11), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_58: Entered,
+        at_63: Entered,
         uv_21: rt::Vec2<f32>,
         view_11: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_58, view_11);
+        let _e4 = self.v_climb(at_63, view_11);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_5 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
@@ -8411,16 +9289,16 @@ impl<'g> Resources<'g> {
         let a1_ = ((a0_ + rt::Scalar(1i32)) % rt::Scalar(8i32));
         let e0_ = elevation_3.floor().cast_elem_as_i32();
         let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
-        let across_6 = (azimuth_3 - azimuth_3.floor());
+        let across_7 = (azimuth_3 - azimuth_3.floor());
         let _e48 = self.v_seen_in_levels(uv_21, a0_, e0_, levels_2);
         let _e49 = self.v_seen_in_levels(uv_21, a1_, e0_, levels_2);
-        let _e50 = self.v_seen_between(_e48, _e49, across_6);
+        let _e50 = self.v_seen_between(_e48, _e49, across_7);
         let _e51 = self.v_seen_in_levels(uv_21, a0_, e1_1, levels_2);
         let _e52 = self.v_seen_in_levels(uv_21, a1_, e1_1, levels_2);
-        let _e53 = self.v_seen_between(_e51, _e52, across_6);
+        let _e53 = self.v_seen_between(_e51, _e52, across_7);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_5 = ((tile_1.x() * at_58.tangent.normalize().dot(at_58.tangent)) / at_58.tangent.dot(at_58.tangent));
-        let y_4 = ((tile_1.y() * at_58.bitangent.normalize().dot(at_58.bitangent)) / at_58.bitangent.dot(at_58.bitangent));
+        let x_5 = ((tile_1.x() * at_63.tangent.normalize().dot(at_63.tangent)) / at_63.tangent.dot(at_63.tangent));
+        let y_4 = ((tile_1.y() * at_63.bitangent.normalize().dot(at_63.bitangent)) / at_63.bitangent.dot(at_63.bitangent));
         let mean_5 = _e56.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_5), (mean_5.y() * y_4), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
@@ -8429,64 +9307,64 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_59: Entered,
+        at_64: Entered,
         uv_22: impl rt::Into<rt::Vec2<f32>>,
         view_12: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_59, rt::into(uv_22), rt::into(view_12)))
+        rt::into(self.v_mesostructure_normals(at_64, rt::into(uv_22), rt::into(view_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_59: Entered,
+        at_64: Entered,
         uv_22: rt::Vec2<f32>,
         view_12: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_51: rt::Scalar<bool>;
-        let mut first_1: rt::Vec4<f32>;
+        let mut local_66: rt::Scalar<bool>;
+        let mut first_3: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
-        let upright_3 = at_59.normal.dot(view_12);
+        let upright_3 = at_64.normal.dot(view_12);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_5 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_59.fade)));
+        let width_6 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_64.fade)));
         let _e15 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_5 = ((rt::Scalar(at_59.footprint) * _e15) * width_5);
+        let texels_5 = ((rt::Scalar(at_64.footprint) * _e15) * width_6);
         let _e20 = rt::Scalar(self.surface_settings.normal_levels);
         let _e21 = self.v_levels_of(texels_5, _e20);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_51 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
+            local_66 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_51 = rt::Scalar(false);
+            local_66 = rt::Scalar(false);
         }
-        let _e32 = local_51;
+        let _e32 = local_66;
         if rt::Scalar::into_branch_condition(_e32) {
-            let _e33 = self.v_finest_normal(at_59, uv_22);
+            let _e33 = self.v_finest_normal(at_64, uv_22);
             let _e34 = self.v_one_seen(_e33);
             return _e34;
         }
-        let _e36 = self.v_normals_of_level(at_59, uv_22, rt::Scalar(_e21.fine));
-        first_1 = _e36.first;
+        let _e36 = self.v_normals_of_level(at_64, uv_22, rt::Scalar(_e21.fine));
+        first_3 = _e36.first;
         second = _e36.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e47 = self.v_normals_of_level(at_59, uv_22, (rt::Scalar(_e21.fine) + rt::Scalar(1u32)));
-            let _e48 = first_1;
-            let _e50 = first_1;
-            first_1 = (_e48 + ((_e47.first - _e50) * rt::Scalar(_e21.part)));
+            let _e47 = self.v_normals_of_level(at_64, uv_22, (rt::Scalar(_e21.fine) + rt::Scalar(1u32)));
+            let _e48 = first_3;
+            let _e50 = first_3;
+            first_3 = (_e48 + ((_e47.first - _e50) * rt::Scalar(_e21.part)));
             let _e55 = second;
             let _e57 = second;
             second = (_e55 + ((_e47.second - _e57) * rt::Scalar(_e21.part)));
         }
-        let _e62 = first_1;
+        let _e62 = first_3;
         let _e63 = second;
-        let _e65 = self.v_seen_normals(at_59, <Normals>::new(_e62, _e63), view_12);
-        let _e66 = self.v_table_part(at_59);
+        let _e65 = self.v_seen_normals(at_64, <Normals>::new(_e62, _e63), view_12);
+        let _e66 = self.v_table_part(at_64);
         if rt::Scalar::into_branch_condition(_e66.elementwise_gt(rt::Scalar(0f32))) {
             let _e72 = rt::Scalar(self.surface_settings.height_levels);
-            let _e73 = self.v_levels_of(rt::Scalar(at_59.footprint), _e72);
+            let _e73 = self.v_levels_of(rt::Scalar(at_64.footprint), _e72);
             let _e74 = self.v_has_table(_e73);
             if rt::Scalar::into_branch_condition(_e74) {
-                let _e75 = self.v_table_of(at_59, uv_22, view_12, _e73);
-                let _e76 = self.v_with_table(at_59, _e65, _e75, _e66);
+                let _e75 = self.v_table_of(at_64, uv_22, view_12, _e73);
+                let _e76 = self.v_with_table(at_64, _e65, _e75, _e66);
                 return _e76;
             }
         }
@@ -8494,61 +9372,61 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_60: Entered,
+        at_65: Entered,
         hit_19: Hit,
         light_5: Toward,
-        params_47: impl rt::Into<rt::Vec4<f32>>,
+        params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_60, hit_19, light_5, rt::into(params_47)))
+        rt::into(self.v_shadow_ray(at_65, hit_19, light_5, rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_ray(
         &self,
-        at_60: Entered,
+        at_65: Entered,
         hit_19: Hit,
         light_5: Toward,
-        params_47: rt::Vec4<f32>,
+        params_51: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_60, hit_19, light_5);
+        let _e4 = self.v_free_way(at_65, hit_19, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_61: Entered,
+        at_66: Entered,
         hit_20: Hit,
         light_6: Toward,
-        params_48: impl rt::Into<rt::Vec4<f32>>,
+        params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_61, hit_20, light_6, rt::into(params_48)))
+        rt::into(self.v_shadow_none(at_66, hit_20, light_6, rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_none(
         &self,
-        at_61: Entered,
+        at_66: Entered,
         hit_20: Hit,
         light_6: Toward,
-        params_48: rt::Vec4<f32>,
+        params_52: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_62: Entered,
+        at_67: Entered,
         hit_21: Hit,
         light_7: Toward,
-        params_49: impl rt::Into<rt::Vec4<f32>>,
+        params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_62, hit_21, light_7, rt::into(params_49)))
+        rt::into(self.v_shadow_entry(at_67, hit_21, light_7, rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_62: Entered,
+        at_67: Entered,
         hit_21: Hit,
         light_7: Toward,
-        params_49: rt::Vec4<f32>,
+        params_53: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_62, hit_21, light_7);
+        let _e4 = self.v_from_hit(at_67, hit_21, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -8566,8 +9444,8 @@ impl<'g> Resources<'g> {
             return rt::Scalar(1f32);
         }
         let _e51 = self.v_height_size(rt::Scalar(_e4.level));
-        let apart_3 = ((_e41.uv - _e4.uv).abs() * _e51);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_3.x().max(apart_3.y()).elementwise_le(params_49.x()));
+        let apart_4 = ((_e41.uv - _e4.uv).abs() * _e51);
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_53.x()));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
         rt::into(self.v_mixed(rt::into(seed)))
@@ -8593,9 +9471,9 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seed_of(&self, hit_22: Hit) -> rt::Scalar<u32> {
-        let place_15 = ((hit_22.uv - hit_22.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
-        let _e10 = self.v_mixed(place_15.y());
-        let _e12 = self.v_mixed((place_15.x() ^ _e10));
+        let place_21 = ((hit_22.uv - hit_22.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
+        let _e10 = self.v_mixed(place_21.y());
+        let _e12 = self.v_mixed((place_21.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn unit_of(&self, bits: impl rt::Into<rt::Scalar<u32>>) -> f32 {
@@ -8620,9 +9498,9 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_sine_of(&self, turn_2: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let part_10 = (turn_2 - turn_2.floor());
-        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_10 - rt::Scalar(0.5f32)).abs()).abs()));
-        return _e11.select((rt::Scalar(0f32) - _e11), part_10.elementwise_gt(rt::Scalar(0.5f32)));
+        let part_14 = (turn_2 - turn_2.floor());
+        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_14 - rt::Scalar(0.5f32)).abs()).abs()));
+        return _e11.select((rt::Scalar(0f32) - _e11), part_14.elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn turned(&self, turn_3: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_turned(rt::into(turn_3)))
@@ -8637,137 +9515,137 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: impl rt::Into<rt::Scalar<u32>>,
-        k_16: impl rt::Into<rt::Scalar<u32>>,
-        count_1: impl rt::Into<rt::Scalar<u32>>,
+        k_17: impl rt::Into<rt::Scalar<u32>>,
+        count_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_16), rt::into(count_1)))
+        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_17), rt::into(count_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_point_of_disc(
         &self,
         light_8: Toward,
         seed_1: rt::Scalar<u32>,
-        k_16: rt::Scalar<u32>,
-        count_1: rt::Scalar<u32>,
+        k_17: rt::Scalar<u32>,
+        count_2: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_1 + k_16) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_1 + k_17) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_16.cast_elem_as_f32() + _e9) / count_1.cast_elem_as_f32());
+        let ring = ((k_17.cast_elem_as_f32() + _e9) / count_2.cast_elem_as_f32());
         let _e16 = self.v_unit_of(seed_1);
-        let _e18 = self.v_turned(((k_16.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_16 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
+        let _e18 = self.v_turned(((k_17.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let place_22 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
         let up_1 = light_8.direction.cross(right_2);
-        let toward_6 = ((light_8.direction + (right_2 * place_16.x())) + (up_1 * place_16.y()));
-        let along_22 = toward_6.length();
-        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_22)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_22), rt::Scalar(0f32), rt::Scalar(light_8.number));
+        let toward_6 = ((light_8.direction + (right_2 * place_22.x())) + (up_1 * place_22.y()));
+        let along_30 = toward_6.length();
+        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_30)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_30), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_63: Entered,
+        at_68: Entered,
         hit_23: Hit,
         light_9: Toward,
-        params_50: impl rt::Into<rt::Vec4<f32>>,
+        params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_63, hit_23, light_9, rt::into(params_50)))
+        rt::into(self.v_shadow_soft(at_68, hit_23, light_9, rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_63: Entered,
+        at_68: Entered,
         hit_23: Hit,
         light_9: Toward,
-        params_50: rt::Vec4<f32>,
+        params_54: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_17: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_18: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_4 = params_50.x().cast_elem_as_u32();
+        let count_5 = params_54.x().cast_elem_as_u32();
         let _e6 = self.v_seed_of(hit_23);
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_17;
-                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_4)) {
+                let _e11 = k_18;
+                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_5)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
-                    let _e14 = k_17;
-                    let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_4);
-                    let _e16 = self.v_free_way(at_63, hit_23, _e15);
+                    let _e14 = k_18;
+                    let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_5);
+                    let _e16 = self.v_free_way(at_68, hit_23, _e15);
                     free = (_e13 + _e16);
-                    let _e18 = k_17;
-                    k_17 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_18;
+                    k_18 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
         let _e21 = free;
-        return (_e21 / count_4.cast_elem_as_f32());
+        return (_e21 / count_5.cast_elem_as_f32());
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_64: Entered,
+        at_69: Entered,
         hit_24: Hit,
         light_10: Toward,
-        params_51: impl rt::Into<rt::Vec4<f32>>,
+        params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_64, hit_24, light_10, rt::into(params_51)))
+        rt::into(self.v_shadow_heuristic(at_69, hit_24, light_10, rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_64: Entered,
+        at_69: Entered,
         hit_24: Hit,
         light_10: Toward,
-        params_51: rt::Vec4<f32>,
+        params_55: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_18: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_19: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_64, hit_24, light_10);
+        let _e4 = self.v_from_hit(at_69, hit_24, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let _e11 = self.v_way_out(_e4, light_10);
         'naga_break: loop {
             'naga_continue: {
-                let _e16 = k_18;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_51.x())) {
+                let _e16 = k_19;
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_55.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = k_18;
-                    let part_11 = (_e19 / params_51.x());
+                    let _e19 = k_19;
+                    let part_15 = (_e19 / params_55.x());
                     let _e22 = most_1;
-                    let _e24 = self.v_path_gap(_e4, (part_11 * _e11));
-                    most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_11)));
-                    let _e31 = k_18;
-                    k_18 = (_e31 + rt::Scalar(1f32));
+                    let _e24 = self.v_path_gap(_e4, (part_15 * _e11));
+                    most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_15)));
+                    let _e31 = k_19;
+                    k_19 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
         let _e35 = most_1;
-        return (rt::Scalar(1f32) - (params_51.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_55.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
-        place_9: impl rt::Into<rt::Vec2<i32>>,
+        place_14: impl rt::Into<rt::Vec2<i32>>,
         layer_6: impl rt::Into<rt::Scalar<i32>>,
         level_22: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_9), rt::into(layer_6), rt::into(level_22)))
+        rt::into(self.v_shadow_texel(rt::into(place_14), rt::into(layer_6), rt::into(level_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_texel(
         &self,
-        place_9: rt::Vec2<i32>,
+        place_14: rt::Vec2<i32>,
         layer_6: rt::Scalar<i32>,
         level_22: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_9, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_22));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_14, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_22));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -8789,80 +9667,80 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_23);
         let _e4 = self.v_texels_around(uv_23, _e3);
-        let k_29 = level_23.cast_elem_as_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_29);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_29);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_29);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_29);
+        let k_30 = level_23.cast_elem_as_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_30);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_30);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_30);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_30);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
-    pub(crate) fn own_slope(&self, way_1: Path) -> f32 {
-        rt::into(self.v_own_slope(way_1))
+    pub(crate) fn own_slope(&self, way_7: Path) -> f32 {
+        rt::into(self.v_own_slope(way_7))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_own_slope(&self, way_1: Path) -> rt::Scalar<f32> {
+    fn v_own_slope(&self, way_7: Path) -> rt::Scalar<f32> {
         let mut level_24: Path;
 
-        let _e1 = self.v_grid_of(way_1);
+        let _e1 = self.v_grid_of(way_7);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
-        let end_14 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        level_24 = way_1;
-        level_24.h = <rt::Vec3<f32>>::from_scalars(way_1.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
-        rt::Scalar(level_24.exit) = end_14;
+        let end_16 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
+        level_24 = way_7;
+        level_24.h = <rt::Vec3<f32>>::from_scalars(way_7.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
+        rt::Scalar(level_24.exit) = end_16;
         let _e18 = level_24;
-        let _e21 = self.v_height_cell(_e3.cast_elem_as_i32(), rt::Scalar(way_1.level));
+        let _e21 = self.v_height_cell(_e3.cast_elem_as_i32(), rt::Scalar(way_7.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
-        return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_14))));
+        return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_16))));
     }
-    pub(crate) fn part_above(&self, height_4: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_part_above(rt::into(height_4)))
+    pub(crate) fn part_above(&self, height_6: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_part_above(rt::into(height_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_part_above(&self, height_4: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_7 = height_4.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
+    fn v_part_above(&self, height_6: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let x_7 = height_6.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
         let s_3 = (x_7 * x_7);
         return (rt::Scalar(0.5f32) + (x_7 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_65: Entered,
+        at_70: Entered,
         hit_25: Hit,
         light_11: Toward,
-        params_52: impl rt::Into<rt::Vec4<f32>>,
+        params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_65, hit_25, light_11, rt::into(params_52)))
+        rt::into(self.v_shadow_horizon(at_70, hit_25, light_11, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_65: Entered,
+        at_70: Entered,
         hit_25: Hit,
         light_11: Toward,
-        params_52: rt::Vec4<f32>,
+        params_56: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_65, light_11.direction);
+        let _e5 = self.v_climb(at_70, light_11.direction);
         let map_1 = self.surface_settings.maps[3usize];
-        let along_23 = (_e5.xy() * map_1.tile_m);
-        let _e13 = self.v_turn_of(along_23);
-        let azimuth_4 = (_e13 * params_52.x());
-        let first_9 = azimuth_4.floor();
-        let count_5 = params_52.x().cast_elem_as_i32();
-        let before_4 = (first_9.cast_elem_as_i32() % count_5);
-        let part_12 = (azimuth_4 - first_9);
-        let _e24 = self.v_shadow_texel_between(hit_25.uv, before_4, rt::Scalar(at_65.level));
-        let low_5 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_25.uv, ((before_4 + rt::Scalar(1i32)) % count_5), rt::Scalar(at_65.level));
-        let sine_1 = (low_5 + ((_e31.x() - low_5) * part_12));
+        let along_31 = (_e5.xy() * map_1.tile_m);
+        let _e13 = self.v_turn_of(along_31);
+        let azimuth_4 = (_e13 * params_56.x());
+        let first_13 = azimuth_4.floor();
+        let count_6 = params_56.x().cast_elem_as_i32();
+        let before_4 = (first_13.cast_elem_as_i32() % count_6);
+        let part_16 = (azimuth_4 - first_13);
+        let _e24 = self.v_shadow_texel_between(hit_25.uv, before_4, rt::Scalar(at_70.level));
+        let low_7 = _e24.x();
+        let _e31 = self.v_shadow_texel_between(hit_25.uv, ((before_4 + rt::Scalar(1i32)) % count_6), rt::Scalar(at_70.level));
+        let sine_1 = (low_7 + ((_e31.x() - low_7) * part_16));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
-        let far_9 = (squared_4 * along_23.dot(along_23)).sqrt();
-        let _e48 = self.v_from_hit(at_65, hit_25, light_11);
+        let far_9 = (squared_4 * along_31.dot(along_31)).sqrt();
+        let _e48 = self.v_from_hit(at_70, hit_25, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
-        let near_8 = (_e49 * _e52);
-        let horizon = far_9.max(near_8);
-        let up_2 = at_65.normal.dot(light_11.direction);
+        let near_9 = (_e49 * _e52);
+        let horizon = far_9.max(near_9);
+        let up_2 = at_70.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_2.elementwise_gt(horizon));
         }
@@ -8876,60 +9754,60 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn open_part(
         &self,
-        at_66: Entered,
+        at_71: Entered,
         hit_26: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_66, hit_26, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_71, hit_26, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_open_part(
         &self,
-        at_66: Entered,
+        at_71: Entered,
         hit_26: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_26.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_66.level));
+        let _e9 = self.v_shadow_texel_between(hit_26.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_71.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_67: Entered,
+        at_72: Entered,
         hit_27: Hit,
         light_12: Toward,
-        params_53: impl rt::Into<rt::Vec4<f32>>,
+        params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_67, hit_27, light_12, rt::into(params_53)))
+        rt::into(self.v_shadow_visibility(at_72, hit_27, light_12, rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_67: Entered,
+        at_72: Entered,
         hit_27: Hit,
         light_12: Toward,
-        params_53: rt::Vec4<f32>,
+        params_57: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_67, light_12.direction);
+        let _e5 = self.v_climb(at_72, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_2 = self.surface_settings.maps[3usize];
-        let along_24 = (_e5.xy() * map_2.tile_m);
+        let along_32 = (_e5.xy() * map_2.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
-        let height_11 = (_e5.z() * _e21);
-        let squared_5 = ((height_11 * height_11) / (along_24.dot(along_24) + (height_11 * height_11)));
-        let azimuths = params_53.x().cast_elem_as_i32();
-        let elevations_1 = params_53.y().cast_elem_as_i32();
-        let _e32 = self.v_turn_of(along_24);
-        let azimuth_5 = (_e32 * params_53.x());
-        let elevation_4 = ((squared_5 * params_53.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_53.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_53.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_13 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
-            let _e56 = self.v_open_part(at_67, hit_27, a_13, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
+        let height_15 = (_e5.z() * _e21);
+        let squared_5 = ((height_15 * height_15) / (along_32.dot(along_32) + (height_15 * height_15)));
+        let azimuths = params_57.x().cast_elem_as_i32();
+        let elevations_1 = params_57.y().cast_elem_as_i32();
+        let _e32 = self.v_turn_of(along_32);
+        let azimuth_5 = (_e32 * params_57.x());
+        let elevation_4 = ((squared_5 * params_57.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_57.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_57.z().elementwise_lt(rt::Scalar(2f32))) {
+            let a_19 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
+            let _e56 = self.v_open_part(at_72, hit_27, a_19, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().cast_elem_as_i32() % azimuths);
@@ -8938,353 +9816,290 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_67, hit_27, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_67, hit_27, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_72, hit_27, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_72, hit_27, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_67, hit_27, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_72, hit_27, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_67, hit_27, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_72, hit_27, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_68: Entered,
+        at_73: Entered,
         hit_28: Hit,
         light_13: Toward,
-        params_54: impl rt::Into<rt::Vec4<f32>>,
+        params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_68, hit_28, light_13, rt::into(params_54)))
+        rt::into(self.v_shadow_map(at_73, hit_28, light_13, rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_map(
         &self,
-        at_68: Entered,
+        at_73: Entered,
         hit_28: Hit,
         light_13: Toward,
-        params_54: rt::Vec4<f32>,
+        params_58: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_68, hit_28.uv, rt::Scalar(light_13.number), light_13.direction, params_54.z(), params_54.w());
+        let _e9 = self.v_light_seen(at_73, hit_28.uv, rt::Scalar(light_13.number), light_13.direction, params_58.z(), params_58.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_69: Entered,
+        at_74: Entered,
         hit_29: Hit,
         light_14: Toward,
-        params_55: impl rt::Into<rt::Vec4<f32>>,
+        params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_69, hit_29, light_14, rt::into(params_55)))
+        rt::into(self.v_shadow_scene(at_74, hit_29, light_14, rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_scene(
         &self,
-        at_69: Entered,
+        at_74: Entered,
         hit_29: Hit,
         light_14: Toward,
-        params_55: rt::Vec4<f32>,
+        params_59: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_70: Entered, hit_30: Hit, light_15: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_70, hit_30, light_15))
+    pub(crate) fn shadow_stage(&self, at_75: Entered, hit_30: Hit, light_15: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_75, hit_30, light_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_70: Entered, hit_30: Hit, light_15: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_75: Entered, hit_30: Hit, light_15: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[5usize].params;
-                let _e13 = self.v_shadow_ray(at_70, hit_30, light_15, _e12);
+                let _e13 = self.v_shadow_ray(at_75, hit_30, light_15, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[5usize].params;
-                let _e19 = self.v_shadow_none(at_70, hit_30, light_15, _e18);
+                let _e19 = self.v_shadow_none(at_75, hit_30, light_15, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[5usize].params;
-                let _e25 = self.v_shadow_entry(at_70, hit_30, light_15, _e24);
+                let _e25 = self.v_shadow_entry(at_75, hit_30, light_15, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[5usize].params;
-                let _e31 = self.v_shadow_soft(at_70, hit_30, light_15, _e30);
+                let _e31 = self.v_shadow_soft(at_75, hit_30, light_15, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[5usize].params;
-                let _e37 = self.v_shadow_heuristic(at_70, hit_30, light_15, _e36);
+                let _e37 = self.v_shadow_heuristic(at_75, hit_30, light_15, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[5usize].params;
-                let _e43 = self.v_shadow_horizon(at_70, hit_30, light_15, _e42);
+                let _e43 = self.v_shadow_horizon(at_75, hit_30, light_15, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[5usize].params;
-                let _e49 = self.v_shadow_visibility(at_70, hit_30, light_15, _e48);
+                let _e49 = self.v_shadow_visibility(at_75, hit_30, light_15, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[5usize].params;
-                let _e55 = self.v_shadow_map(at_70, hit_30, light_15, _e54);
+                let _e55 = self.v_shadow_map(at_75, hit_30, light_15, _e54);
                 return _e55;
             }
             _ => {
                 let _e60 = self.surface_settings.choices[5usize].params;
-                let _e61 = self.v_shadow_scene(at_70, hit_30, light_15, _e60);
+                let _e61 = self.v_shadow_scene(at_75, hit_30, light_15, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_46: PixelIn, at_71: Entered, hit_31: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_46, at_71, hit_31))
+    pub(crate) fn mirrored_light(&self, pixel_56: PixelIn, at_76: Entered, hit_31: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_56, at_76, hit_31))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_mirrored_light(&self, pixel_46: PixelIn, at_71: Entered, hit_31: Hit) -> rt::Scalar<f32> {
+    fn v_mirrored_light(&self, pixel_56: PixelIn, at_76: Entered, hit_31: Hit) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_31.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
-        let down_2 = pixel_46.direction.normalize();
-        let up_3 = (down_2 - (at_71.normal * (rt::Scalar(2f32) * down_2.dot(at_71.normal))));
-        let _e24 = self.v_shadow_stage(at_71, hit_31, <Toward>::new(up_3, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
+        let down_2 = pixel_56.direction.normalize();
+        let up_3 = (down_2 - (at_76.normal * (rt::Scalar(2f32) * down_2.dot(at_76.normal))));
+        let _e24 = self.v_shadow_stage(at_76, hit_31, <Toward>::new(up_3, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
         return _e24;
     }
-    pub(crate) fn pixel_direction(&self, pixel_47: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_direction(rt::into(pixel_47)))
+    pub(crate) fn pixel_direction(&self, pixel_57: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_direction(rt::into(pixel_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_pixel_direction(&self, pixel_47: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_direction(&self, pixel_57: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.corner;
         let _e7 = self.frame.right;
         let _e14 = self.frame.down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_47.x())) + (_e14.xyz() * pixel_47.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_57.x())) + (_e14.xyz() * pixel_57.y()));
     }
-    pub(crate) fn pixel_eye(&self, pixel_48: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_eye(rt::into(pixel_48)))
+    pub(crate) fn pixel_eye(&self, pixel_58: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_eye(rt::into(pixel_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_pixel_eye(&self, pixel_48: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_eye(&self, pixel_58: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.eye;
         let _e7 = self.frame.eye_right;
         let _e14 = self.frame.eye_down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_48.x())) + (_e14.xyz() * pixel_48.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_58.x())) + (_e14.xyz() * pixel_58.y()));
     }
     pub(crate) fn pixel_of(
         &self,
-        a_4: Corner,
-        b_4: Corner,
-        c_4: Corner,
-        shell_3: Shell,
+        a_8: Corner,
+        b_8: Corner,
+        c_6: Corner,
+        shell_4: Shell,
         side_2: impl rt::Into<rt::Scalar<f32>>,
         point_7: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_4, b_4, c_4, shell_3, rt::into(side_2), rt::into(point_7)))
+        rt::into(self.v_pixel_of(a_8, b_8, c_6, shell_4, rt::into(side_2), rt::into(point_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_pixel_of(
         &self,
-        a_4: Corner,
-        b_4: Corner,
-        c_4: Corner,
-        shell_3: Shell,
+        a_8: Corner,
+        b_8: Corner,
+        c_6: Corner,
+        shell_4: Shell,
         side_2: rt::Scalar<f32>,
         point_7: rt::Vec2<f32>,
     ) -> PixelIn {
         let _e6 = self.v_pixel_eye(point_7);
         let _e7 = self.v_pixel_direction(point_7);
-        return <PixelIn>::new(_e6, _e7, side_2, a_4, b_4, c_4, shell_3);
+        return <PixelIn>::new(_e6, _e7, side_2, a_8, b_8, c_6, shell_4);
     }
     pub(crate) fn surface_plane_place(
         &self,
-        pixel_49: PixelIn,
-        at_72: Entered,
-        path_63: Path,
+        pixel_59: PixelIn,
+        at_77: Entered,
+        path_64: Path,
         hit_32: Hit,
-        params_56: impl rt::Into<rt::Vec4<f32>>,
+        params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_49, at_72, path_63, hit_32, rt::into(params_56)))
+        rt::into(self.v_surface_plane_place(pixel_59, at_77, path_64, hit_32, rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_place(
         &self,
-        pixel_49: PixelIn,
-        at_72: Entered,
-        path_63: Path,
+        pixel_59: PixelIn,
+        at_77: Entered,
+        path_64: Path,
         hit_32: Hit,
-        params_56: rt::Vec4<f32>,
+        params_60: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_8 = (hit_32.uv - at_72.uv);
+        let aside_8 = (hit_32.uv - at_77.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_32.uv, rt::Scalar(at_72.level));
-        let height_12 = (_e10 + (_e13 * _e16));
-        placed = at_72;
-        placed.point = (((at_72.point + (at_72.tangent * aside_8.x())) + (at_72.bitangent * aside_8.y())) + (at_72.normal * height_12));
+        let _e16 = self.v_height_at(hit_32.uv, rt::Scalar(at_77.level));
+        let height_16 = (_e10 + (_e13 * _e16));
+        placed = at_77;
+        placed.point = (((at_77.point + (at_77.tangent * aside_8.x())) + (at_77.bitangent * aside_8.y())) + (at_77.normal * height_16));
         placed.uv = hit_32.uv;
         let _e35 = placed;
         return _e35;
     }
     pub(crate) fn placed_at(
         &self,
-        pixel_50: PixelIn,
-        at_73: Entered,
+        pixel_60: PixelIn,
+        at_78: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_8: impl rt::Into<rt::Vec3<f32>>,
         uv_24: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_50, at_73, rt::into(weights_4), rt::into(point_8), rt::into(uv_24)))
+        rt::into(self.v_placed_at(pixel_60, at_78, rt::into(weights_4), rt::into(point_8), rt::into(uv_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_placed_at(
         &self,
-        pixel_50: PixelIn,
-        at_73: Entered,
+        pixel_60: PixelIn,
+        at_78: Entered,
         weights_4: rt::Vec3<f32>,
         point_8: rt::Vec3<f32>,
         uv_24: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_50, weights_4, point_8, uv_24, at_73.facing);
+        let _e6 = self.v_frame_at(pixel_60, weights_4, point_8, uv_24, at_78.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_73.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_73.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_73.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_78.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_78.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_78.fade);
         let _e14 = placed_1;
         return _e14;
     }
-    pub(crate) fn surface_tetrahedra_place(
-        &self,
-        pixel_51: PixelIn,
-        at_74: Entered,
-        path_64: Path,
-        hit_33: Hit,
-        params_57: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_51, at_74, path_64, hit_33, rt::into(params_57)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_tetrahedra_place(
-        &self,
-        pixel_51: PixelIn,
-        at_74: Entered,
-        path_64: Path,
-        hit_33: Hit,
-        params_57: rt::Vec4<f32>,
-    ) -> Entered {
-        let mut nearest: Tetrahedron;
-        let mut beside_1: rt::Scalar<f32>;
-        let mut number_5: rt::Scalar<u32> = rt::Scalar(1u32);
-
-        let along_25 = pixel_51.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_51, along_25);
-        let t_36 = ((rt::Scalar(path_64.start) + rt::Scalar(hit_33.t)) - _e7);
-        let _e13 = self.v_tetrahedron(pixel_51, along_25, _e7, rt::Scalar(0u32));
-        nearest = _e13;
-        let _e17 = nearest.inside.x();
-        let _e21 = nearest.inside.y();
-        beside_1 = (_e17 - t_36).max((t_36 - _e21));
-        'naga_break: loop {
-            'naga_continue: {
-                let _e27 = number_5;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(rt::Scalar(3u32))) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e30 = number_5;
-                    let _e31 = self.v_tetrahedron(pixel_51, along_25, _e7, _e30);
-                    let aside_9 = (_e31.inside.x() - t_36).max((t_36 - _e31.inside.y()));
-                    let _e39 = beside_1;
-                    if rt::Scalar::into_branch_condition(aside_9.elementwise_lt(_e39)) {
-                        nearest = _e31;
-                        beside_1 = aside_9;
-                    }
-                    let _e41 = number_5;
-                    number_5 = (_e41 + rt::Scalar(1u32));
-                }
-            }
-        }
-        let _e45 = nearest.weights;
-        let _e47 = nearest.change;
-        let weights_5 = (_e45 + (_e47 * t_36));
-        let point_17 = (pixel_51.origin + (along_25 * (rt::Scalar(path_64.start) + rt::Scalar(hit_33.t))));
-        let _e58 = self.v_placed_at(pixel_51, at_74, weights_5.xyz(), point_17, hit_33.uv);
-        return _e58;
-    }
     pub(crate) fn surface_prism_place(
         &self,
-        pixel_52: PixelIn,
-        at_75: Entered,
+        pixel_61: PixelIn,
+        at_79: Entered,
         path_65: Path,
-        hit_34: Hit,
-        params_58: impl rt::Into<rt::Vec4<f32>>,
+        hit_33: Hit,
+        params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_52, at_75, path_65, hit_34, rt::into(params_58)))
+        rt::into(self.v_surface_prism_place(pixel_61, at_79, path_65, hit_33, rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_place(
         &self,
-        pixel_52: PixelIn,
-        at_75: Entered,
+        pixel_61: PixelIn,
+        at_79: Entered,
         path_65: Path,
-        hit_34: Hit,
-        params_58: rt::Vec4<f32>,
+        hit_33: Hit,
+        params_61: rt::Vec4<f32>,
     ) -> Entered {
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_52.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e9 = self.v_surface_tetrahedra_place(pixel_52, at_75, path_65, hit_34, params_58);
-            return _e9;
-        }
-        let along_26 = pixel_52.direction.normalize();
-        let _e12 = self.v_middle_of(pixel_52, along_26);
-        let _e13 = self.v_prism_of(pixel_52, along_26, _e12, params_58);
-        let s_4 = ((rt::Scalar(path_65.start) + rt::Scalar(hit_34.t)) - _e12);
-        let _e20 = self.v_shell_point(_e13, (along_26 * s_4), rt::Scalar(hit_34.height));
-        let weights_6 = _e20.weights;
-        let _e29 = self.v_placed_at(pixel_52, at_75, weights_6, (pixel_52.origin + (along_26 * (rt::Scalar(path_65.start) + rt::Scalar(hit_34.t)))), hit_34.uv);
-        return _e29;
+        let along_33 = pixel_61.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_61, along_33);
+        let _e8 = self.v_prism_of(pixel_61, along_33, _e7, params_61);
+        let s_4 = ((rt::Scalar(path_65.start) + rt::Scalar(hit_33.t)) - _e7);
+        let _e15 = self.v_point_of_way(pixel_61, _e8, (along_33 * s_4), rt::Scalar(hit_33.height));
+        let weights_5 = _e15.weights;
+        let _e24 = self.v_placed_at(pixel_61, at_79, weights_5, (pixel_61.origin + (along_33 * (rt::Scalar(path_65.start) + rt::Scalar(hit_33.t)))), hit_33.uv);
+        return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_76: Entered,
+        at_80: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_76, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_80, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_frame(
         &self,
-        at_76: Entered,
+        at_80: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_52: rt::Scalar<bool>;
+        let mut local_67: rt::Scalar<bool>;
 
-        placed_2 = at_76;
-        let _e5 = self.v_quadric_slope(at_76.quadric.xyz(), aside);
+        placed_2 = at_80;
+        let _e5 = self.v_quadric_slope(at_80.quadric.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_52 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_67 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_52 = rt::Scalar(false);
+            local_67 = rt::Scalar(false);
         }
-        let _e15 = local_52;
+        let _e15 = local_67;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_2 = at_76.metric;
-        let area_5 = ((m_2.x() * m_2.z()) - (m_2.y() * m_2.y()));
-        let along_t = (((_e5.x() * m_2.z()) - (_e5.y() * m_2.y())) / area_5);
-        let along_b = (((_e5.y() * m_2.x()) - (_e5.x() * m_2.y())) / area_5);
-        placed_2.tangent = (at_76.tangent + (at_76.normal * _e5.x()));
-        placed_2.bitangent = (at_76.bitangent + (at_76.normal * _e5.y()));
-        placed_2.normal = ((at_76.normal - (at_76.tangent * along_t)) - (at_76.bitangent * along_b)).normalize();
+        let m_4 = at_80.metric;
+        let area_5 = ((m_4.x() * m_4.z()) - (m_4.y() * m_4.y()));
+        let along_t = (((_e5.x() * m_4.z()) - (_e5.y() * m_4.y())) / area_5);
+        let along_b = (((_e5.y() * m_4.x()) - (_e5.x() * m_4.y())) / area_5);
+        placed_2.tangent = (at_80.tangent + (at_80.normal * _e5.x()));
+        placed_2.bitangent = (at_80.bitangent + (at_80.normal * _e5.y()));
+        placed_2.normal = ((at_80.normal - (at_80.tangent * along_t)) - (at_80.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_1 = _e63.dot(_e65);
@@ -9294,207 +10109,266 @@ impl<'g> Resources<'g> {
         let _e73 = placed_2.bitangent;
         let _e75 = placed_2.bitangent;
         let bb_1 = _e73.dot(_e75);
-        placed_2.metric = <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, m_2.w());
+        placed_2.metric = <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, m_4.w());
         let _e80 = placed_2;
         return _e80;
     }
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
-        pixel_53: PixelIn,
-        at_77: Entered,
+        pixel_62: PixelIn,
+        at_81: Entered,
         path_66: Path,
-        hit_35: Hit,
-        params_59: impl rt::Into<rt::Vec4<f32>>,
+        hit_34: Hit,
+        params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_53, at_77, path_66, hit_35, rt::into(params_59)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_62, at_81, path_66, hit_34, rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_place(
         &self,
-        pixel_53: PixelIn,
-        at_77: Entered,
+        pixel_62: PixelIn,
+        at_81: Entered,
         path_66: Path,
-        hit_35: Hit,
-        params_59: rt::Vec4<f32>,
+        hit_34: Hit,
+        params_62: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_77, (hit_35.uv - at_77.uv));
+        let _e8 = self.v_quadric_frame(at_81, (hit_34.uv - at_81.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_53.origin + (pixel_53.direction.normalize() * (rt::Scalar(path_66.start) + rt::Scalar(hit_35.t))));
-        placed_3.uv = hit_35.uv;
+        placed_3.point = (pixel_62.origin + (pixel_62.direction.normalize() * (rt::Scalar(path_66.start) + rt::Scalar(hit_34.t))));
+        placed_3.uv = hit_34.uv;
         let _e21 = placed_3;
         return _e21;
     }
     pub(crate) fn surface_quadric_vertical_place(
         &self,
-        pixel_54: PixelIn,
-        at_78: Entered,
+        pixel_63: PixelIn,
+        at_82: Entered,
         path_67: Path,
-        hit_36: Hit,
-        params_60: impl rt::Into<rt::Vec4<f32>>,
+        hit_35: Hit,
+        params_63: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_54, at_78, path_67, hit_36, rt::into(params_60)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_63, at_82, path_67, hit_35, rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
-        pixel_54: PixelIn,
-        at_78: Entered,
+        pixel_63: PixelIn,
+        at_82: Entered,
         path_67: Path,
-        hit_36: Hit,
-        params_60: rt::Vec4<f32>,
+        hit_35: Hit,
+        params_63: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_10 = (hit_36.uv - at_78.uv);
+        let aside_9 = (hit_35.uv - at_82.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_36.uv, rt::Scalar(at_78.level));
-        let height_13 = (_e10 + (_e13 * _e16));
+        let _e16 = self.v_height_at(hit_35.uv, rt::Scalar(at_82.level));
+        let height_17 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_78.quadric.xyz(), aside_10);
-        let lifted_2 = (((_e19 - at_78.quadric.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_78, aside_10);
+        let _e27 = self.v_quadric_at(at_82.quadric.xyz(), aside_9);
+        let lifted_2 = (((_e19 - at_82.quadric.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_82, aside_9);
         placed_4 = _e29;
-        placed_4.point = (((at_78.point + (at_78.tangent * aside_10.x())) + (at_78.bitangent * aside_10.y())) + (at_78.normal * (height_13 + lifted_2)));
-        placed_4.uv = hit_36.uv;
+        placed_4.point = (((at_82.point + (at_82.tangent * aside_9.x())) + (at_82.bitangent * aside_9.y())) + (at_82.normal * (height_17 + lifted_2)));
+        placed_4.uv = hit_35.uv;
         let _e47 = placed_4;
         return _e47;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_55: PixelIn, at_79: Entered, path_68: Path, hit_37: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_55, at_79, path_68, hit_37))
+    pub(crate) fn surface_tetrahedra_place(
+        &self,
+        pixel_64: PixelIn,
+        at_83: Entered,
+        path_68: Path,
+        hit_36: Hit,
+        params_64: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_tetrahedra_place(pixel_64, at_83, path_68, hit_36, rt::into(params_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_55: PixelIn, at_79: Entered, path_68: Path, hit_37: Hit) -> Entered {
+    fn v_surface_tetrahedra_place(
+        &self,
+        pixel_64: PixelIn,
+        at_83: Entered,
+        path_68: Path,
+        hit_36: Hit,
+        params_64: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut nearest: Tetrahedron;
+        let mut beside_1: rt::Scalar<f32>;
+        let mut number_6: rt::Scalar<u32> = rt::Scalar(1u32);
+
+        let along_34 = pixel_64.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_64, along_34);
+        let t_37 = ((rt::Scalar(path_68.start) + rt::Scalar(hit_36.t)) - _e7);
+        let _e13 = self.v_tetrahedron(pixel_64, along_34, _e7, rt::Scalar(0u32));
+        nearest = _e13;
+        let _e17 = nearest.inside.x();
+        let _e21 = nearest.inside.y();
+        beside_1 = (_e17 - t_37).max((t_37 - _e21));
+        'naga_break: loop {
+            'naga_continue: {
+                let _e27 = number_6;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(rt::Scalar(3u32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e30 = number_6;
+                    let _e31 = self.v_tetrahedron(pixel_64, along_34, _e7, _e30);
+                    let aside_10 = (_e31.inside.x() - t_37).max((t_37 - _e31.inside.y()));
+                    let _e39 = beside_1;
+                    if rt::Scalar::into_branch_condition(aside_10.elementwise_lt(_e39)) {
+                        nearest = _e31;
+                        beside_1 = aside_10;
+                    }
+                    let _e41 = number_6;
+                    number_6 = (_e41 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e45 = nearest.weights;
+        let _e47 = nearest.change;
+        let weights_6 = (_e45 + (_e47 * t_37));
+        let point_17 = (pixel_64.origin + (along_34 * (rt::Scalar(path_68.start) + rt::Scalar(hit_36.t))));
+        let _e58 = self.v_placed_at(pixel_64, at_83, weights_6.xyz(), point_17, hit_36.uv);
+        return _e58;
+    }
+    pub(crate) fn surface_place_stage(&self, pixel_65: PixelIn, at_84: Entered, path_69: Path, hit_37: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_65, at_84, path_69, hit_37))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_place_stage(&self, pixel_65: PixelIn, at_84: Entered, path_69: Path, hit_37: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[0usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_55, at_79, path_68, hit_37, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_65, at_84, path_69, hit_37, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[0usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_55, at_79, path_68, hit_37, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_65, at_84, path_69, hit_37, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[0usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_55, at_79, path_68, hit_37, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_65, at_84, path_69, hit_37, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[0usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_55, at_79, path_68, hit_37, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_65, at_84, path_69, hit_37, _e31);
                 return _e32;
             }
             _ => {
                 let _e37 = self.surface_settings.choices[0usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_55, at_79, path_68, hit_37, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_65, at_84, path_69, hit_37, _e37);
                 return _e38;
             }
         }
     }
     pub(crate) fn place_hit(
         &self,
-        pixel_56: PixelIn,
-        at_80: Entered,
+        pixel_66: PixelIn,
+        at_85: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
         hit_38: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_56, at_80, rt::into(segment), hit_38))
+        rt::into(self.v_place_hit(pixel_66, at_85, rt::into(segment), hit_38))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_place_hit(
         &self,
-        pixel_56: PixelIn,
-        at_80: Entered,
+        pixel_66: PixelIn,
+        at_85: Entered,
         segment: rt::Scalar<u32>,
         hit_38: Hit,
     ) -> Entered {
         let mut placed_5: Entered;
 
-        let _e4 = self.v_segment_of(pixel_56, at_80, segment);
-        let _e5 = self.v_surface_place_stage(pixel_56, at_80, _e4, hit_38);
+        let _e4 = self.v_segment_of(pixel_66, at_85, segment);
+        let _e5 = self.v_surface_place_stage(pixel_66, at_85, _e4, hit_38);
         placed_5 = _e5;
-        let _e8 = self.v_depth_on_ray(pixel_56, _e4, hit_38);
+        let _e8 = self.v_depth_on_ray(pixel_66, _e4, hit_38);
         rt::Scalar(placed_5.depth) = _e8;
         let _e9 = placed_5;
         return _e9;
     }
     pub(crate) fn toward_light(
         &self,
-        number_6: impl rt::Into<rt::Scalar<u32>>,
+        number_7: impl rt::Into<rt::Scalar<u32>>,
         position: impl rt::Into<rt::Vec3<f32>>,
     ) -> Toward {
-        rt::into(self.v_toward_light(rt::into(number_6), rt::into(position)))
+        rt::into(self.v_toward_light(rt::into(number_7), rt::into(position)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_toward_light(
         &self,
-        number_6: rt::Scalar<u32>,
+        number_7: rt::Scalar<u32>,
         position: rt::Vec3<f32>,
     ) -> Toward {
-        let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_6)];
+        let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_7)];
         if rt::Scalar::into_branch_condition(light_18.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
             let toward_7 = (light_18.place.xyz() - position);
             let squared_6 = toward_7.dot(toward_7);
             let distance_3 = squared_6.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_6.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_7.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_6);
+            return <Toward>::new(toward_7.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_7);
         }
-        return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_6);
+        return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_7);
     }
     pub(crate) fn point_of_light(
         &self,
-        at_81: Entered,
+        at_86: Entered,
         hit_39: Hit,
-        number_7: impl rt::Into<rt::Scalar<u32>>,
-        k_19: impl rt::Into<rt::Scalar<u32>>,
-        count_2: impl rt::Into<rt::Scalar<u32>>,
+        number_8: impl rt::Into<rt::Scalar<u32>>,
+        k_20: impl rt::Into<rt::Scalar<u32>>,
+        count_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_81, hit_39, rt::into(number_7), rt::into(k_19), rt::into(count_2)))
+        rt::into(self.v_point_of_light(at_86, hit_39, rt::into(number_8), rt::into(k_20), rt::into(count_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_point_of_light(
         &self,
-        at_81: Entered,
+        at_86: Entered,
         hit_39: Hit,
-        number_7: rt::Scalar<u32>,
-        k_19: rt::Scalar<u32>,
-        count_2: rt::Scalar<u32>,
+        number_8: rt::Scalar<u32>,
+        k_20: rt::Scalar<u32>,
+        count_3: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_7, at_81.point);
-        if rt::Scalar::into_branch_condition(count_2.elementwise_gt(rt::Scalar(0u32))) {
+        let _e6 = self.v_toward_light(number_8, at_86.point);
+        if rt::Scalar::into_branch_condition(count_3.elementwise_gt(rt::Scalar(0u32))) {
             let _e9 = self.v_seed_of(hit_39);
-            let _e10 = self.v_point_of_disc(_e6, _e9, k_19, count_2);
+            let _e10 = self.v_point_of_disc(_e6, _e9, k_20, count_3);
             return _e10;
         }
         return _e6;
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_82: Entered,
+        at_87: Entered,
         hit_40: Hit,
-        number_8: impl rt::Into<rt::Scalar<u32>>,
-        k_20: impl rt::Into<rt::Scalar<u32>>,
-        count_3: impl rt::Into<rt::Scalar<u32>>,
+        number_9: impl rt::Into<rt::Scalar<u32>>,
+        k_21: impl rt::Into<rt::Scalar<u32>>,
+        count_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_82, hit_40, rt::into(number_8), rt::into(k_20), rt::into(count_3)))
+        rt::into(self.v_ray_to_light(at_87, hit_40, rt::into(number_9), rt::into(k_21), rt::into(count_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ray_to_light(
         &self,
-        at_82: Entered,
+        at_87: Entered,
         hit_40: Hit,
-        number_8: rt::Scalar<u32>,
-        k_20: rt::Scalar<u32>,
-        count_3: rt::Scalar<u32>,
+        number_9: rt::Scalar<u32>,
+        k_21: rt::Scalar<u32>,
+        count_4: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_82, hit_40, number_8, k_20, count_3);
-        let _e6 = self.v_light_ray(at_82, hit_40, _e5);
+        let _e5 = self.v_point_of_light(at_87, hit_40, number_9, k_21, count_4);
+        let _e6 = self.v_light_ray(at_87, hit_40, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
@@ -9515,23 +10389,23 @@ impl<'g> Resources<'g> {
         let pairs = <rt::Vec3<f32>>::from_scalars((toward_1.x() * toward_1.y()), (toward_1.x() * toward_1.z()), (toward_1.y() * toward_1.z()));
         let products = (rt::Scalar(2f32) * table_1.products.dot(pairs)).min(rt::Scalar(16f32));
         let deviation_1 = ((squares_1 + products) - (mean_6 * mean_6)).max(rt::Scalar(0f32)).sqrt();
-        let inner = (deviation_1 * rt::Scalar(0.7419638f32));
-        let outer = (deviation_1 * rt::Scalar(2.3344142f32));
-        let four_2 = <rt::Vec4<f32>>::from_scalars((mean_6 + inner), (mean_6 - inner), (mean_6 + outer), (mean_6 - outer));
+        let inner_1 = (deviation_1 * rt::Scalar(0.7419638f32));
+        let outer_1 = (deviation_1 * rt::Scalar(2.3344142f32));
+        let four_2 = <rt::Vec4<f32>>::from_scalars((mean_6 + inner_1), (mean_6 - inner_1), (mean_6 + outer_1), (mean_6 - outer_1));
         return four_2.max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32))).dot(PARTS_OF_FOUR);
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_83: Entered,
+        at_88: Entered,
         seen_2: SeenNormals,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_83, seen_2, rt::into(toward_2)))
+        rt::into(self.v_seen_cosine(at_88, seen_2, rt::into(toward_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_83: Entered,
+        at_88: Entered,
         seen_2: SeenNormals,
         toward_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -9540,10 +10414,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_2.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_2.normal.dot(toward_2).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_83, toward_2);
-        let middle_12 = seen_2.middle.dot(_e10);
-        let _e17 = self.v_facing_four(middle_12, seen_2.along.dot(_e10), seen_2.across.dot(_e10));
-        let one_1 = (rt::Scalar(seen_2.middle_seen) * middle_12.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
+        let _e10 = self.v_to_tangent_space(at_88, toward_2);
+        let middle_15 = seen_2.middle.dot(_e10);
+        let _e17 = self.v_facing_four(middle_15, seen_2.along.dot(_e10), seen_2.across.dot(_e10));
+        let one_1 = (rt::Scalar(seen_2.middle_seen) * middle_15.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
         let others = seen_2.others_seen.dot(_e17).min(rt::Scalar(1000000f32));
         let _e28 = self.v_mean_of_five(one_1, others);
         cosine = _e28;
@@ -9555,11 +10429,11 @@ impl<'g> Resources<'g> {
         }
         let _e43 = rt::Scalar(self.surface_settings.has_shadows);
         if rt::Scalar::into_branch_condition(_e43.elementwise_eq(rt::Scalar(1u32))) {
-            let falls = (_e10.z() - _e10.xy().dot(seen_2.slope));
-            let _e59 = self.v_facing_four(falls, (-_e10.xy().dot(seen_2.slope_along)), (-_e10.xy().dot(seen_2.slope_across)));
+            let falls_1 = (_e10.z() - _e10.xy().dot(seen_2.slope));
+            let _e59 = self.v_facing_four(falls_1, (-_e10.xy().dot(seen_2.slope_along)), (-_e10.xy().dot(seen_2.slope_across)));
             let _e62 = self.v_sum_of_four(_e59);
-            let _e63 = self.v_mean_of_five(falls.max(rt::Scalar(0f32)), _e62);
-            let lit = (falls.max(rt::Scalar(0f32)) / _e63.max(rt::Scalar(0.001f32)));
+            let _e63 = self.v_mean_of_five(falls_1.max(rt::Scalar(0f32)), _e62);
+            let lit = (falls_1.max(rt::Scalar(0f32)) / _e63.max(rt::Scalar(0.001f32)));
             let _e69 = cosine;
             return (_e69 * (rt::Scalar(1f32) - ((rt::Scalar(1f32) - lit) * rt::Scalar(seen_2.upright))));
         }
@@ -9618,9 +10492,9 @@ impl<'g> Resources<'g> {
         view_13: impl rt::Into<rt::Vec3<f32>>,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
         color_7: impl rt::Into<rt::Vec3<f32>>,
-        params_61: impl rt::Into<rt::Vec4<f32>>,
+        params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_14), rt::into(mean), rt::into(cosine_1), rt::into(view_13), rt::into(toward_3), rt::into(color_7), rt::into(params_61)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_14), rt::into(mean), rt::into(cosine_1), rt::into(view_13), rt::into(toward_3), rt::into(color_7), rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
@@ -9631,7 +10505,7 @@ impl<'g> Resources<'g> {
         view_13: rt::Vec3<f32>,
         toward_3: rt::Vec3<f32>,
         color_7: rt::Vec3<f32>,
-        params_61: rt::Vec4<f32>,
+        params_65: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_1: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -9688,19 +10562,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn reflected_light(
         &self,
-        at_84: Entered,
+        at_89: Entered,
         hit_41: Hit,
         seen_3: SeenNormals,
         view_15: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_84, hit_41, seen_3, rt::into(view_15), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_89, hit_41, seen_3, rt::into(view_15), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_84: Entered,
+        at_89: Entered,
         hit_41: Hit,
         seen_3: SeenNormals,
         view_15: rt::Vec3<f32>,
@@ -9708,33 +10582,33 @@ impl<'g> Resources<'g> {
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_16: rt::Vec3<f32>;
-        let mut k_21: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_22: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_84, hit_41, (seen_3.normal * rt::Scalar(seen_3.length)), view_15, diffuse);
+        let _e20 = self.v_ambient_stage(at_89, hit_41, (seen_3.normal * rt::Scalar(seen_3.length)), view_15, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_21;
+                let _e24 = k_22;
                 let _e27 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt(_e27)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e29 = k_21;
-                    let _e31 = self.v_toward_light(_e29, at_84.point);
-                    let _e33 = self.v_seen_cosine(at_84, seen_3, _e31.direction);
+                    let _e29 = k_22;
+                    let _e31 = self.v_toward_light(_e29, at_89.point);
+                    let _e33 = self.v_seen_cosine(at_89, seen_3, _e31.direction);
                     let _e37 = self.v_shade_stage(seen_3.normal, rt::Scalar(seen_3.length), _e33, view_15, _e31.direction, diffuse);
                     let _e38 = light_16;
-                    let _e41 = k_21;
+                    let _e41 = k_22;
                     let _e44 = self.frame.lights[rt::Scalar::into_array_index(_e41)].color;
-                    let _e48 = k_21;
+                    let _e48 = k_22;
                     light_16 = (_e38 + ((_e37 * _e44.xyz()) * (rt::Scalar(_e31.falloff) * visible[rt::Scalar::into_array_index(_e48)].x())));
-                    let _e54 = k_21;
-                    k_21 = (_e54 + rt::Scalar(1u32));
+                    let _e54 = k_22;
+                    k_22 = (_e54 + rt::Scalar(1u32));
                 }
             }
         }
@@ -9756,34 +10630,34 @@ impl<'g> Resources<'g> {
         let _e27 = self.frame.clip.y();
         return (_e23 + (_e27 / depth_6.max(rt::Scalar(0f32)))).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
     }
-    pub(crate) fn shade_hit(&self, pixel_57: PixelIn, at_85: Entered, hit_42: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_57, at_85, hit_42, visible_1))
+    pub(crate) fn shade_hit(&self, pixel_67: PixelIn, at_90: Entered, hit_42: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_67, at_90, hit_42, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_57: PixelIn, at_85: Entered, hit_42: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+    fn v_shade_hit(&self, pixel_67: PixelIn, at_90: Entered, hit_42: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_42.found).elementwise_eq(rt::Scalar(0u32))) {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_42.cost.x(), hit_42.cost.y(), hit_42.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_42.uv, rt::Scalar(at_85.level));
-        let view_18 = (pixel_57.origin - at_85.point).normalize();
-        let _e50 = self.v_mesostructure_normals(at_85, hit_42.uv, view_18);
-        let _e53 = self.v_color_or_white(hit_42.uv, rt::Scalar(at_85.footprint));
-        let _e54 = self.v_reflected_light(at_85, hit_42, _e50, view_18, _e53, visible_1);
+        let _e44 = self.v_height_at(hit_42.uv, rt::Scalar(at_90.level));
+        let view_18 = (pixel_67.origin - at_90.point).normalize();
+        let _e50 = self.v_mesostructure_normals(at_90, hit_42.uv, view_18);
+        let _e53 = self.v_color_or_white(hit_42.uv, rt::Scalar(at_90.footprint));
+        let _e54 = self.v_reflected_light(at_90, hit_42, _e50, view_18, _e53, visible_1);
         let _e60 = self.frame.forward;
-        let depth_9 = (at_85.point - pixel_57.origin).dot(_e60.xyz());
+        let depth_9 = (at_90.point - pixel_67.origin).dot(_e60.xyz());
         let _e65 = self.v_height_size(rt::Scalar(0u32));
         let _e71 = self.v_cell_of(((hit_42.uv * _e65) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e91 = self.v_z_of(rt::Scalar(at_85.depth));
+        let _e91 = self.v_z_of(rt::Scalar(at_90.depth));
         let _e94 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e54, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_42.exhausted), hit_42.uv, _e44, at_85.point, _e50.normal, depth_9, rt::Scalar(hit_42.t), _e71.cast_elem_as_i32(), hit_42.cost.x(), hit_42.cost.y(), hit_42.cost.z(), visible_1[0usize].x(), rt::Scalar(at_85.level), _e91, _e94);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e54, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_42.exhausted), hit_42.uv, _e44, at_90.point, _e50.normal, depth_9, rt::Scalar(hit_42.t), _e71.cast_elem_as_i32(), hit_42.cost.x(), hit_42.cost.y(), hit_42.cost.z(), visible_1[0usize].x(), rt::Scalar(at_90.level), _e91, _e94);
     }
-    pub(crate) fn visible_lights(&self, at_86: Entered, hit_43: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_86, hit_43))
+    pub(crate) fn visible_lights(&self, at_91: Entered, hit_43: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_91, hit_43))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_86: Entered, hit_43: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_91: Entered, hit_43: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut k_22: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_23: rt::Scalar<u32> = rt::Scalar(0u32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_43.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
@@ -9791,36 +10665,36 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_22;
+                let _e10 = k_23;
                 let _e13 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e10.elementwise_lt(_e13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_22;
-                    let _e17 = self.v_toward_light(_e15, at_86.point);
-                    let _e18 = self.v_shadow_stage(at_86, hit_43, _e17);
-                    let _e19 = k_22;
+                    let _e15 = k_23;
+                    let _e17 = self.v_toward_light(_e15, at_91.point);
+                    let _e18 = self.v_shadow_stage(at_91, hit_43, _e17);
+                    let _e19 = k_23;
                     visible_2[rt::Scalar::into_array_index(_e19)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e25 = k_22;
-                    k_22 = (_e25 + rt::Scalar(1u32));
+                    let _e25 = k_23;
+                    k_23 = (_e25 + rt::Scalar(1u32));
                 }
             }
         }
         let _e28 = visible_2;
         return _e28;
     }
-    pub(crate) fn shade_pixel(&self, pixel_58: PixelIn) -> PixelOut {
-        rt::into(self.v_shade_pixel(pixel_58))
+    pub(crate) fn shade_pixel(&self, pixel_68: PixelIn) -> PixelOut {
+        rt::into(self.v_shade_pixel(pixel_68))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_pixel(&self, pixel_58: PixelIn) -> PixelOut {
-        let _e1 = self.v_enter_relief(pixel_58);
-        let _e2 = self.v_first_hit(pixel_58, _e1);
-        let _e5 = self.v_place_hit(pixel_58, _e1, rt::Scalar(_e2.segment), _e2.hit);
+    fn v_shade_pixel(&self, pixel_68: PixelIn) -> PixelOut {
+        let _e1 = self.v_enter_relief(pixel_68);
+        let _e2 = self.v_first_hit(pixel_68, _e1);
+        let _e5 = self.v_place_hit(pixel_68, _e1, rt::Scalar(_e2.segment), _e2.hit);
         let _e8 = self.v_visible_lights(_e5, _e2.hit);
-        let _e9 = self.v_shade_hit(pixel_58, _e5, _e2.hit, _e8);
+        let _e9 = self.v_shade_hit(pixel_68, _e5, _e2.hit, _e8);
         return _e9;
     }
 }

@@ -35,6 +35,14 @@ pub const MODULES: &[Module] = &[
 // and light changes without a seam. Each level after the first holds the light within lobes that are twice
 // as wide as those of the level before. In the last one they are cosines.
 "# },
+    Module { path: "shared/folded", head: r#"// Ways of a ray through a shell that overlaps itself.
+//
+// The points of a shell that are as far out along the interpolated normals are a flat triangle, which the
+// ray's line meets in one point however the shell is folded: so the way is told by that offset. The weights
+// of the triangle's corners q_k = p_k + n_k o there are d·(q_i × q_j) over the sum of the three, and these
+// are quadratics in the offset o. The roots of the same quadratics for a triangle that is larger by rounding
+// cut the offsets into pieces: over each, the way is inside the shell or it is not.
+"# },
     Module { path: "shared/footprint", head: r#"// How much of a surface a sample of a pixel covers.
 //
 // Made from the rays of the neighbouring pixels, not from derivatives, so that any ray has a footprint.
@@ -110,6 +118,8 @@ pub const MODULES: &[Module] = &[
     Module { path: "shared/shell", head: r#"// The shell of a base triangle: the space between its corners moved along their normals, as far as heights 0
 // and 1 are.
 "# },
+    Module { path: "shared/shell_point", head: r#"// Points of a shell as normals that are interpolated, and not normalised, span it.
+"# },
     Module { path: "shared/tangent_plane", head: r#"// The surface's tangent plane at a point, for the refinements that take the slope into account.
 "# },
     Module { path: "shared/types", head: r#"// What the stages hand to each other. The Rust side of these structs is written by the linker.
@@ -127,8 +137,9 @@ pub const MODULES: &[Module] = &[
 // After Ogaki 2023, Nonlinear Ray Tracing for Displacement and Shell Mapping. The ray's way through texture
 // coordinates and heights is curved. It is cut into chords: straight in texture coordinates, with heights
 // that bend through their middle. Where along the ray a chord is, is known by the ray's own parameter, which
-// also serves where the ray runs along the shell. `params.x` is how far chords may be beside the way, in
-// texels; with `params.y` of 1 the base is smooth.
+// also serves where the ray runs along the shell. A shell that overlaps itself is followed by the offset
+// along its normals in place of that: a place in the world may be in it twice. `params.x` is how far chords
+// may be beside the way, in texels; with `params.y` of 1 the base is smooth.
 "# },
     Module { path: "surface/quadric_perpendicular", head: r#"// The base as quadrics, from which distances are measured across the view.
 //
@@ -1690,6 +1701,380 @@ fn environment_on(normal: vec3f) -> vec3f {
 }"#,
     },
     Declaration {
+        module: "shared/folded",
+        name: "MOST_PIECES",
+        sampling: None,
+        uses: &[],
+        text: r#"// The most pieces of the offsets: three quadratics have six roots.
+const MOST_PIECES = 7u;"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "MOST_FOLDED_CHORDS",
+        sampling: None,
+        uses: &[],
+        text: r#"// The most chords of a piece, and how many there are of one that turns back along the ray.
+const MOST_FOLDED_CHORDS = 16.0;"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "TURN_STEPS",
+        sampling: None,
+        uses: &[],
+        text: r#"// Halvings of the chord in which a way turns back.
+const TURN_STEPS = 12u;"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "BEYOND_OFFSETS",
+        sampling: None,
+        uses: &[],
+        text: r#"// What is added to the offsets below the least height and above the greatest, in parts of all heights: rays
+// that end at a floor must cross it.
+const BEYOND_OFFSETS = 0.000001;"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "LEAST_AREA",
+        sampling: None,
+        uses: &[],
+        text: r#"// A triangle that is smaller than that, in square metres, is nowhere met.
+const LEAST_AREA = 1.0e-30;"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "Way",
+        sampling: None,
+        uses: &[],
+        text: r#"// The line through the shell: coefficients, by powers of the offset, of the weights over their sum.
+struct Way {
+    first: vec3f,
+    second: vec3f,
+    third: vec3f,
+    // 1, or -1 where the order of the corners turns the triangle over.
+    turn: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "WayPoint",
+        sampling: None,
+        uses: &["ShellPoint"],
+        text: r#"// A point of the way.
+struct WayPoint {
+    point: ShellPoint,
+    // Metres along the ray from the place that is nearest to the triangle, and by how many it is beside.
+    t: f32,
+    beside: f32,
+    // Positive where the shell is not turned inside out.
+    volume: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "WayChord",
+        sampling: None,
+        uses: &[],
+        text: r#"// A chord of the way, by the offsets of its ends, and how many there are in all.
+struct WayChord {
+    offsets: vec2f,
+    count: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "way_weight",
+        sampling: None,
+        uses: &["NEVER"],
+        text: r#"// The coefficients of d·(q_i × q_j). Here and below there are limits that are never reached: compilers would
+// take common factors out of sums, which ends in other bits.
+fn way_weight(along: vec3f, p: vec3f, n: vec3f, q: vec3f, m: vec3f) -> vec3f {
+    let most = vec3f(NEVER, NEVER, NEVER);
+    let middle = min(cross(p, m), most) + min(cross(n, q), most);
+    return min(vec3f(dot(along, cross(p, q)), dot(along, middle), dot(along, cross(n, m))), most);
+}"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "way_of",
+        sampling: None,
+        uses: &["PixelIn", "Prism", "Way", "way_weight"],
+        text: r#"fn way_of(pixel: PixelIn, prism: Prism, along: vec3f) -> Way {
+    let first = pixel.shell.order & 3u;
+    let second = (pixel.shell.order >> 2u) & 3u;
+    let is_turned = (second + 3u - first) % 3u != 1u;
+    return Way(
+        way_weight(along, prism.p1, prism.n1, prism.p2, prism.n2),
+        way_weight(along, prism.p2, prism.n2, prism.p0, prism.n0),
+        way_weight(along, prism.p0, prism.n0, prism.p1, prism.n1),
+        select(pixel.side, 0.0 - pixel.side, is_turned),
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "grown_way",
+        sampling: None,
+        uses: &["Way"],
+        text: r#"// The same for a triangle that is larger by these weights.
+fn grown_way(way: Way, beyond: vec3f) -> Way {
+    let sum = way.first + way.second + way.third;
+    return Way(
+        way.first + sum * beyond.x,
+        way.second + sum * beyond.y,
+        way.third + sum * beyond.z,
+        way.turn,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "way_point",
+        sampling: None,
+        uses: &["NEVER", "Prism", "ShellPoint", "Way", "WayPoint", "lift_of", "quadratic", "surface_settings"],
+        text: r#"// The way at an offset.
+fn way_point(prism: Prism, along: vec3f, way: Way, offset: f32) -> WayPoint {
+    let low = surface_settings.shell_m.x;
+    let width = min(surface_settings.shell_m.y - low, NEVER);
+    let parts = vec3f(
+        quadratic(way.first, offset),
+        quadratic(way.second, offset),
+        quadratic(way.third, offset),
+    );
+    let limited = min(parts, vec3f(NEVER, NEVER, NEVER));
+    let w = limited / (limited.x + limited.y + limited.z);
+    let normal = prism.n0 * w.x + prism.n1 * w.y + prism.n2 * w.z;
+    let place = prism.p0 * w.x + prism.p1 * w.y + prism.p2 * w.z + normal * offset;
+    let t = min(dot(place, along), NEVER);
+    let second = (prism.p1 - prism.p0) + (prism.n1 - prism.n0) * offset;
+    let third = (prism.p2 - prism.p0) + (prism.n2 - prism.n0) * offset;
+    let volume = dot(cross(second, third), normal) * way.turn;
+    let height = min((offset - low - lift_of(prism.lift, w)) / width, NEVER);
+    return WayPoint(ShellPoint(w, height), t, length(place - along * t), volume);
+}"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "both_roots",
+        sampling: None,
+        uses: &["NEVER"],
+        text: r#"// The roots of a quadratic, in no order; NEVER in place of those that it has not.
+fn both_roots(c: vec3f) -> vec2f {
+    var roots = vec2f(NEVER, NEVER);
+    let discriminant = c.y * c.y - 4.0 * c.z * c.x;
+    if (discriminant >= 0.0) {
+        let root = sqrt(discriminant);
+        let q = -0.5 * (c.y + select(0.0 - root, root, c.y >= 0.0));
+        if (c.z != 0.0) {
+            roots.x = q / c.z;
+        }
+        if (q != 0.0) {
+            roots.y = c.x / q;
+        }
+    }
+    return roots;
+}"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "root_behind",
+        sampling: None,
+        uses: &["both_roots"],
+        text: r#"// The first root of a quadratic behind a place, or `end`.
+fn root_behind(c: vec3f, place: f32, end: f32) -> f32 {
+    let roots = both_roots(c);
+    var first = end;
+    if (roots.x > place) {
+        first = min(first, roots.x);
+    }
+    if (roots.y > place) {
+        first = min(first, roots.y);
+    }
+    return first;
+}"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "is_inside",
+        sampling: None,
+        uses: &["Way", "quadratic"],
+        text: r#"// Whether a line is inside the triangle at an offset: all weights have the sign of their sum.
+fn is_inside(way: Way, offset: f32) -> bool {
+    let a = quadratic(way.first, offset);
+    let b = quadratic(way.second, offset);
+    let c = quadratic(way.third, offset);
+    return min(min(a, b), c) > 0.0 || max(max(a, b), c) < 0.0;
+}"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "way_bend",
+        sampling: None,
+        uses: &[],
+        text: r#"// How much heights bend over a chord through a point between its ends, of which `part` of the chord is
+// before.
+fn way_bend(a: f32, m: f32, b: f32, part: f32) -> f32 {
+    if (part > 0.125 && part < 0.875) {
+        return (m - a - (b - a) * part) / (part * (part - 1.0));
+    }
+    return 0.0;
+}"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "beside_way",
+        sampling: None,
+        uses: &["HEIGHTS_A_TEXEL", "NEVER", "PixelIn", "WayPoint", "height_size", "uv_of"],
+        text: r#"// How far a point of the way is beside the chord, in units of the tolerance's texels.
+fn beside_way(pixel: PixelIn, a: WayPoint, b: WayPoint, bend: f32, at: WayPoint) -> f32 {
+    let part = (at.t - a.t) / (b.t - a.t);
+    let line = a.point.weights + min(b.point.weights - a.point.weights, vec3f(NEVER, NEVER, NEVER)) * part;
+    let apart = abs(uv_of(pixel, at.point.weights - line) * height_size(0u));
+    let slope = b.point.height - a.point.height - bend;
+    let height = a.point.height + part * (slope + part * bend);
+    return max(max(apart.x, apart.y), abs(at.point.height - height) / HEIGHTS_A_TEXEL);
+}"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "chords_of_piece",
+        sampling: None,
+        uses: &["MOST_FOLDED_CHORDS", "NEVER", "PixelIn", "Prism", "Way", "beside_way", "way_bend", "way_point"],
+        text: r#"// How many chords a piece of the way takes.
+fn chords_of_piece(
+    pixel: PixelIn,
+    prism: Prism,
+    along: vec3f,
+    way: Way,
+    piece: vec2f,
+    tolerance: f32,
+) -> u32 {
+    let long = min(piece.y - piece.x, NEVER);
+    let a = way_point(prism, along, way, piece.x);
+    let before = way_point(prism, along, way, piece.x + 0.25 * long);
+    let m = way_point(prism, along, way, piece.x + 0.5 * long);
+    let after = way_point(prism, along, way, piece.x + 0.75 * long);
+    let b = way_point(prism, along, way, piece.y);
+    let rises = a.t < before.t && before.t < m.t && m.t < after.t && after.t < b.t;
+    let falls = a.t > before.t && before.t > m.t && m.t > after.t && after.t > b.t;
+    if (!rises && !falls) {
+        return u32(MOST_FOLDED_CHORDS);
+    }
+    let bend = way_bend(a.point.height, m.point.height, b.point.height, (m.t - a.t) / (b.t - a.t));
+    let quarters = max(beside_way(pixel, a, b, bend, before), beside_way(pixel, a, b, bend, after));
+    let most = max(beside_way(pixel, a, b, bend, m), quarters);
+    // Half as many chords are four times as far beside.
+    return u32(clamp(ceil(sqrt(most / tolerance)), 1.0, MOST_FOLDED_CHORDS));
+}"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "way_offsets",
+        sampling: None,
+        uses: &["BEYOND_OFFSETS", "PixelIn", "Prism", "offsets_of", "surface_settings"],
+        text: r#"// The offsets between which the relief of a shell lies, and a little beyond.
+fn way_offsets(pixel: PixelIn, prism: Prism, slack: f32) -> vec2f {
+    var shell = pixel.shell;
+    shell.lift = prism.lift;
+    let more = slack + BEYOND_OFFSETS * (surface_settings.shell_m.y - surface_settings.shell_m.x);
+    return offsets_of(shell) + vec2f(0.0 - more, more);
+}"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "sides_over_area",
+        sampling: None,
+        uses: &["LEAST_AREA", "Prism"],
+        text: r#"// Lengths of the sides of the triangle at an offset over twice its area, opposite to the corners.
+fn sides_over_area(prism: Prism, offset: f32) -> vec3f {
+    let a = prism.p2 - prism.p1 + (prism.n2 - prism.n1) * offset;
+    let b = prism.p0 - prism.p2 + (prism.n0 - prism.n2) * offset;
+    let c = prism.p1 - prism.p0 + (prism.n1 - prism.n0) * offset;
+    return vec3f(length(a), length(b), length(c)) / max(length(cross(b, c)), LEAST_AREA);
+}"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "way_beyond",
+        sampling: None,
+        uses: &["Prism", "sides_over_area"],
+        text: r#"// The weights by which a shell is larger where it reaches beyond its sides by so many metres at its widest.
+fn way_beyond(prism: Prism, offsets: vec2f, metres: f32) -> vec3f {
+    return min(sides_over_area(prism, offsets.x), sides_over_area(prism, offsets.y)) * metres;
+}"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "way_chord",
+        sampling: None,
+        uses: &["MOST_PIECES", "NEVER", "PixelIn", "Prism", "Way", "WayChord", "chords_of_piece", "grown_way", "is_inside", "root_behind"],
+        text: r#"// The chord of that number of a way through a shell that is larger by `beyond`, of those between `offsets`.
+fn way_chord(
+    pixel: PixelIn,
+    prism: Prism,
+    along: vec3f,
+    way: Way,
+    offsets: vec2f,
+    beyond: vec3f,
+    tolerance: f32,
+    number: u32,
+) -> WayChord {
+    let grown = grown_way(way, beyond);
+    var chosen = vec2f(0.0, 0.0);
+    var count = 0u;
+    var begin = offsets.x;
+    var pieces = 0u;
+    while (pieces < MOST_PIECES && begin < offsets.y) {
+        pieces = pieces + 1u;
+        let first = root_behind(grown.first, begin, offsets.y);
+        let second = root_behind(grown.second, begin, offsets.y);
+        let end = min(min(first, second), root_behind(grown.third, begin, offsets.y));
+        if (is_inside(grown, 0.5 * (begin + end))) {
+            let chords = chords_of_piece(pixel, prism, along, way, vec2f(begin, end), tolerance);
+            if (number >= count && number < count + chords) {
+                let long = min(end - begin, NEVER);
+                let part = f32(number - count) / f32(chords);
+                let next = f32(number - count + 1u) / f32(chords);
+                chosen = vec2f(begin + long * part, begin + long * next);
+            }
+            count = count + chords;
+        }
+        begin = end;
+    }
+    return WayChord(chosen, count);
+}"#,
+    },
+    Declaration {
+        module: "shared/folded",
+        name: "before_turn",
+        sampling: None,
+        uses: &["Prism", "TURN_STEPS", "Way", "way_point"],
+        text: r#"// The part of a chord that is not turned inside out, where the way turns back in it; else the whole chord.
+fn before_turn(prism: Prism, along: vec3f, way: Way, chord: vec2f) -> vec2f {
+    let is_first = way_point(prism, along, way, chord.x).volume > 0.0;
+    let is_last = way_point(prism, along, way, chord.y).volume > 0.0;
+    if (is_first == is_last) {
+        return chord;
+    }
+    var inner = select(chord.y, chord.x, is_first);
+    var outer = select(chord.x, chord.y, is_first);
+    var step = 0u;
+    while (step < TURN_STEPS) {
+        step = step + 1u;
+        let between = 0.5 * (inner + outer);
+        if (way_point(prism, along, way, between).volume > 0.0) {
+            inner = between;
+        } else {
+            outer = between;
+        }
+    }
+    if (is_first) {
+        return vec2f(chord.x, inner);
+    }
+    return vec2f(inner, chord.y);
+}"#,
+    },
+    Declaration {
         module: "shared/footprint",
         name: "footprint_axis",
         sampling: None,
@@ -2938,10 +3323,12 @@ fn trace(path: Path) -> Hit {
         module: "shared/pixel",
         name: "first_hit",
         sampling: None,
-        uses: &["Entered", "FirstHit", "NO_COST", "PixelIn", "depth_on_ray", "in_hole", "key_of", "miss", "polish_hit", "segment_of", "trace"],
-        text: r#"// The first hit of a pixel's ray, segment after segment. A segment whose hit lies in a hole has none.
+        uses: &["Entered", "FirstHit", "NO_COST", "PixelIn", "SHELL_FOLDED", "depth_on_ray", "in_hole", "key_of", "miss", "polish_hit", "segment_of", "trace"],
+        text: r#"// The first hit of a pixel's ray, segment after segment. A segment whose hit lies in a hole has none. In a
+// shell that overlaps itself segments do so, too: there it is the nearest of all.
 fn first_hit(pixel: PixelIn, at: Entered) -> FirstHit {
     var cost = NO_COST;
+    var first = FirstHit(miss(cost), 0u, 0.0);
     var k = 0u;
     while (k < at.segments) {
         let path = segment_of(pixel, at, k);
@@ -2949,16 +3336,21 @@ fn first_hit(pixel: PixelIn, at: Entered) -> FirstHit {
             var hit = trace(path);
             cost = cost + hit.cost;
             if (hit.found == 1u) {
-                hit.cost = cost;
                 hit = polish_hit(pixel, at, path, hit);
-                if (!in_hole(hit.uv)) {
-                    return FirstHit(hit, k, key_of(depth_on_ray(pixel, path, hit)));
+                let key = key_of(depth_on_ray(pixel, path, hit));
+                let is_open = !in_hole(hit.uv);
+                if (is_open && (first.hit.found == 0u || key > first.key)) {
+                    first = FirstHit(hit, k, key);
+                }
+                if (is_open && pixel.shell.order < SHELL_FOLDED) {
+                    break;
                 }
             }
         }
         k = k + 1u;
     }
-    return FirstHit(miss(cost), 0u, 0.0);
+    first.hit.cost = cost;
+    return first;
 }"#,
     },
     Declaration {
@@ -4371,6 +4763,197 @@ fn placed_at(pixel: PixelIn, at: Entered, weights: vec3f, point: vec3f, uv: vec2
 }"#,
     },
     Declaration {
+        module: "shared/shell_point",
+        name: "NEWTON_STEPS",
+        sampling: None,
+        uses: &[],
+        text: r#"// The most steps of Newton's method from the middle of a shell to a point of it. Fewer, and hits are beside
+// the ray where shells are strongly curved.
+const NEWTON_STEPS = 6u;"#,
+    },
+    Declaration {
+        module: "shared/shell_point",
+        name: "NEWTON_END",
+        sampling: None,
+        uses: &[],
+        text: r#"// After a step that is shorter than this, in weights and heights, the point is known to rounding: each step
+// squares what is missing.
+const NEWTON_END = 0.0001;"#,
+    },
+    Declaration {
+        module: "shared/shell_point",
+        name: "HEIGHTS_A_TEXEL",
+        sampling: None,
+        uses: &[],
+        text: r#"// Heights that count as much as a texel beside the way.
+const HEIGHTS_A_TEXEL = 0.0625;"#,
+    },
+    Declaration {
+        module: "shared/shell_point",
+        name: "SAME_SHEET",
+        sampling: None,
+        uses: &[],
+        text: r#"// How far from where it began, in weights and heights, Newton's method may end in a shell that overlaps
+// itself: farther, and it has come to another sheet of it.
+const SAME_SHEET = 0.5;"#,
+    },
+    Declaration {
+        module: "shared/shell_point",
+        name: "Prism",
+        sampling: None,
+        uses: &[],
+        text: r#"// A shell, seen from the place of the ray that is nearest to the triangle: corners, their normals, and the
+// numbers of the smooth base.
+struct Prism {
+    p0: vec3f,
+    p1: vec3f,
+    p2: vec3f,
+    n0: vec3f,
+    n1: vec3f,
+    n2: vec3f,
+    lift: vec3f,
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_point",
+        name: "ShellPoint",
+        sampling: None,
+        uses: &[],
+        text: r#"// A point of a shell: weights of the corners, and the height.
+struct ShellPoint {
+    weights: vec3f,
+    height: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_point",
+        name: "prism_of",
+        sampling: None,
+        uses: &["PixelIn", "Prism", "ordered"],
+        text: r#"fn prism_of(pixel: PixelIn, along: vec3f, middle: f32, params: vec4f) -> Prism {
+    let origin = pixel.origin + along * middle;
+    let a = ordered(pixel, 0u);
+    let b = ordered(pixel, 1u);
+    let c = ordered(pixel, 2u);
+    return Prism(
+        a.position - origin,
+        b.position - origin,
+        c.position - origin,
+        a.normal * pixel.side,
+        b.normal * pixel.side,
+        c.normal * pixel.side,
+        pixel.shell.lift * (params.y * pixel.side),
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_point",
+        name: "shell_point",
+        sampling: None,
+        uses: &["Prism", "ShellPoint", "shell_point_from"],
+        text: r#"// The point of a shell that is at a place, by Newton's method from the middle of the triangle.
+fn shell_point(prism: Prism, place: vec3f, height: f32) -> ShellPoint {
+    // Near the middle, and no two alike: compilers would take a common factor out of the first step's sums,
+    // which ends in other bits.
+    return shell_point_from(prism, place, ShellPoint(vec3f(0.28125, 0.375, 0.34375), height));
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_point",
+        name: "shell_point_from",
+        sampling: None,
+        uses: &["NEVER", "NEWTON_END", "NEWTON_STEPS", "Prism", "ShellPoint", "lift_of", "surface_settings"],
+        text: r#"// The same from another point.
+fn shell_point_from(prism: Prism, place: vec3f, from_point: ShellPoint) -> ShellPoint {
+    let low = surface_settings.shell_m.x;
+    // A limit that is never reached: compilers would make another mean of both, which ends in other bits.
+    let width = min(surface_settings.shell_m.y - low, NEVER);
+    let l = prism.lift;
+    var w = from_point.weights;
+    var h = from_point.height;
+    var step = 0u;
+    while (step < NEWTON_STEPS) {
+        step = step + 1u;
+        let offset = low + width * h + lift_of(l, w);
+        let normal = prism.n0 * w.x + prism.n1 * w.y + prism.n2 * w.z;
+        let base = prism.p0 * w.x + prism.p1 * w.y + prism.p2 * w.z;
+        let rest = place - base - normal * offset;
+        // The change of the point with the second weight and with the third, at the cost of the first, and
+        // with the height.
+        let second = (l.z * (w.x - w.y) + w.z * (l.x - l.y));
+        let third = (l.y * (w.x - w.z) + w.y * (l.x - l.z));
+        let a = (prism.p1 - prism.p0) + (prism.n1 - prism.n0) * offset + normal * second;
+        let b = (prism.p2 - prism.p0) + (prism.n2 - prism.n0) * offset + normal * third;
+        let c = normal * width;
+        let across = cross(b, c);
+        let volume = dot(a, across);
+        let db = dot(rest, across) / volume;
+        let dc = dot(rest, cross(c, a)) / volume;
+        let dh = dot(rest, cross(a, b)) / volume;
+        w = vec3f(w.x - db - dc, w.y + db, w.z + dc);
+        h = h + dh;
+        if (max(max(abs(db), abs(dc)), abs(dh)) < NEWTON_END) {
+            break;
+        }
+    }
+    return ShellPoint(w, h);
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_point",
+        name: "weights_at_offset",
+        sampling: None,
+        uses: &["Prism"],
+        text: r#"// The weights of the corners of the triangle at an offset where a place is, or where it is seen along the
+// triangle's normal.
+fn weights_at_offset(prism: Prism, place: vec3f, offset: f32) -> vec3f {
+    let corner = prism.p0 + prism.n0 * offset;
+    let a = (prism.p1 - prism.p0) + (prism.n1 - prism.n0) * offset;
+    let b = (prism.p2 - prism.p0) + (prism.n2 - prism.n0) * offset;
+    let rest = place - corner;
+    let across = cross(a, b);
+    let square = dot(across, across);
+    if (!(square > 0.0)) {
+        return vec3f(0.28125, 0.375, 0.34375);
+    }
+    let second = dot(cross(rest, b), across) / square;
+    let third = dot(cross(a, rest), across) / square;
+    return vec3f(1.0 - second - third, second, third);
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_point",
+        name: "shell_point_near",
+        sampling: None,
+        uses: &["NEVER", "Prism", "SAME_SHEET", "ShellPoint", "lift_of", "shell_point_from", "surface_settings", "weights_at_offset"],
+        text: r#"// The point of a shell that is at a place, of those that are there in a shell that overlaps itself the one
+// about as high.
+fn shell_point_near(prism: Prism, place: vec3f, height: f32) -> ShellPoint {
+    let low = surface_settings.shell_m.x;
+    let offset = low + min(surface_settings.shell_m.y - low, NEVER) * height;
+    let flat = weights_at_offset(prism, place, offset);
+    let near = ShellPoint(weights_at_offset(prism, place, offset + lift_of(prism.lift, flat)), height);
+    let point = shell_point_from(prism, place, near);
+    let moved = abs(point.weights - near.weights);
+    let away = max(max(moved.x, moved.y), max(moved.z, abs(point.height - height)));
+    if (away < SAME_SHEET) {
+        return point;
+    }
+    return near;
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_point",
+        name: "uv_of",
+        sampling: None,
+        uses: &["PixelIn", "ordered"],
+        text: r#"// The texture coordinates of weights.
+fn uv_of(pixel: PixelIn, weights: vec3f) -> vec2f {
+    return ordered(pixel, 0u).uv * weights.x + ordered(pixel, 1u).uv * weights.y
+        + ordered(pixel, 2u).uv * weights.z;
+}"#,
+    },
+    Declaration {
         module: "shared/tangent_plane",
         name: "height_and_slope",
         sampling: None,
@@ -4840,24 +5423,6 @@ fn surface_plane_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params
     },
     Declaration {
         module: "surface/prism",
-        name: "NEWTON_STEPS",
-        sampling: None,
-        uses: &[],
-        text: r#"// The most steps of Newton's method from the middle of a shell to a point of it. Fewer, and hits are beside
-// the ray where shells are strongly curved.
-const NEWTON_STEPS = 6u;"#,
-    },
-    Declaration {
-        module: "surface/prism",
-        name: "NEWTON_END",
-        sampling: None,
-        uses: &[],
-        text: r#"// After a step that is shorter than this, in weights and heights, the point is known to rounding: each step
-// squares what is missing.
-const NEWTON_END = 0.0001;"#,
-    },
-    Declaration {
-        module: "surface/prism",
         name: "POLISH_STEPS",
         sampling: None,
         uses: &[],
@@ -4866,122 +5431,19 @@ const POLISH_STEPS = 3u;"#,
     },
     Declaration {
         module: "surface/prism",
+        name: "MOST_BESIDE",
+        sampling: None,
+        uses: &[],
+        text: r#"// How far beside the ray a point of its way may be, in roundings: farther, and the point is none.
+const MOST_BESIDE = 4.0;"#,
+    },
+    Declaration {
+        module: "surface/prism",
         name: "MOST_CHORDS",
         sampling: None,
         uses: &[],
         text: r#"// The most chords of a ray in a shell.
 const MOST_CHORDS = 32.0;"#,
-    },
-    Declaration {
-        module: "surface/prism",
-        name: "HEIGHTS_A_TEXEL",
-        sampling: None,
-        uses: &[],
-        text: r#"// Heights that count as much as a texel beside the way.
-const HEIGHTS_A_TEXEL = 0.0625;"#,
-    },
-    Declaration {
-        module: "surface/prism",
-        name: "Prism",
-        sampling: None,
-        uses: &[],
-        text: r#"// A shell, seen from the place of the ray that is nearest to the triangle: corners, their normals, and the
-// numbers of the smooth base.
-struct Prism {
-    p0: vec3f,
-    p1: vec3f,
-    p2: vec3f,
-    n0: vec3f,
-    n1: vec3f,
-    n2: vec3f,
-    lift: vec3f,
-}"#,
-    },
-    Declaration {
-        module: "surface/prism",
-        name: "ShellPoint",
-        sampling: None,
-        uses: &[],
-        text: r#"// A point of a shell: weights of the corners, and the height.
-struct ShellPoint {
-    weights: vec3f,
-    height: f32,
-}"#,
-    },
-    Declaration {
-        module: "surface/prism",
-        name: "prism_of",
-        sampling: None,
-        uses: &["PixelIn", "Prism", "ordered"],
-        text: r#"fn prism_of(pixel: PixelIn, along: vec3f, middle: f32, params: vec4f) -> Prism {
-    let origin = pixel.origin + along * middle;
-    let a = ordered(pixel, 0u);
-    let b = ordered(pixel, 1u);
-    let c = ordered(pixel, 2u);
-    return Prism(
-        a.position - origin,
-        b.position - origin,
-        c.position - origin,
-        a.normal * pixel.side,
-        b.normal * pixel.side,
-        c.normal * pixel.side,
-        pixel.shell.lift * (params.y * pixel.side),
-    );
-}"#,
-    },
-    Declaration {
-        module: "surface/prism",
-        name: "shell_point",
-        sampling: None,
-        uses: &["NEVER", "NEWTON_END", "NEWTON_STEPS", "Prism", "ShellPoint", "lift_of", "surface_settings"],
-        text: r#"// The point of a shell that is at a place, by Newton's method.
-fn shell_point(prism: Prism, place: vec3f, height: f32) -> ShellPoint {
-    let low = surface_settings.shell_m.x;
-    // A limit that is never reached: compilers would make another mean of both, which ends in other bits.
-    let width = min(surface_settings.shell_m.y - low, NEVER);
-    let l = prism.lift;
-    // Near the middle, and no two alike: compilers would take a common factor out of the first step's sums,
-    // which ends in other bits.
-    var w = vec3f(0.28125, 0.375, 0.34375);
-    var h = height;
-    var step = 0u;
-    while (step < NEWTON_STEPS) {
-        step = step + 1u;
-        let offset = low + width * h + lift_of(l, w);
-        let normal = prism.n0 * w.x + prism.n1 * w.y + prism.n2 * w.z;
-        let base = prism.p0 * w.x + prism.p1 * w.y + prism.p2 * w.z;
-        let rest = place - base - normal * offset;
-        // The change of the point with the second weight and with the third, at the cost of the first, and
-        // with the height.
-        let second = (l.z * (w.x - w.y) + w.z * (l.x - l.y));
-        let third = (l.y * (w.x - w.z) + w.y * (l.x - l.z));
-        let a = (prism.p1 - prism.p0) + (prism.n1 - prism.n0) * offset + normal * second;
-        let b = (prism.p2 - prism.p0) + (prism.n2 - prism.n0) * offset + normal * third;
-        let c = normal * width;
-        let across = cross(b, c);
-        let volume = dot(a, across);
-        let db = dot(rest, across) / volume;
-        let dc = dot(rest, cross(c, a)) / volume;
-        let dh = dot(rest, cross(a, b)) / volume;
-        w = vec3f(w.x - db - dc, w.y + db, w.z + dc);
-        h = h + dh;
-        if (max(max(abs(db), abs(dc)), abs(dh)) < NEWTON_END) {
-            break;
-        }
-    }
-    return ShellPoint(w, h);
-}"#,
-    },
-    Declaration {
-        module: "surface/prism",
-        name: "uv_of",
-        sampling: None,
-        uses: &["PixelIn", "ordered"],
-        text: r#"// The texture coordinates of weights.
-fn uv_of(pixel: PixelIn, weights: vec3f) -> vec2f {
-    return ordered(pixel, 0u).uv * weights.x + ordered(pixel, 1u).uv * weights.y
-        + ordered(pixel, 2u).uv * weights.z;
-}"#,
     },
     Declaration {
         module: "surface/prism",
@@ -5058,10 +5520,10 @@ fn beside_chord(
         module: "surface/prism",
         name: "surface_prism_enter",
         sampling: None,
-        uses: &["Entered", "MOST_CHORDS", "NEVER", "PixelIn", "SHELL_FOLDED", "beside_chord", "middle_of", "prism_of", "shell_middle", "shell_point", "span_of", "surface_tetrahedra_enter"],
+        uses: &["Entered", "MOST_CHORDS", "NEVER", "PixelIn", "SHELL_FOLDED", "beside_chord", "folded_enter", "middle_of", "prism_of", "shell_middle", "shell_point", "span_of"],
         text: r#"fn surface_prism_enter(pixel: PixelIn, params: vec4f) -> Entered {
     if (pixel.shell.order >= SHELL_FOLDED) {
-        return surface_tetrahedra_enter(pixel, params);
+        return folded_enter(pixel, params);
     }
     let along = normalize(pixel.direction);
     let middle = middle_of(pixel, along);
@@ -5101,10 +5563,10 @@ fn chord_end(at: Entered, k: u32) -> f32 {
         module: "surface/prism",
         name: "surface_prism_segment",
         sampling: None,
-        uses: &["Entered", "Path", "PixelIn", "RAY_VIEW", "SHELL_FOLDED", "WRAP_CLAMP", "chord_end", "first_root", "height_size", "inside_unit", "middle_of", "out_of_ground", "path_from", "prism_of", "shell_point", "shell_slack", "surface_settings", "surface_tetrahedra_segment", "uv_of", "where_positive"],
+        uses: &["Entered", "Path", "PixelIn", "SHELL_FOLDED", "chord_end", "chord_path", "chord_reach", "folded_segment", "middle_of", "prism_of", "shell_point"],
         text: r#"fn surface_prism_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
     if (pixel.shell.order >= SHELL_FOLDED) {
-        return surface_tetrahedra_segment(pixel, at, k, params);
+        return folded_segment(pixel, at, k, params);
     }
     let along = normalize(pixel.direction);
     let middle = middle_of(pixel, along);
@@ -5113,27 +5575,109 @@ fn chord_end(at: Entered, k: u32) -> f32 {
     let mean = 0.5 * (heights.x + heights.y);
     let first = chord_end(at, k);
     let last = chord_end(at, k + 1u);
-    let long = last - first;
     let a = shell_point(prism, along * first, mean);
     let m = shell_point(prism, along * (0.5 * (first + last)), mean);
     let b = shell_point(prism, along * last, mean);
-    let uv = uv_of(pixel, a.weights);
-    let duv = (uv_of(pixel, b.weights) - uv) / long;
     let bend = 2.0 * (a.height + b.height - 2.0 * m.height);
-    let slope = b.height - a.height - bend;
-
-    // It reaches beyond the triangle's sides by rounding, and by as much as chords may be beside the way.
-    let slack = shell_slack(pixel, middle);
-    let change = (b.weights - a.weights) / long;
-    let texel = sqrt(max(at.metric.x, at.metric.z)) / max(height_size(0u).x, height_size(0u).y);
-    let edges = vec3f(
+    let beyond = vec3f(
         length(prism.p2 - prism.p1),
         length(prism.p0 - prism.p2),
         length(prism.p1 - prism.p0),
-    );
-    let twice = length(cross(prism.p1 - prism.p0, prism.p2 - prism.p0));
-    let beyond = edges * ((slack + 2.0 * params.x * texel) / twice);
-    var inside = vec2f(0.0, long);
+    ) * (chord_reach(pixel, at, middle, params) / length(cross(prism.p1 - prism.p0, prism.p2 - prism.p0)));
+    return chord_path(pixel, at, middle, params, a, b, bend, vec2f(first, last), beyond);
+}"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "folded_enter",
+        sampling: None,
+        uses: &["Entered", "PixelIn", "chord_reach", "middle_of", "prism_of", "shell_middle", "shell_slack", "way_beyond", "way_chord", "way_of", "way_offsets"],
+        text: r#"// The ways through a shell that overlaps itself: as many segments as they have chords.
+fn folded_enter(pixel: PixelIn, params: vec4f) -> Entered {
+    let along = normalize(pixel.direction);
+    let middle = middle_of(pixel, along);
+    let prism = prism_of(pixel, along, middle, params);
+    var at = shell_middle(pixel, along);
+    let way = way_of(pixel, prism, along);
+    let offsets = way_offsets(pixel, prism, shell_slack(pixel, middle));
+    let beyond = way_beyond(prism, offsets, chord_reach(pixel, at, middle, params));
+    at.segments = way_chord(pixel, prism, along, way, offsets, beyond, params.x, 0u).count;
+    return at;
+}"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "folded_segment",
+        sampling: None,
+        uses: &["Entered", "MOST_BESIDE", "Path", "PixelIn", "before_turn", "chord_path", "chord_reach", "middle_of", "prism_of", "shell_slack", "turned", "way_bend", "way_beyond", "way_chord", "way_of", "way_offsets", "way_point"],
+        text: r#"fn folded_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
+    let along = normalize(pixel.direction);
+    let middle = middle_of(pixel, along);
+    let prism = prism_of(pixel, along, middle, params);
+    let slack = shell_slack(pixel, middle);
+    let way = way_of(pixel, prism, along);
+    let offsets = way_offsets(pixel, prism, slack);
+    let beyond = way_beyond(prism, offsets, chord_reach(pixel, at, middle, params));
+    let chord = way_chord(pixel, prism, along, way, offsets, beyond, params.x, k);
+    let ends = before_turn(prism, along, way, chord.offsets);
+    var a = way_point(prism, along, way, ends.x);
+    let m = way_point(prism, along, way, 0.5 * (ends.x + ends.y));
+    var b = way_point(prism, along, way, ends.y);
+    if (b.t < a.t) {
+        let turned = b;
+        b = a;
+        a = turned;
+    }
+    let part = (m.t - a.t) / (b.t - a.t);
+    let bend = way_bend(a.point.height, m.point.height, b.point.height, part);
+    var path = chord_path(pixel, at, middle, params, a.point, b.point, bend, vec2f(a.t, b.t), beyond);
+    // Where a triangle shrinks to nothing, its weights say nothing about the ray.
+    if (!(a.beside < MOST_BESIDE * slack) || !(b.beside < MOST_BESIDE * slack)) {
+        path.exit = 0.0;
+    }
+    return path;
+}"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "chord_reach",
+        sampling: None,
+        uses: &["Entered", "PixelIn", "height_size", "shell_slack"],
+        text: r#"// Metres by which a chord reaches beyond the triangle's sides: by rounding, and by as much as chords may be
+// beside the way.
+fn chord_reach(pixel: PixelIn, at: Entered, middle: f32, params: vec4f) -> f32 {
+    let texel = sqrt(max(at.metric.x, at.metric.z)) / max(height_size(0u).x, height_size(0u).y);
+    return shell_slack(pixel, middle) + 2.0 * params.x * texel;
+}"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "chord_path",
+        sampling: None,
+        uses: &["Entered", "Path", "PixelIn", "RAY_VIEW", "ShellPoint", "WRAP_CLAMP", "first_root", "inside_unit", "out_of_ground", "path_from", "shell_slack", "surface_settings", "uv_of", "where_positive"],
+        text: r#"// The path of a chord between two points of the shell, where the ray is at `ends`: as far as the weights are
+// not negative but for `beyond`.
+fn chord_path(
+    pixel: PixelIn,
+    at: Entered,
+    middle: f32,
+    params: vec4f,
+    a: ShellPoint,
+    b: ShellPoint,
+    bend: f32,
+    ends: vec2f,
+    beyond: vec3f,
+) -> Path {
+    let heights = pixel.shell.heights;
+    let first = ends.x;
+    let long = ends.y - ends.x;
+    let uv = uv_of(pixel, a.weights);
+    let duv = (uv_of(pixel, b.weights) - uv) / long;
+    let slope = b.height - a.height - bend;
+    let slack = shell_slack(pixel, middle);
+    let change = (b.weights - a.weights) / long;
+    // Nothing behind the eye is seen.
+    var inside = vec2f(max(0.0, 0.0 - middle - first), long);
     inside = where_positive(inside, a.weights.x, change.x, beyond.x);
     inside = where_positive(inside, a.weights.y, change.y, beyond.y);
     inside = where_positive(inside, a.weights.z, change.z, beyond.z);
@@ -5171,14 +5715,24 @@ fn chord_end(at: Entered, k: u32) -> f32 {
     },
     Declaration {
         module: "surface/prism",
+        name: "point_of_way",
+        sampling: None,
+        uses: &["PixelIn", "Prism", "SHELL_FOLDED", "ShellPoint", "shell_point", "shell_point_near"],
+        text: r#"// The point of the shell that is at a place of the ray, about that high.
+fn point_of_way(pixel: PixelIn, prism: Prism, place: vec3f, height: f32) -> ShellPoint {
+    if (pixel.shell.order >= SHELL_FOLDED) {
+        return shell_point_near(prism, place, height);
+    }
+    return shell_point(prism, place, height);
+}"#,
+    },
+    Declaration {
+        module: "surface/prism",
         name: "surface_prism_polish",
         sampling: None,
-        uses: &["Entered", "HEIGHTS_A_TEXEL", "Hit", "POLISH_STEPS", "Path", "PixelIn", "SHELL_FOLDED", "cell_gap", "cell_of", "grid_of", "height_at", "middle_of", "path_gap", "path_height", "prism_of", "shell_point", "uv_of"],
+        uses: &["Entered", "HEIGHTS_A_TEXEL", "Hit", "POLISH_STEPS", "Path", "PixelIn", "cell_gap", "cell_of", "grid_of", "height_at", "middle_of", "path_gap", "path_height", "point_of_way", "prism_of", "uv_of"],
         text: r#"// The chord's hit is moved along the ray until the way is as high above the surface there as the chord was.
 fn surface_prism_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Hit {
-    if (pixel.shell.order >= SHELL_FOLDED) {
-        return hit;
-    }
     let along = normalize(pixel.direction);
     let middle = middle_of(pixel, along);
     let prism = prism_of(pixel, along, middle, params);
@@ -5188,7 +5742,7 @@ fn surface_prism_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, param
     // No farther than chords may be beside the way.
     let most = 2.0 * params.x / max(max(texels.x, texels.y), abs(path.h.y) / HEIGHTS_A_TEXEL);
     var t = hit.t;
-    var point = shell_point(prism, along * (path.start + t - middle), path_height(path, t));
+    var point = point_of_way(pixel, prism, along * (path.start + t - middle), path_height(path, t));
     var step = 0u;
     while (step < POLISH_STEPS) {
         step = step + 1u;
@@ -5197,7 +5751,7 @@ fn surface_prism_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, param
         if (change < 0.0) {
             t = clamp(t - gap / change, hit.t - most, hit.t + most);
         }
-        point = shell_point(prism, along * (path.start + t - middle), path_height(path, t));
+        point = point_of_way(pixel, prism, along * (path.start + t - middle), path_height(path, t));
     }
     return Hit(1u, hit.exhausted, uv_of(pixel, point.weights), point.height, t, hit.cost);
 }"#,
@@ -5206,16 +5760,13 @@ fn surface_prism_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, param
         module: "surface/prism",
         name: "surface_prism_place",
         sampling: None,
-        uses: &["Entered", "Hit", "Path", "PixelIn", "SHELL_FOLDED", "middle_of", "placed_at", "prism_of", "shell_point", "surface_tetrahedra_place"],
+        uses: &["Entered", "Hit", "Path", "PixelIn", "middle_of", "placed_at", "point_of_way", "prism_of"],
         text: r#"fn surface_prism_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
-    if (pixel.shell.order >= SHELL_FOLDED) {
-        return surface_tetrahedra_place(pixel, at, path, hit, params);
-    }
     let along = normalize(pixel.direction);
     let middle = middle_of(pixel, along);
     let prism = prism_of(pixel, along, middle, params);
     let s = path.start + hit.t - middle;
-    let weights = shell_point(prism, along * s, hit.height).weights;
+    let weights = point_of_way(pixel, prism, along * s, hit.height).weights;
     return placed_at(pixel, at, weights, pixel.origin + along * (path.start + hit.t), hit.uv);
 }"#,
     },

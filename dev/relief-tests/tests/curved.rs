@@ -3,10 +3,10 @@
 
 use std::sync::OnceLock;
 
-use glam::{DVec3, Vec2};
+use glam::{DVec3, Vec2, Vec3};
 use relief_core::HeightMap;
 use relief_render::Renderer;
-use relief_render::mesh::{Mesh, cylinder, sphere, torus};
+use relief_render::mesh::{Mesh, Vertex, cylinder, sphere, torus};
 use relief_render::scene::{BackendChoice, Sampling};
 use relief_tests::accuracy::maps;
 use relief_tests::adapter::has_adapter;
@@ -52,6 +52,29 @@ fn meshes() -> [(&'static str, Mesh); 4] {
         ("cylinder 32", cylinder(32, 1)),
     ]
     .map(|(name, mesh)| (name, mesh.expect("a mesh")))
+}
+
+/// A torus whose tube swells and narrows so often that a relief is deeper than it is bent: inward on the
+/// ridges, outward in the valleys.
+fn rippled_torus() -> Mesh {
+    let torus = torus(96, 24).expect("a mesh");
+    let swell = |vertex: &Vertex| 0.03 * (12.0 * std::f32::consts::TAU * vertex.uv.x).cos();
+    let positions = torus.vertices().iter().map(|vertex| vertex.position + vertex.normal * swell(vertex));
+    let positions: Vec<Vec3> = positions.collect();
+    let welded = torus.welded();
+    let mut normals = vec![Vec3::ZERO; positions.len()];
+    for triangle in torus.triangles() {
+        let [a, b, c] = triangle.map(|vertex| positions[vertex as usize]);
+        for vertex in triangle {
+            normals[welded[*vertex as usize] as usize] += (b - a).cross(c - a);
+        }
+    }
+    let vertices =
+        torus.vertices().iter().zip(&positions).zip(&welded).map(|((vertex, position), welded)| {
+            let normal = normals[*welded as usize].normalize();
+            Vertex { position: *position, normal, ..*vertex }
+        });
+    Mesh::new(vertices.collect(), torus.triangles().to_vec()).expect("a mesh")
 }
 
 /// A relief from two sides, drawn so, beside the judge of another; or, without `hits`, its outlines alone.
@@ -166,6 +189,38 @@ fn nothing_shines_through_on_the_cpu() {
 fn nothing_shines_through_on_the_gpu() {
     if has_adapter() {
         look_for_cracks(BackendChoice::Gpu, CRACK_VIEWS_GPU);
+    }
+}
+
+#[test]
+fn shells_that_overlap_themselves_show_what_the_judge_sees() {
+    let (mut rng, mut renderer) = (Rng::new(5), Renderer::on_cpu());
+    let mesh = rippled_torus();
+    for bias_m in BIASES_M {
+        let folded = mesh.folded([bias_m, bias_m + SCALE_M]);
+        assert!(folded > 200 && folded < mesh.triangles().len() / 2, "{folded} shells are folded");
+        let relief = relief(mesh.clone(), bias_m);
+        let (judge, mut comparison) = (relief.judge(), Comparison::default());
+        let mut in_pieces = Comparison::default();
+        for closeness in [1.0, 1.5] {
+            let camera = relief.random_camera(&mut rng, closeness);
+            let judged = Judged::new(&judge, camera, SIZE);
+            for (drawn, comparison) in [(PRISM, &mut comparison), (TETRAHEDRA, &mut in_pieces)] {
+                let scene = relief.scene(drawn, camera, SIZE, BackendChoice::Cpu);
+                comparison.add(&Picture::rendered(&scene, &mut renderer), &judged, &relief);
+            }
+        }
+        let Comparison { inside, both, open, behind, .. } = &comparison;
+        println!(
+            "from {bias_m} m: {folded} shells folded, {both} hits, {} compared, beyond half {:.5}, {open} open, \
+             {behind} behind; tetrahedra {} open, {} behind",
+            inside.texels.len(),
+            inside.beyond_half(),
+            in_pieces.open,
+            in_pieces.behind
+        );
+        assert!(inside.texels.len() > 10_000 && inside.beyond_half() <= 0.001);
+        assert_eq!([*open, *behind], [0, 0], "from {bias_m} m");
     }
 }
 

@@ -8,6 +8,7 @@ use relief_core::{BakedMap, Cost};
 use relief_shaders::cpu::{
     Corner, Entered, FirstHit, Frame, Hit, PixelIn, PixelOut, Program, Triangle, Vec3 as ShaderVec3, Vec4,
 };
+use relief_shaders::surface::FOLDED;
 use relief_shaders::{LightRayState, MAX_LIGHTS};
 
 use crate::camera::Ray;
@@ -188,21 +189,28 @@ impl<'a> Ready<'a> {
         self.near / f64::from(key) * (1.0 + slack) - self.near
     }
 
-    /// The first hit by the exact tracer.
+    /// The first hit by the exact tracer that is in no hole, of a shell that overlaps itself the nearest of all
+    /// segments'.
     fn first_exactly(&self, tracer: &FastTracer, pixel: PixelIn, at: Entered) -> FirstHit {
+        let miss = Hit::from(&relief_core::Hit::miss(Cost::default()));
+        let mut first = FirstHit { hit: miss, segment: 0, key: 0.0 };
         for number in 0..at.segments {
             let path = self.program.segment(pixel, at, number);
             if path.exit > 0.0 {
                 let hit = Hit::from(&tracer.trace(&(&path).into()).hit);
-                if hit.found == 1 {
-                    let hit = self.program.polish(pixel, at, path, hit);
-                    if !self.program.in_hole(hit.uv) {
-                        return FirstHit { hit, segment: number, key: self.program.key(pixel, path, hit) };
+                let hit = if hit.found == 1 { self.program.polish(pixel, at, path, hit) } else { hit };
+                if hit.found == 1 && !self.program.in_hole(hit.uv) {
+                    let key = self.program.key(pixel, path, hit);
+                    if first.hit.found == 0 || key > first.key {
+                        first = FirstHit { hit, segment: number, key };
+                    }
+                    if pixel.shell.order < FOLDED {
+                        break;
                     }
                 }
             }
         }
-        FirstHit { hit: Hit::from(&relief_core::Hit::miss(Cost::default())), segment: 0, key: 0.0 }
+        first
     }
 
     /// A pixel's colour so far with one more sample.
