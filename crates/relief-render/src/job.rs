@@ -65,13 +65,10 @@ impl JobSurface {
 
     /// Whether lights see the same of it as of another one.
     pub(crate) fn looks_same_to_lights(&self, other: &Self) -> bool {
-        let same_map = |((a, of_a), (b, of_b)): (&(MapSlot, Arc<BakedMap>), &(MapSlot, Arc<BakedMap>))| {
-            a == b && Arc::ptr_eq(of_a, of_b)
-        };
         Arc::ptr_eq(&self.triangles, &other.triangles)
             && Arc::ptr_eq(&self.height_map, &other.height_map)
             && self.maps.len() == other.maps.len()
-            && self.maps.iter().zip(&other.maps).all(same_map)
+            && self.maps.iter().zip(&other.maps).all(|(a, b)| a.0 == b.0 && Arc::ptr_eq(&a.1, &b.1))
             && (self.settings, self.two_sided) == (other.settings, other.two_sided)
     }
 

@@ -123,7 +123,7 @@ pub struct Renderer {
 
 #[derive(Debug)]
 enum Backend {
-    Cpu(CpuRenderer),
+    Cpu(Box<CpuRenderer>),
     #[cfg(feature = "gpu")]
     Gpu(Box<GpuRenderer>, Sampling),
 }
@@ -146,7 +146,7 @@ impl Renderer {
 
     /// A renderer on the CPU.
     pub fn on_cpu() -> Self {
-        let backend = Backend::Cpu(CpuRenderer::new());
+        let backend = Backend::Cpu(Box::default());
         Self { backend, reason: None, preparer: Preparer::default() }
     }
 
@@ -292,7 +292,7 @@ pub fn render(scene: &Scene, maps: &mut Maps, progress: &Progress) -> Result<Ren
 #[cfg(feature = "gpu")]
 fn choose(backend: BackendChoice, sampling: Sampling) -> Result<(Backend, Option<Reason>), RenderError> {
     let on_gpu = |gpu| Backend::Gpu(Box::new(GpuRenderer::new(gpu)), sampling);
-    let on_cpu = || Backend::Cpu(CpuRenderer::new());
+    let on_cpu = || Backend::Cpu(Box::default());
     match backend {
         BackendChoice::Cpu => Ok((on_cpu(), None)),
         BackendChoice::Gpu => Ok((on_gpu(Gpu::new(AdapterChoice::Any)?), None)),
@@ -315,7 +315,7 @@ fn why_not(error: GpuError) -> Reason {
 
 #[cfg(not(feature = "gpu"))]
 fn choose(backend: BackendChoice, _: Sampling) -> Result<(Backend, Option<Reason>), RenderError> {
-    let on_cpu = Backend::Cpu(CpuRenderer::new());
+    let on_cpu = Backend::Cpu(Box::default());
     match backend {
         BackendChoice::Gpu => Err(RenderError::NoGpuBackend),
         BackendChoice::Auto => Ok((on_cpu, Some(Reason::NotBuilt))),

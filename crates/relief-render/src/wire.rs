@@ -107,7 +107,7 @@ impl View<'_> {
 
 /// The part of an edge that lies at that depth or deeper, with the depths of its ends.
 fn in_front(ends: [DVec3; 2], depths: [f64; 2], least: f64) -> Option<([DVec3; 2], [f64; 2])> {
-    if !(depths[0].max(depths[1]) > least) {
+    if depths[0].max(depths[1]) <= least {
         return None;
     }
     let moved = |at: usize| {
