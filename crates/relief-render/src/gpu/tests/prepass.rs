@@ -138,8 +138,8 @@ fn a_prepass_leaves_the_depths_of_the_pictures_to_the_bit() {
         ("prism", infinite, perspective),
         ("tetrahedra", reversed, orthographic),
         ("quadric-vertical", reversed, perspective),
-        ("prism", DepthBuffer::default(), orthographic),
-        ("plane", narrow, perspective),
+        ("plane", DepthBuffer::default(), orthographic),
+        ("prism", narrow, perspective),
     ];
     for (surface, depth_buffer, projection) in cases {
         let scene = scene(surface, depth_buffer, projection);
@@ -157,7 +157,7 @@ fn a_prepass_leaves_the_depths_of_the_pictures_to_the_bit() {
             covered += 1;
             assert_eq!(before.to_bits(), pixel.z.to_bits(), "{surface}: {before} and {}", pixel.z);
             if let Some((near, far)) = planes.filter(|(_, far)| far.is_finite()) {
-                // The point is on the surface, beside its ray by as much as the search is not exact.
+                // The point is on its ray but for rounding.
                 let depth = f64::from(pixel.depth).clamp(near, far);
                 let of_z = near * far / (far - f64::from(pixel.z) * (far - near));
                 assert!((of_z - depth).abs() < 2e-4, "{depth}: {of_z}");
