@@ -32,11 +32,11 @@ pub const ENTRY: Entry = Entry {
         which neighbours agree on along their common side. A ray is cut into chords whose ends lie on its \
         way through the shell and whose heights bend with it, as many as the tolerance asks for; what they \
         miss is at most that wide. The hit is moved by what the chord was beside the ray. Chords reach \
-        beyond the sides by rounding and tolerance, so that nothing passes between neighbours. In a \
-        shell that overlaps itself the ray's line meets the flat triangle at each offset along the normals \
-        in one point, whose weights are quotients of quadratics in the offset: all pieces of that curve that \
-        are inside the triangle are cut into chords, and the nearest hit of all of them counts. Shadows go straight through the \
-        relief in the frame of the hit, as on `plane`.",
+        beyond the sides by rounding and tolerance, so that nothing passes between neighbours. In a shell \
+        that overlaps itself the ray's line meets the flat triangle at each offset along the normals in one \
+        point, whose weights are quotients of quadratics in the offset: all pieces of that curve that are \
+        inside the triangle are cut into chords, and the nearest hit of all of them counts. Shadows go \
+        straight through the relief in the frame of the hit, as on `plane`.",
 };
 
 /// What it makes of rays.
