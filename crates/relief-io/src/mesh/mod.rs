@@ -155,8 +155,10 @@ pub fn read_mesh<'a>(source: impl Into<Source<'a>>, options: &MeshOptions) -> Re
 /// ```
 /// use relief_io::{Source, read_mesh_extras};
 ///
-/// let text = br#"{"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "accessors": [
-///     {"count": 3, "componentType": 5126, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1]}],
+/// let text = br#"{"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}],
+///   "buffers": [{"uri": "wall.bin", "byteLength": 36}], "bufferViews": [{"buffer": 0, "byteLength": 36}],
+///   "accessors": [{"bufferView": 0, "count": 3, "componentType": 5126, "type": "VEC3",
+///     "min": [0, 0, 0], "max": [1, 1, 1]}],
 ///   "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
 ///   "materials": [{"extras": {"relief": {"scale": 0.1}}}]}"#;
 /// let extras = read_mesh_extras(Source::bytes("wall.gltf", text), "relief", 1 << 20)?;
