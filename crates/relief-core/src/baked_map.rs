@@ -128,6 +128,23 @@ pub struct MapIdentity {
     pub first_level: u32,
 }
 
+impl MapIdentity {
+    /// That of a kind of map which is made from something else than heights: heights, wrap and metric say
+    /// nothing.
+    pub fn without_heights(kind: &str) -> Self {
+        Self {
+            kind: kind.to_owned(),
+            revision: 1,
+            texture: String::new(),
+            settings: Vec::new(),
+            heights: HeightsHash([0; 32]),
+            wrap: Wrap::Clamp,
+            metric: Metric::UNIT,
+            first_level: 0,
+        }
+    }
+}
+
 /// The values of a map: level by level from the finest, layer by layer, row by row from the top, the channels
 /// of a texel side by side.
 #[derive(Clone, Debug, PartialEq)]

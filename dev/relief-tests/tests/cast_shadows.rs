@@ -1,5 +1,5 @@
-//! Shadows that surfaces throw on each other, beside the exact judge: looked up in what the light sees, and by
-//! rays through the whole scene.
+//! Shadows that surfaces throw on each other, beside the exact judge: looked up in what the light sees, and
+//! by rays through the whole scene.
 
 use glam::DVec3;
 use relief_render::light::Light;

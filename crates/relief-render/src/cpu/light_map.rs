@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
 use relief_core::encoding::code::Codes;
-use relief_core::{BakedMap, HeightsHash, MapFormat, MapIdentity, MapLayout, MapTexels, Metric, Wrap};
+use relief_core::{BakedMap, MapFormat, MapIdentity, MapLayout, MapTexels};
 use relief_shaders::cpu::Frame;
 
 use super::ready::{Made, Ready};
@@ -66,7 +66,12 @@ impl LightMap {
         if cancel.load(Ordering::Relaxed) {
             return Err(NoLightMap::Stopped);
         }
-        let map = BakedMap::new(identity(), layout(job), CODES, MapTexels::F32(keys));
+        let map = BakedMap::new(
+            MapIdentity::without_heights("light-map"),
+            layout(job),
+            CODES,
+            MapTexels::F32(keys),
+        );
         let map = map.map_err(|_| NoLightMap::OutOfMemory)?;
         Ok(Self { frames: views.frames.clone(), surfaces: job.surfaces.clone(), map })
     }
@@ -83,18 +88,4 @@ fn layout(job: &Job) -> MapLayout {
     let side = job.light_views.size;
     let layers = job.light_views.frames.len() as u32;
     MapLayout { size: [side, side], levels: 1, layers, channels: 1, format: MapFormat::F32 }
-}
-
-/// It is made from all of a scene: heights, wrap and metric say nothing.
-fn identity() -> MapIdentity {
-    MapIdentity {
-        kind: "light-map".to_owned(),
-        revision: 1,
-        texture: String::new(),
-        settings: Vec::new(),
-        heights: HeightsHash([0; 32]),
-        wrap: Wrap::Clamp,
-        metric: Metric::UNIT,
-        first_level: 0,
-    }
 }

@@ -63,9 +63,9 @@ impl CpuRenderer {
     }
 
     /// Renders a job in bands of whole rows, from the top, and hands over each when it is done, until it is
-    /// told to stop or `cancel` is set; `None` where the memory for what lights see cannot be had. With `numbers` all numbers of a pixel are as in a [`Rendering`]; else
-    /// they are those of one of its samples, which takes less time. `progress` is told the finished part,
-    /// from any thread.
+    /// told to stop or `cancel` is set; `None` where the memory for what lights see cannot be had. With
+    /// `numbers` all numbers of a pixel are as in a [`Rendering`]; else they are those of one of its samples,
+    /// which takes less time. `progress` is told the finished part, from any thread.
     pub fn render_bands(
         &mut self,
         job: &Job,
@@ -135,7 +135,7 @@ impl CpuRenderer {
         made
     }
 
-    /// The surfaces ready for the job's frame, with what its lights see, which is rendered unless it is known.
+    /// The surfaces ready for the job's frame, with what its lights see: that is rendered unless it is known.
     fn lit<'a>(
         &'a mut self,
         job: &'a Job,

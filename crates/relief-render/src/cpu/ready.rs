@@ -189,8 +189,8 @@ impl<'a> Ready<'a> {
         self.near / f64::from(key) * (1.0 + slack) - self.near
     }
 
-    /// The first hit by the exact tracer that is in no hole, of a shell that overlaps itself the nearest of all
-    /// segments'.
+    /// The first hit by the exact tracer that is in no hole. In a shell that overlaps itself it is the nearest
+    /// of all segments'.
     fn first_exactly(&self, tracer: &FastTracer, pixel: PixelIn, at: Entered) -> FirstHit {
         let miss = Hit::from(&relief_core::Hit::miss(Cost::default()));
         let mut first = FirstHit { hit: miss, segment: 0, key: 0.0 };

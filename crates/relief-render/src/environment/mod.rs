@@ -8,7 +8,7 @@ mod sphere;
 use std::sync::{Arc, OnceLock};
 
 use relief_core::encoding::code::Codes;
-use relief_core::{BakedMap, HeightsHash, MapFormat, MapIdentity, MapLayout, MapTexels, Metric, Wrap};
+use relief_core::{BakedMap, MapFormat, MapIdentity, MapLayout, MapTexels};
 use relief_io::Picture;
 
 use self::sphere::Sphere;
@@ -123,17 +123,7 @@ impl Environment {
             };
             values.extend(texels.into_iter().flatten());
         }
-        // It is made from a picture: heights, wrap and metric say nothing.
-        let identity = MapIdentity {
-            kind: "environment".to_owned(),
-            revision: 1,
-            texture: String::new(),
-            settings: Vec::new(),
-            heights: HeightsHash([0; 32]),
-            wrap: Wrap::Clamp,
-            metric: Metric::UNIT,
-            first_level: 0,
-        };
+        let identity = MapIdentity::without_heights("environment");
         let codes = [Codes { low: 0.0, step: 0.0 }; 4];
         let map = BakedMap::new(identity, layout, codes, MapTexels::F32(values));
         Self { map: Arc::new(map.expect("as many values as six faces in all levels have")) }

@@ -81,14 +81,21 @@ impl Layouts {
     }
 }
 
+/// For whom surfaces are traced.
+#[derive(Clone, Copy, Debug)]
+pub enum Seer {
+    /// For the picture: all that shading needs.
+    Camera,
+    /// For shadows: the keys of the hits alone.
+    Light,
+}
+
 /// All programs of a device.
 #[derive(Debug)]
 pub struct Programs {
     pub layouts: Layouts,
-    /// Of surfaces seen from their front, and from both sides.
-    trace: [Kept<Variant, RenderPipeline>; 2],
-    /// The same for what lights see.
-    light: [Kept<Variant, RenderPipeline>; 2],
+    /// For each that sees: of surfaces seen from their front, and from both sides.
+    trace: [[Kept<Variant, RenderPipeline>; 2]; 2],
     shade: Kept<Variant, ComputePipeline>,
     probe: Kept<Variant, ComputePipeline>,
     /// The same for everything that is chosen.
@@ -144,8 +151,7 @@ impl Programs {
     pub fn new(gpu: &Gpu) -> Self {
         Self {
             layouts: Layouts::new(gpu.device()),
-            trace: [Kept::new(), Kept::new()],
-            light: [Kept::new(), Kept::new()],
+            trace: [[Kept::new(), Kept::new()], [Kept::new(), Kept::new()]],
             shade: Kept::new(),
             probe: Kept::new(),
             resolve: Kept::new(),
@@ -160,51 +166,33 @@ impl Programs {
         self.compiled
     }
 
-    /// The program that rasterises and traces.
+    /// The program that rasterises and traces what one sees.
     pub async fn trace(
         &mut self,
         gpu: &Gpu,
+        seer: Seer,
         selection: &Selection,
         sampling: Sampling,
         two_sided: bool,
     ) -> Result<RenderPipeline, GpuError> {
         let groups = [self.layouts.maps(sampling).clone(), self.layouts.mesh.clone()];
-        let cull_mode = culled(selection, two_sided);
+        let (roots, formats): ([Root; 2], &[TextureFormat]) = match seer {
+            Seer::Camera => ([Root::Trace, Root::TraceShells], &[HIT, WHAT]),
+            Seer::Light => ([Root::Light, Root::LightShells], &[KEYS]),
+        };
         let root = match selection.paths().proposal {
-            Proposal::Polygons => Root::Trace,
-            Proposal::Shells => Root::TraceShells,
+            Proposal::Polygons => roots[0],
+            Proposal::Shells => roots[1],
         };
         let text = || assemble(selection, root, sampling);
         let compile = |text: &str| {
             let groups = groups.each_ref().map(Some);
-            let targets = [HIT, WHAT].map(|format| Some(ColorTargetState::from(format)));
-            raster(gpu.device(), text, root, &groups, cull_mode, Some(nearest()), &targets)
+            let targets: Vec<_> =
+                formats.iter().map(|format| Some(ColorTargetState::from(*format))).collect();
+            let faces = culled(selection, two_sided);
+            raster(gpu.device(), text, root, &groups, faces, Some(nearest()), &targets)
         };
-        let kept = &mut self.trace[usize::from(two_sided)];
-        kept.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
-    }
-
-    /// The program that rasterises and traces what a light sees.
-    pub async fn light(
-        &mut self,
-        gpu: &Gpu,
-        selection: &Selection,
-        sampling: Sampling,
-        two_sided: bool,
-    ) -> Result<RenderPipeline, GpuError> {
-        let groups = [self.layouts.maps(sampling).clone(), self.layouts.mesh.clone()];
-        let cull_mode = culled(selection, two_sided);
-        let root = match selection.paths().proposal {
-            Proposal::Polygons => Root::Light,
-            Proposal::Shells => Root::LightShells,
-        };
-        let text = || assemble(selection, root, sampling);
-        let compile = |text: &str| {
-            let groups = groups.each_ref().map(Some);
-            let targets = [Some(ColorTargetState::from(KEYS))];
-            raster(gpu.device(), text, root, &groups, cull_mode, Some(nearest()), &targets)
-        };
-        let kept = &mut self.light[usize::from(two_sided)];
+        let kept = &mut self.trace[seer as usize][usize::from(two_sided)];
         kept.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
     }
 

@@ -13,7 +13,7 @@ use wgpu::{
 };
 
 use super::light_map::{Caster, Frames, LightMap};
-use super::programs::Programs;
+use super::programs::{Programs, Seer};
 use super::resident::{Common, Resident};
 use super::targets::{self, Band, Pass, Targets};
 use super::textures::Precision;
@@ -254,13 +254,14 @@ impl GpuRenderer {
         let resolve = if several { Some(self.programs.resolve(&gpu, sampling).await?) } else { None };
         let mut programs = Vec::new();
         for JobSurface { selection, two_sided, .. } in &job.surfaces {
-            let trace = self.programs.trace(&gpu, selection, sampling, *two_sided).await?;
+            let trace = self.programs.trace(&gpu, Seer::Camera, selection, sampling, *two_sided).await?;
             programs.push((trace, self.programs.shade(&gpu, selection, sampling).await?));
         }
         let mut light_programs = Vec::new();
         let has_lights = !job.light_views.frames.is_empty();
         for JobSurface { selection, two_sided, .. } in job.surfaces.iter().filter(|_| has_lights) {
-            light_programs.push(self.programs.light(&gpu, selection, sampling, *two_sided).await?);
+            light_programs
+                .push(self.programs.trace(&gpu, Seer::Light, selection, sampling, *two_sided).await?);
         }
         let builder = self.programs.pyramids(&gpu, &job.surfaces, sampling).await?;
         let Self { frames, light_map, surfaces, targets, generation, .. } = self;

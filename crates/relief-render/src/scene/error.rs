@@ -104,7 +104,8 @@ pub enum SceneError {
     },
     /// What lights see would take more memory than allowed.
     #[error(
-        "what lights see needs {} MiB of memory, {} MiB of the {limit} allowed are left for it: choose fewer texels for the shadow 'map', or raise the limit",
+        "what lights see needs {} MiB of memory, {} MiB of the {limit} allowed are left for it: choose fewer \
+         texels for the shadow 'map', or raise the limit",
         mebibytes(*needed), left / BYTES_PER_MEBIBYTE
     )]
     TooMuchForLights {

@@ -54,7 +54,8 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "Heights are drawn toward the map's mean: what is traced is a flatter surface than the \
         level's, and what a search and a refinement promise holds for that one. With the defaults a point of \
-        it moves by two thirds of a pixel at most. Normals, and the rays of shadows, are those of the relief as it is. Where a footprint is wider than \
+        it moves by two thirds of a pixel at most. Normals, and the rays of shadows, are those of the relief \
+        as it is. Where a footprint is wider than \
         four texels, what an eye sees of the normals is looked up by its direction, as baked from 32 \
         directions; elsewhere, and of a given normal map, it is made from the moments of the normals.",
 };
