@@ -1,5 +1,5 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `cost`, `cracks`, `detail`, `embree`,
-//! `frame`, `judge`, `probe`, `pyramid`, `shadow`, `sheet`, `surfaces` and `trace`.
+//! `frame`, `judge`, `probe`, `pyramid`, `quadrics`, `shadow`, `sheet`, `surfaces` and `trace`.
 //! Results are kept in `docs/`.
 
 use std::process::ExitCode;
@@ -17,6 +17,7 @@ mod judge;
 mod memory;
 mod probe;
 mod pyramid;
+mod quadrics;
 mod samples;
 mod shadow;
 mod sheet;
@@ -56,6 +57,8 @@ enum Command {
     Probe(probe::Arguments),
     /// A pyramid of changed heights built on the GPU, beside one that is baked and uploaded
     Pyramid(pyramid::Arguments),
+    /// What Oliveira and Policarpo 2005 say of their quadrics, beside what they are
+    Quadrics(quadrics::Arguments),
     /// How near every shadow comes to rays of the exact search
     Shadow(shadow::Arguments),
     /// What a new user sees of every map in a folder
@@ -78,6 +81,7 @@ fn main() -> ExitCode {
         Command::Judge(arguments) => judge::run(&arguments),
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Pyramid(arguments) => pyramid::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Quadrics(arguments) => quadrics::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Shadow(arguments) => shadow::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Sheet(arguments) => sheet::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Surfaces(arguments) => surfaces::run(&arguments).map(|()| ExitCode::SUCCESS),

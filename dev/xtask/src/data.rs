@@ -1,4 +1,4 @@
-//! The sample maps in `data/`.
+//! The sample maps and meshes in `data/`.
 //!
 //! All but the elevation model are computed, from `+ - * /`, `sqrt` and integers alone, so that every machine
 //! gets the same texels.
@@ -9,6 +9,7 @@ use std::path::Path;
 mod bricks;
 mod cobbles;
 mod jacksboro;
+mod lathe;
 mod lattice;
 mod logo;
 mod noise;
@@ -24,7 +25,7 @@ pub fn files(root: &Path) -> Result<Vec<Generated>, String> {
     let (bricks, bricks_color) = bricks::maps();
     let (cobbles, cobbles_color) = cobbles::maps();
     let elevation = picture::read_grey(&root.join("data/jacksboro.png"))?;
-    [
+    let maps = [
         ("data/bricks.png", bricks.heights()),
         ("data/bricks_color.png", bricks_color.colours()),
         ("data/cobbles.png", cobbles.heights()),
@@ -33,13 +34,14 @@ pub fn files(root: &Path) -> Result<Vec<Generated>, String> {
         ("data/logo.png", logo::map().heights()),
         ("data/noise.png", noise::map().heights()),
         ("data/jacksboro_color.png", jacksboro::colours(&elevation).colours()),
-    ]
-    .into_iter()
-    .map(|(path, image)| {
+    ];
+    let maps = maps.into_iter().map(|(path, image)| {
         let bytes = picture::encoded(&root.join(path), &image).map_err(|error| format!("{path}: {error}"))?;
         Ok(Generated { path: path.into(), bytes })
-    })
-    .collect()
+    });
+    let meshes = [("data/column.obj", lathe::column()), ("data/pot.obj", lathe::pot())];
+    let meshes = meshes.map(|(path, text)| Ok(Generated { path: path.into(), bytes: text.into_bytes() }));
+    maps.chain(meshes).collect()
 }
 
 #[cfg(test)]

@@ -245,7 +245,7 @@ impl Curved {
 
     /// How far apart two places of the map are, in texels of its finest level. Whole tiles do not count where
     /// the map goes on as it began.
-    fn texels(&self, a: [f64; 2], b: [f64; 2]) -> f64 {
+    pub fn texels(&self, a: [f64; 2], b: [f64; 2]) -> f64 {
         let apart = |axis: usize| {
             let apart = a[axis] - b[axis];
             match self.map.wrap() {
