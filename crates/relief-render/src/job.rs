@@ -75,13 +75,23 @@ impl JobSurface {
     /// The translated shaders over this surface in a frame, with what lights see in its views where it looks
     /// up shadows there.
     pub fn program<'a>(&'a self, frame: Frame, light_map: Option<&'a BakedMap>) -> Program<'a> {
+        self.program_with(self.settings, frame, light_map)
+    }
+
+    /// The same with other settings.
+    pub(crate) fn program_with<'a>(
+        &'a self,
+        settings: SurfaceSettings,
+        frame: Frame,
+        light_map: Option<&'a BakedMap>,
+    ) -> Program<'a> {
         let color_map = self.color.as_deref().map_or(ColorTexture::BLANK, of_levels);
         let lights = light_map.map(|map| (MapSlot::Lights, map));
         let normal_map = self.normal_map.as_deref().map_or(ColorTexture::BLANK, of_levels);
         Program::new(&Bound {
             frame,
-            surface_settings: self.settings,
-            height_map: HeightTexture::new(&self.height_map, self.settings.height_levels),
+            surface_settings: settings,
+            height_map: HeightTexture::new(&self.height_map, settings.height_levels),
             hole_map: HoleTexture::new(self.holes().map(Arc::as_ref)),
             color_map,
             normal_map,

@@ -289,6 +289,17 @@ impl Selection {
         entry.param("lift").is_some_and(|(place, _)| params[place] != 0.0)
     }
 
+    /// The same with segments that run at most so many texels beside their rays, on surfaces that know such a
+    /// tolerance.
+    #[must_use]
+    pub fn with_tolerance_within(mut self, texels: f32) -> Self {
+        let Choice { entry, params, .. } = &mut self.choices[SURFACE];
+        if let Some((place, _)) = entry.param("tolerance") {
+            params[place] = params[place].min(texels);
+        }
+        self
+    }
+
     /// Which quadrics the surface follows around the corners of its triangles, where it follows any. Its
     /// triangles are moved out along their normals where relief would rise above them.
     pub fn quadrics(&self) -> Option<QuadricCoefficients> {

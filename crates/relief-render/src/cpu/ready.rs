@@ -33,6 +33,10 @@ const DEPTH_SLACK: f64 = 1e-5;
 const SHORTER_BY_SCALE: f32 = 3e-3;
 const SHORTER_BY_EXTENT: f32 = 1e-5;
 
+/// How many texels beside a ray from a light its segments may run: where light grazes the relief, what is that
+/// far beside it can be in another crest's shadow.
+const LIGHT_TOLERANCE_TEXELS: f32 = 0.01;
+
 /// What a ray meets of a surface, and all that is needed to shade it.
 #[derive(Clone, Copy)]
 pub struct Seen {
@@ -90,10 +94,21 @@ pub struct Ready<'a> {
 impl<'a> Ready<'a> {
     /// The surface in a frame, with what its lights see where shadows are looked up there.
     pub fn new(surface: &'a JobSurface, frame: Frame, light_map: Option<&'a BakedMap>, made: Made) -> Self {
+        Self::with_program(surface, surface.program(frame, light_map), frame, made)
+    }
+
+    /// The surface for rays from lights through a whole scene.
+    fn for_light(surface: &'a JobSurface, frame: Frame, made: Made) -> Self {
+        let finer = surface.selection.with_tolerance_within(LIGHT_TOLERANCE_TEXELS);
+        let settings = surface.settings.with_choices_of(&finer);
+        Self::with_program(surface, surface.program_with(settings, frame, None), frame, made)
+    }
+
+    fn with_program(surface: &'a JobSurface, program: Program<'a>, frame: Frame, made: Made) -> Self {
         let Made { base, tracers } = made;
         let sides = if surface.two_sided { Sides::Both } else { Sides::Front };
         Self {
-            program: surface.program(frame, light_map),
+            program,
             triangles: &surface.triangles,
             base,
             sides,
@@ -298,7 +313,7 @@ impl<'a> SceneRays<'a> {
         let reach_m = if across.is_finite() { across * 1.01 } else { 1.0 };
         let frame = frame_of_rays(reach_m);
         let ready = job.surfaces.iter().zip(made);
-        let surfaces = ready.map(|(surface, made)| Ready::new(surface, frame, None, made.clone()));
+        let surfaces = ready.map(|(surface, made)| Ready::for_light(surface, frame, made.clone()));
         Self { surfaces: surfaces.collect(), reach_m: reach_m as f32 }
     }
 }

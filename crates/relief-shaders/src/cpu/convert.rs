@@ -154,6 +154,12 @@ impl SurfaceSettings {
         Self { shell_m: shell_m(map, least_m), ..self }
     }
 
+    /// The same with other parameters of the stages that were chosen.
+    #[must_use]
+    pub fn with_choices_of(self, selection: &Selection) -> Self {
+        Self { choices: selection.choices.map(|choice| Choice::from(&choice)), ..self }
+    }
+
     /// Settings for tracing a map with the stages chosen and the baked maps that they read: no colours.
     pub fn tracing(map: &HeightMap, selection: &Selection, maps: &SlotMaps) -> Self {
         let surroundings = maps.get(MapSlot::Environment).map(BakedMap::layout);
