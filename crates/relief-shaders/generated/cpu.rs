@@ -1049,6 +1049,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_quadratic(rt::into(c), rt::into(s)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_quadratic(
         &self,
         c: rt::Vec3<f32>,
@@ -1060,6 +1061,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_across_roots(ray))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_across_roots(&self, ray: Across) -> rt::Vec3<f32> {
         return <rt::Vec3<f32>>::from_scalars((rt::Scalar(ray.sine) * rt::Scalar(ray.sine)), (((rt::Scalar(-2f32) * rt::Scalar(ray.mixed)) * rt::Scalar(ray.sine)) - ((rt::Scalar(4f32) * rt::Scalar(ray.across)) * rt::Scalar(ray.descent))), ((rt::Scalar(ray.mixed) * rt::Scalar(ray.mixed)) - ((rt::Scalar(4f32) * rt::Scalar(ray.across)) * rt::Scalar(ray.along))));
     }
@@ -1071,6 +1073,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_across_discriminant(ray_1, rt::into(t)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_across_discriminant(
         &self,
         ray_1: Across,
@@ -1088,30 +1091,32 @@ impl<'g> Resources<'g> {
         rt::into(self.v_across_depth(ray_2, rt::into(t_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_across_depth(
         &self,
         ray_2: Across,
         t_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let c_7 = (t_1 * (rt::Scalar(ray_2.descent) + (t_1 * rt::Scalar(ray_2.along))));
+        let c_8 = (t_1 * (rt::Scalar(ray_2.descent) + (t_1 * rt::Scalar(ray_2.along))));
         let _e7 = self.v_across_discriminant(ray_2, t_1);
         if rt::Scalar::into_branch_condition((!_e7.elementwise_ge(rt::Scalar(0f32)))) {
-            return c_7;
+            return c_8;
         }
-        let b_9 = ((t_1 * rt::Scalar(ray_2.mixed)) - rt::Scalar(ray_2.sine));
+        let b_11 = ((t_1 * rt::Scalar(ray_2.mixed)) - rt::Scalar(ray_2.sine));
         let root = _e7.sqrt();
-        if rt::Scalar::into_branch_condition(b_9.elementwise_lt(rt::Scalar(0f32))) {
-            return ((rt::Scalar(2f32) * c_7) / (root - b_9));
+        if rt::Scalar::into_branch_condition(b_11.elementwise_lt(rt::Scalar(0f32))) {
+            return ((rt::Scalar(2f32) * c_8) / (root - b_11));
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(ray_2.across).elementwise_ne(rt::Scalar(0f32))) {
-            return (((rt::Scalar(0f32) - b_9) - root) / (rt::Scalar(2f32) * rt::Scalar(ray_2.across)));
+            return (((rt::Scalar(0f32) - b_11) - root) / (rt::Scalar(2f32) * rt::Scalar(ray_2.across)));
         }
-        return c_7;
+        return c_8;
     }
     pub(crate) fn traced_scale_m(&self) -> f32 {
         rt::into(self.v_traced_scale_m())
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_traced_scale_m(&self) -> rt::Scalar<f32> {
         let _e2 = rt::Scalar(self.surface_settings.scale_m);
         return _e2.max(rt::Scalar(0.000000001f32));
@@ -1124,6 +1129,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_climb(at, rt::into(direction)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_climb(
         &self,
         at: Entered,
@@ -1145,6 +1151,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_quadric_slope(rt::into(quadric), rt::into(duv)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_quadric_slope(
         &self,
         quadric: rt::Vec3<f32>,
@@ -1160,6 +1167,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_quadric_at(rt::into(quadric_1), rt::into(duv_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_quadric_at(
         &self,
         quadric_1: rt::Vec3<f32>,
@@ -1175,6 +1183,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_across_of(at_1, rt::into(direction_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_across_of(
         &self,
         at_1: Entered,
@@ -1203,6 +1212,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_reached(ray_3, rt::into(depth), rt::into(t_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_reached(
         &self,
         ray_3: Across,
@@ -1266,6 +1276,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_down_across(ray_4, rt::into(depth_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_down_across(
         &self,
         ray_4: Across,
@@ -1284,6 +1295,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_down_along(ray_5, rt::into(depth_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_down_along(
         &self,
         ray_5: Across,
@@ -1346,6 +1358,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_jumps_below(ray_6, rt::into(depth_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_jumps_below(
         &self,
         ray_6: Across,
@@ -1439,6 +1452,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_add_sample(rt::into(sum), rt::into(color), rt::into(weight)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_add_sample(
         &self,
         sum: rt::Vec4<f32>,
@@ -1455,6 +1469,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_from_tangent_space(at_3, rt::into(n)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_from_tangent_space(
         &self,
         at_3: Entered,
@@ -1468,6 +1483,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_cell_of(rt::into(point)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_cell_of(&self, point: rt::Vec2<f32>) -> rt::Vec2<f32> {
         return point.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(-1073741800f32), rt::Scalar(-1073741800f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1073741800f32), rt::Scalar(1073741800f32)));
     }
@@ -1515,6 +1531,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_texels_around(rt::into(uv), rt::into(n_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_texels_around(
         &self,
         uv: rt::Vec2<f32>,
@@ -1537,6 +1554,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_level_texels(rt::into(finest), rt::into(level)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_level_texels(
         &self,
         finest: rt::Vec2<u32>,
@@ -1548,6 +1566,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_height_texels(rt::into(level_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_height_texels(&self, level_1: rt::Scalar<u32>) -> rt::Vec2<i32> {
         let _e3 = self.surface_settings.height_size;
         let _e4 = self.v_level_texels(_e3, level_1);
@@ -1564,6 +1583,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_bilinear(rt::into(h00_), rt::into(h10_), rt::into(h01_), rt::into(h11_), rt::into(part)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_bilinear(
         &self,
         h00_: rt::Vec4<f32>,
@@ -1584,6 +1604,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_decoded(rt::into(texel), map))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_decoded(
         &self,
         texel: rt::Vec4<f32>,
@@ -1603,6 +1624,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_ambient_texel(rt::into(place), rt::into(layer), rt::into(level_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_ambient_texel(
         &self,
         place: rt::Vec2<i32>,
@@ -1622,6 +1644,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_ambient_texel_between(rt::into(uv_1), rt::into(level_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_ambient_texel_between(
         &self,
         uv_1: rt::Vec2<f32>,
@@ -1649,6 +1672,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_ambient_bent_normal(at_4, hit, rt::into(normal), rt::into(view), rt::into(color_1), rt::into(params)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_ambient_bent_normal(
         &self,
         at_4: Entered,
@@ -1675,6 +1699,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_ambient_bounce(at_5, hit_1, rt::into(normal_1), rt::into(view_1), rt::into(color_2), rt::into(params_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_ambient_bounce(
         &self,
         at_5: Entered,
@@ -1700,6 +1725,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_ambient_constant(at_6, hit_2, rt::into(normal_2), rt::into(view_2), rt::into(color_3), rt::into(params_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_ambient_constant(
         &self,
         at_6: Entered,
@@ -1809,6 +1835,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_environment_texel(rt::into(place_1), rt::into(face), rt::into(level_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_environment_texel(
         &self,
         place_1: rt::Vec2<i32>,
@@ -1828,6 +1855,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_environment_of_level(rt::into(direction_2), rt::into(level_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_environment_of_level(
         &self,
         direction_2: rt::Vec3<f32>,
@@ -1856,6 +1884,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_environment_in_lobe(rt::into(direction_3), rt::into(deviation)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_environment_in_lobe(
         &self,
         direction_3: rt::Vec3<f32>,
@@ -1876,6 +1905,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_environment_on(rt::into(normal_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_environment_on(&self, normal_3: rt::Vec3<f32>) -> rt::Vec3<f32> {
         let _e3 = rt::Scalar(self.surface_settings.environment_levels);
         let _e6 = self.v_environment_of_level(normal_3, (_e3 - rt::Scalar(1u32)));
@@ -1944,6 +1974,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_ambient_occlusion(at_8, hit_4, rt::into(normal_5), rt::into(view_4), rt::into(color_5), rt::into(params_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_ambient_occlusion(
         &self,
         at_8: Entered,
@@ -2009,6 +2040,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_base_height())
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_base_height(&self) -> rt::Scalar<f32> {
         let _e2 = rt::Scalar(self.surface_settings.bias_m);
         let _e5 = self.v_traced_scale_m();
@@ -2022,6 +2054,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_lift_of(rt::into(lift), rt::into(w)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_lift_of(
         &self,
         lift: rt::Vec3<f32>,
@@ -2107,12 +2140,12 @@ impl<'g> Resources<'g> {
                     step = (_e28 + rt::Scalar(1u32));
                     let _e31 = inner;
                     let _e32 = outer;
-                    let between = (rt::Scalar(0.5f32) * (_e31 + _e32));
-                    let _e36 = self.v_way_point(prism_1, along_1, way_1, between);
+                    let between_1 = (rt::Scalar(0.5f32) * (_e31 + _e32));
+                    let _e36 = self.v_way_point(prism_1, along_1, way_1, between_1);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e36.volume).elementwise_gt(rt::Scalar(0f32))) {
-                        inner = between;
+                        inner = between_1;
                     } else {
-                        outer = between;
+                        outer = between_1;
                     }
                 }
             }
@@ -2166,6 +2199,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_ordered(pixel, rt::into(place_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_ordered(
         &self,
         pixel: PixelIn,
@@ -2188,6 +2222,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_uv_of(pixel_1, rt::into(weights)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_uv_of(
         &self,
         pixel_1: PixelIn,
@@ -2202,6 +2237,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_height_size(rt::into(level_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_height_size(&self, level_7: rt::Scalar<u32>) -> rt::Vec2<f32> {
         let _e1 = self.v_height_texels(level_7);
         return _e1.cast_elem_as_f32();
@@ -2218,6 +2254,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_beside_chord(pixel_2, a_1, m, b_1, at_10, rt::into(part_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_beside_chord(
         &self,
         pixel_2: PixelIn,
@@ -2247,6 +2284,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_beside_way(pixel_3, a_2, b_2, rt::into(bend_1), at_11))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_beside_way(
         &self,
         pixel_3: PixelIn,
@@ -2263,6 +2301,14 @@ impl<'g> Resources<'g> {
         let slope_5 = ((rt::Scalar(b_2.point.height) - rt::Scalar(a_2.point.height)) - bend_1);
         let height_10 = (rt::Scalar(a_2.point.height) + (part_8 * (slope_5 + (part_8 * bend_1))));
         return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_11.point.height) - height_10).abs() / rt::Scalar(0.0625f32)));
+    }
+    pub(crate) fn between(&self, a_3: ShellPoint, b_3: ShellPoint) -> ShellPoint {
+        rt::into(self.v_between(a_3, b_3))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_between(&self, a_3: ShellPoint, b_3: ShellPoint) -> ShellPoint {
+        return <ShellPoint>::new((rt::Scalar(0.5f32) * (a_3.weights + b_3.weights)), (rt::Scalar(0.5f32) * (rt::Scalar(a_3.height) + rt::Scalar(b_3.height))));
     }
     pub(crate) fn both_roots(&self, c_2: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_both_roots(rt::into(c_2)))
@@ -2293,6 +2339,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_path_height(path, rt::into(t_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_path_height(
         &self,
         path: Path,
@@ -2308,6 +2355,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_height_cell(rt::into(cell), rt::into(level_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_height_cell(
         &self,
         cell: rt::Vec2<i32>,
@@ -2333,6 +2381,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_height_at(rt::into(uv_2), rt::into(level_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_height_at(
         &self,
         uv_2: rt::Vec2<f32>,
@@ -2355,6 +2404,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_path_uv(path_1, rt::into(t_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_path_uv(
         &self,
         path_1: Path,
@@ -2370,6 +2420,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_path_gap(path_2, rt::into(t_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_path_gap(
         &self,
         path_2: Path,
@@ -2390,6 +2441,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_bracket_between(path_3, rt::into(near), rt::into(far), rt::into(cost)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_bracket_between(
         &self,
         path_3: Path,
@@ -2423,6 +2475,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_cell_after(grid, rt::into(cell_1), rt::into(leave_1), rt::into(forward), rt::into(t_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_cell_after(
         &self,
         grid: Grid,
@@ -2447,6 +2500,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_gap_to(path_4, grid_1, rt::into(cell_2), rt::into(h_1), rt::into(t_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_gap_to(
         &self,
         path_4: Path,
@@ -2473,6 +2527,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_cell_gap(path_5, grid_2, rt::into(cell_3), rt::into(t_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_cell_gap(
         &self,
         path_5: Path,
@@ -2523,6 +2578,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_cell_next(grid_4, rt::into(cell_5), rt::into(leave_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_cell_next(
         &self,
         grid_4: Grid,
@@ -2548,6 +2604,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_cell_slopes(rt::into(h_2), rt::into(part_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_cell_slopes(
         &self,
         h_2: rt::Vec4<f32>,
@@ -2566,6 +2623,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_chord_end(at_12, rt::into(k)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_chord_end(
         &self,
         at_12: Entered,
@@ -2581,6 +2639,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shell_slack(pixel_4, rt::into(middle)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_shell_slack(
         &self,
         pixel_4: PixelIn,
@@ -2599,6 +2658,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_where_positive(rt::into(interval), rt::into(weight_1), rt::into(change), rt::into(slack)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_where_positive(
         &self,
         interval: rt::Vec2<f32>,
@@ -2644,9 +2704,9 @@ impl<'g> Resources<'g> {
             }
             return interval_1;
         }
-        let a_9 = ((rt::Scalar(0f32) - x0_) / dx);
-        let b_10 = ((rt::Scalar(1f32) - x0_) / dx);
-        return <rt::Vec2<f32>>::from_scalars(interval_1.x().max(a_9.min(b_10)), interval_1.y().min(a_9.max(b_10)));
+        let a_11 = ((rt::Scalar(0f32) - x0_) / dx);
+        let b_12 = ((rt::Scalar(1f32) - x0_) / dx);
+        return <rt::Vec2<f32>>::from_scalars(interval_1.x().max(a_11.min(b_12)), interval_1.y().min(a_11.max(b_12)));
     }
     pub(crate) fn path_from(
         &self,
@@ -2656,6 +2716,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_path_from(path_6, rt::into(t_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_path_from(
         &self,
         path_6: Path,
@@ -2676,6 +2737,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_grid_of(path_7))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_grid_of(&self, path_7: Path) -> Grid {
         let _e2 = self.v_height_size(rt::Scalar(path_7.level));
         return <Grid>::new(((path_7.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_7.duv * _e2));
@@ -2689,6 +2751,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_rounded_gap(path_8, rt::into(slack_1), rt::into(texels_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_rounded_gap(
         &self,
         path_8: Path,
@@ -2800,13 +2863,13 @@ impl<'g> Resources<'g> {
         at_13: Entered,
         middle_1: impl rt::Into<rt::Scalar<f32>>,
         params_5: impl rt::Into<rt::Vec4<f32>>,
-        a_3: ShellPoint,
-        b_3: ShellPoint,
+        a_4: ShellPoint,
+        b_4: ShellPoint,
         bend_2: impl rt::Into<rt::Scalar<f32>>,
         ends: impl rt::Into<rt::Vec2<f32>>,
         beyond: impl rt::Into<rt::Vec3<f32>>,
     ) -> Path {
-        rt::into(self.v_chord_path(pixel_5, at_13, rt::into(middle_1), rt::into(params_5), a_3, b_3, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
+        rt::into(self.v_chord_path(pixel_5, at_13, rt::into(middle_1), rt::into(params_5), a_4, b_4, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_chord_path(
@@ -2815,8 +2878,8 @@ impl<'g> Resources<'g> {
         at_13: Entered,
         middle_1: rt::Scalar<f32>,
         params_5: rt::Vec4<f32>,
-        a_3: ShellPoint,
-        b_3: ShellPoint,
+        a_4: ShellPoint,
+        b_4: ShellPoint,
         bend_2: rt::Scalar<f32>,
         ends: rt::Vec2<f32>,
         beyond: rt::Vec3<f32>,
@@ -2827,21 +2890,21 @@ impl<'g> Resources<'g> {
         let heights_1 = pixel_5.shell.heights;
         let first_5 = ends.x();
         let long = (ends.y() - ends.x());
-        let _e16 = self.v_uv_of(pixel_5, a_3.weights);
-        let _e18 = self.v_uv_of(pixel_5, b_3.weights);
+        let _e16 = self.v_uv_of(pixel_5, a_4.weights);
+        let _e18 = self.v_uv_of(pixel_5, b_4.weights);
         let duv_4 = ((_e18 - _e16) / rt::Vec2::splat_from_scalar(long));
-        let slope_6 = ((rt::Scalar(b_3.height) - rt::Scalar(a_3.height)) - bend_2);
+        let slope_6 = ((rt::Scalar(b_4.height) - rt::Scalar(a_4.height)) - bend_2);
         let _e26 = self.v_shell_slack(pixel_5, middle_1);
-        let change_2 = ((b_3.weights - a_3.weights) / rt::Vec3::splat_from_scalar(long));
+        let change_2 = ((b_4.weights - a_4.weights) / rt::Vec3::splat_from_scalar(long));
         inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_5)), long);
         let _e39 = inside;
-        let _e44 = self.v_where_positive(_e39, a_3.weights.x(), change_2.x(), beyond.x());
+        let _e44 = self.v_where_positive(_e39, a_4.weights.x(), change_2.x(), beyond.x());
         inside = _e44;
         let _e45 = inside;
-        let _e50 = self.v_where_positive(_e45, a_3.weights.y(), change_2.y(), beyond.y());
+        let _e50 = self.v_where_positive(_e45, a_4.weights.y(), change_2.y(), beyond.y());
         inside = _e50;
         let _e51 = inside;
-        let _e56 = self.v_where_positive(_e51, a_3.weights.z(), change_2.z(), beyond.z());
+        let _e56 = self.v_where_positive(_e51, a_4.weights.z(), change_2.z(), beyond.z());
         inside = _e56;
         let _e59 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e59.elementwise_eq(WRAP_CLAMP)) {
@@ -2853,7 +2916,7 @@ impl<'g> Resources<'g> {
             inside = _e69;
         }
         let _e76 = inside.y();
-        path_10 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_3.height), (slope_6 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_13.metric, RAY_VIEW, rt::Scalar(at_13.level), (middle_1 + first_5), (rt::Scalar(1f32) / rt::Scalar(at_13.segments).cast_elem_as_f32()));
+        path_10 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_4.height), (slope_6 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_13.metric, RAY_VIEW, rt::Scalar(at_13.level), (middle_1 + first_5), (rt::Scalar(1f32) / rt::Scalar(at_13.segments).cast_elem_as_f32()));
         let _e89 = inside.y();
         let _e91 = inside.x();
         if rt::Scalar::into_branch_condition((!_e89.elementwise_gt(_e91))) {
@@ -2898,6 +2961,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_chord_reach(pixel_6, at_14, rt::into(middle_2), rt::into(params_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_chord_reach(
         &self,
         pixel_6: PixelIn,
@@ -2913,19 +2977,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn way_bend(
         &self,
-        a_4: impl rt::Into<rt::Scalar<f32>>,
+        a_5: impl rt::Into<rt::Scalar<f32>>,
         m_1: impl rt::Into<rt::Scalar<f32>>,
-        b_4: impl rt::Into<rt::Scalar<f32>>,
+        b_5: impl rt::Into<rt::Scalar<f32>>,
         part_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_way_bend(rt::into(a_4), rt::into(m_1), rt::into(b_4), rt::into(part_3)))
+        rt::into(self.v_way_bend(rt::into(a_5), rt::into(m_1), rt::into(b_5), rt::into(part_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_way_bend(
         &self,
-        a_4: rt::Scalar<f32>,
+        a_5: rt::Scalar<f32>,
         m_1: rt::Scalar<f32>,
-        b_4: rt::Scalar<f32>,
+        b_5: rt::Scalar<f32>,
         part_3: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut local_13: rt::Scalar<bool>;
@@ -2937,7 +3002,7 @@ impl<'g> Resources<'g> {
         }
         let _e11 = local_13;
         if rt::Scalar::into_branch_condition(_e11) {
-            return (((m_1 - a_4) - ((b_4 - a_4) * part_3)) / (part_3 * (part_3 - rt::Scalar(1f32))));
+            return (((m_1 - a_5) - ((b_5 - a_5) * part_3)) / (part_3 * (part_3 - rt::Scalar(1f32))));
         }
         return rt::Scalar(0f32);
     }
@@ -3037,6 +3102,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_color_at(rt::into(uv_3), rt::into(level_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_color_at(
         &self,
         uv_3: rt::Vec2<f32>,
@@ -3061,6 +3127,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_color_or_white(rt::into(uv_4), rt::into(footprint_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_color_or_white(
         &self,
         uv_4: rt::Vec2<f32>,
@@ -3083,23 +3150,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn comes_before(
         &self,
-        a_5: impl rt::Into<rt::Vec2<f32>>,
-        b_5: impl rt::Into<rt::Vec2<f32>>,
+        a_6: impl rt::Into<rt::Vec2<f32>>,
+        b_6: impl rt::Into<rt::Vec2<f32>>,
     ) -> u32 {
-        rt::into(self.v_comes_before(rt::into(a_5), rt::into(b_5)))
+        rt::into(self.v_comes_before(rt::into(a_6), rt::into(b_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_comes_before(
         &self,
-        a_5: rt::Vec2<f32>,
-        b_5: rt::Vec2<f32>,
+        a_6: rt::Vec2<f32>,
+        b_6: rt::Vec2<f32>,
     ) -> rt::Scalar<u32> {
-        return rt::Scalar(0u32).select(rt::Scalar(1u32), a_5.x().elementwise_le(b_5.x()));
+        return rt::Scalar(0u32).select(rt::Scalar(1u32), a_6.x().elementwise_le(b_6.x()));
     }
     pub(crate) fn slope_of(&self, value: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_slope_of(rt::into(value)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_slope_of(&self, value: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let squared = ((rt::Scalar(0.125f32) * value) * value);
         if rt::Scalar::into_branch_condition(squared.elementwise_gt(rt::Scalar(0f32))) {
@@ -3117,6 +3186,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_search_texel(path_11, rt::into(place_3), rt::into(layer_1), rt::into(level_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_search_texel(
         &self,
         path_11: Path,
@@ -3143,6 +3213,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_cone_slope(path_12, rt::into(texel_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_cone_slope(
         &self,
         path_12: Path,
@@ -3165,6 +3236,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_corner_height(rt::into(heights), rt::into(corner)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_corner_height(
         &self,
         heights: rt::Vec4<f32>,
@@ -3182,6 +3254,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_plane_distance(pixel_8, rt::into(normal_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_plane_distance(
         &self,
         pixel_8: PixelIn,
@@ -3193,6 +3266,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_depth_in_samples(pixel_9, at_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_depth_in_samples(&self, pixel_9: PixelIn, at_15: Entered) -> rt::Scalar<f32> {
         let _e3 = self.v_plane_distance(pixel_9, at_15.facing);
         let _e6 = self.frame.eye_right;
@@ -3206,6 +3280,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_depth_on_ray(pixel_10, path_13, hit_6))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_depth_on_ray(&self, pixel_10: PixelIn, path_13: Path, hit_6: Hit) -> rt::Scalar<f32> {
         return ((rt::Scalar(path_13.start) + rt::Scalar(hit_6.t)) / pixel_10.direction.length());
     }
@@ -3221,6 +3296,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_footprint_axis(pixel_11, at_16, rt::into(normal_8), rt::into(t_12), rt::into(origin), rt::into(direction_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_footprint_axis(
         &self,
         pixel_11: PixelIn,
@@ -3278,6 +3354,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_detail_fade(pixel_13, at_18, rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_detail_fade(
         &self,
         pixel_13: PixelIn,
@@ -3302,6 +3379,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_detail_footprint(pixel_14, at_19, rt::into(params_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_detail_footprint(
         &self,
         pixel_14: PixelIn,
@@ -3322,6 +3400,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_detail_none(pixel_15, at_20, rt::into(params_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_detail_none(
         &self,
         pixel_15: PixelIn,
@@ -3363,6 +3442,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_detail_texel(rt::into(place_4), rt::into(layer_2), rt::into(level_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_detail_texel(
         &self,
         place_4: rt::Vec2<i32>,
@@ -3383,6 +3463,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_detail_texel_between(rt::into(uv_5), rt::into(layer_3), rt::into(level_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_detail_texel_between(
         &self,
         uv_5: rt::Vec2<f32>,
@@ -3408,6 +3489,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_search_texel_between(path_14, rt::into(uv_6), rt::into(layer_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_search_texel_between(
         &self,
         path_14: Path,
@@ -3434,6 +3516,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_distance_at(path_15, rt::into(uv_7), rt::into(height), rt::into(slices)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_distance_at(
         &self,
         path_15: Path,
@@ -3453,6 +3536,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_eighth_turn(rt::into(tangent)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_eighth_turn(&self, tangent: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let s_1 = (tangent * tangent);
         let series = (rt::Scalar(0.999866f32) + (s_1 * (rt::Scalar(-0.3302995f32) + (s_1 * (rt::Scalar(0.180141f32) + (s_1 * (rt::Scalar(-0.085133f32) + (s_1 * rt::Scalar(0.0208351f32)))))))));
@@ -3462,9 +3546,10 @@ impl<'g> Resources<'g> {
         rt::into(self.v_plane_normal(pixel_17))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_plane_normal(&self, pixel_17: PixelIn) -> rt::Vec3<f32> {
-        let a_10 = pixel_17.a.position;
-        return (pixel_17.b.position - a_10).cross((pixel_17.c.position - a_10));
+        let a_12 = pixel_17.a.position;
+        return (pixel_17.b.position - a_12).cross((pixel_17.c.position - a_12));
     }
     pub(crate) fn plane_weights(
         &self,
@@ -3475,17 +3560,18 @@ impl<'g> Resources<'g> {
         rt::into(self.v_plane_weights(pixel_18, rt::into(normal_9), rt::into(point_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_plane_weights(
         &self,
         pixel_18: PixelIn,
         normal_9: rt::Vec3<f32>,
         point_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let a_11 = pixel_18.a.position;
+        let a_13 = pixel_18.a.position;
         let nn = normal_9.dot(normal_9);
-        let from_a = (point_1 - a_11);
-        let wb = (from_a.cross((pixel_18.c.position - a_11)).dot(normal_9) / nn);
-        let wc = ((pixel_18.b.position - a_11).cross(from_a).dot(normal_9) / nn);
+        let from_a = (point_1 - a_13);
+        let wb = (from_a.cross((pixel_18.c.position - a_13)).dot(normal_9) / nn);
+        let wc = ((pixel_18.b.position - a_13).cross(from_a).dot(normal_9) / nn);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - wb) - wc), wb, wc);
     }
     pub(crate) fn surface_plane_enter(
@@ -3538,6 +3624,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_middle_of(pixel_20, rt::into(along_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_middle_of(
         &self,
         pixel_20: PixelIn,
@@ -3556,6 +3643,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_prism_of(pixel_21, rt::into(along_4), rt::into(middle_3), rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_prism_of(
         &self,
         pixel_21: PixelIn,
@@ -3580,6 +3668,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_frame_at(pixel_22, rt::into(weights_1), rt::into(point_2), rt::into(uv_8), rt::into(facing)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_frame_at(
         &self,
         pixel_22: PixelIn,
@@ -3607,6 +3696,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_facing_of(pixel_23, rt::into(along_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_facing_of(
         &self,
         pixel_23: PixelIn,
@@ -3625,6 +3715,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shell_middle(pixel_24, rt::into(along_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_shell_middle(
         &self,
         pixel_24: PixelIn,
@@ -3654,6 +3745,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_way_weight(rt::into(along_7), rt::into(p), rt::into(n_3), rt::into(q), rt::into(m_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_way_weight(
         &self,
         along_7: rt::Vec3<f32>,
@@ -3675,6 +3767,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_way_of(pixel_25, prism_3, rt::into(along_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_way_of(
         &self,
         pixel_25: PixelIn,
@@ -3693,6 +3786,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_offsets_of(shell))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_offsets_of(&self, shell: Shell) -> rt::Vec2<f32> {
         let _e4 = self.surface_settings.shell_m.y();
         let _e8 = self.surface_settings.shell_m.x();
@@ -3713,6 +3807,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_way_offsets(pixel_26, prism_4, rt::into(slack_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_way_offsets(
         &self,
         pixel_26: PixelIn,
@@ -3738,15 +3833,16 @@ impl<'g> Resources<'g> {
         rt::into(self.v_sides_over_area(prism_5, rt::into(offset_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_sides_over_area(
         &self,
         prism_5: Prism,
         offset_1: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let a_12 = ((prism_5.p2_ - prism_5.p1_) + ((prism_5.n2_ - prism_5.n1_) * offset_1));
-        let b_11 = ((prism_5.p0_ - prism_5.p2_) + ((prism_5.n0_ - prism_5.n2_) * offset_1));
-        let c_8 = ((prism_5.p1_ - prism_5.p0_) + ((prism_5.n1_ - prism_5.n0_) * offset_1));
-        return (<rt::Vec3<f32>>::from_scalars(a_12.length(), b_11.length(), c_8.length()) / rt::Vec3::splat_from_scalar(b_11.cross(c_8).length().max(rt::Scalar(0.000000000000000000000000000001f32))));
+        let a_14 = ((prism_5.p2_ - prism_5.p1_) + ((prism_5.n2_ - prism_5.n1_) * offset_1));
+        let b_13 = ((prism_5.p0_ - prism_5.p2_) + ((prism_5.n0_ - prism_5.n2_) * offset_1));
+        let c_9 = ((prism_5.p1_ - prism_5.p0_) + ((prism_5.n1_ - prism_5.n0_) * offset_1));
+        return (<rt::Vec3<f32>>::from_scalars(a_14.length(), b_13.length(), c_9.length()) / rt::Vec3::splat_from_scalar(b_13.cross(c_9).length().max(rt::Scalar(0.000000000000000000000000000001f32))));
     }
     pub(crate) fn way_beyond(
         &self,
@@ -3757,6 +3853,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_way_beyond(prism_6, rt::into(offsets), rt::into(metres)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_way_beyond(
         &self,
         prism_6: Prism,
@@ -3775,6 +3872,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_grown_way(way_3, rt::into(beyond_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_grown_way(
         &self,
         way_3: Way,
@@ -3792,6 +3890,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_root_behind(rt::into(c_3), rt::into(place_5), rt::into(end)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_root_behind(
         &self,
         c_3: rt::Vec3<f32>,
@@ -3821,6 +3920,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_is_inside(way_4, rt::into(offset_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_is_inside(
         &self,
         way_4: Way,
@@ -3967,49 +4067,52 @@ impl<'g> Resources<'g> {
         &self,
         interval_2: impl rt::Into<rt::Vec2<f32>>,
         normal_10: impl rt::Into<rt::Vec3<f32>>,
-        prism_8: Prism,
-        offsets_2: impl rt::Into<rt::Vec2<f32>>,
+        a_7: impl rt::Into<rt::Vec3<f32>>,
+        b_7: impl rt::Into<rt::Vec3<f32>>,
+        c_4: impl rt::Into<rt::Vec3<f32>>,
+        d_1: impl rt::Into<rt::Vec3<f32>>,
         along_10: impl rt::Into<rt::Vec3<f32>>,
         slack_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_in_slab(rt::into(interval_2), rt::into(normal_10), prism_8, rt::into(offsets_2), rt::into(along_10), rt::into(slack_4)))
+        rt::into(self.v_in_slab(rt::into(interval_2), rt::into(normal_10), rt::into(a_7), rt::into(b_7), rt::into(c_4), rt::into(d_1), rt::into(along_10), rt::into(slack_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_in_slab(
         &self,
         interval_2: rt::Vec2<f32>,
         normal_10: rt::Vec3<f32>,
-        prism_8: Prism,
-        offsets_2: rt::Vec2<f32>,
+        a_7: rt::Vec3<f32>,
+        b_7: rt::Vec3<f32>,
+        c_4: rt::Vec3<f32>,
+        d_1: rt::Vec3<f32>,
         along_10: rt::Vec3<f32>,
         slack_4: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let a_13 = <rt::Vec2<f32>>::from_scalars(normal_10.dot((prism_8.p0_ + (prism_8.n0_ * offsets_2.x()))), normal_10.dot((prism_8.p0_ + (prism_8.n0_ * offsets_2.y()))));
-        let b_12 = <rt::Vec2<f32>>::from_scalars(normal_10.dot((prism_8.p1_ + (prism_8.n1_ * offsets_2.x()))), normal_10.dot((prism_8.p1_ + (prism_8.n1_ * offsets_2.y()))));
-        let c_9 = <rt::Vec2<f32>>::from_scalars(normal_10.dot((prism_8.p2_ + (prism_8.n2_ * offsets_2.x()))), normal_10.dot((prism_8.p2_ + (prism_8.n2_ * offsets_2.y()))));
-        let least = a_13.x().min(a_13.y()).min(b_12.x().min(b_12.y())).min(c_9.x().min(c_9.y()));
-        let most_5 = a_13.x().max(a_13.y()).max(b_12.x().max(b_12.y())).max(c_9.x().max(c_9.y()));
+        let far_4 = <rt::Vec4<f32>>::from_scalars(normal_10.dot(a_7), normal_10.dot(b_7), normal_10.dot(c_4), normal_10.dot(d_1));
+        let least = far_4.x().min(far_4.y()).min(far_4.z().min(far_4.w()));
+        let most_5 = far_4.x().max(far_4.y()).max(far_4.z().max(far_4.w()));
         let beyond_3 = (slack_4 * normal_10.length());
         let change_3 = normal_10.dot(along_10);
-        let _e72 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least), change_3, beyond_3);
-        let _e75 = self.v_where_positive(_e72, most_5, (rt::Scalar(0f32) - change_3), beyond_3);
-        return _e75;
+        let _e32 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least), change_3, beyond_3);
+        let _e35 = self.v_where_positive(_e32, most_5, (rt::Scalar(0f32) - change_3), beyond_3);
+        return _e35;
     }
     pub(crate) fn span_of(
         &self,
         pixel_29: PixelIn,
-        prism_9: Prism,
+        prism_8: Prism,
         along_11: impl rt::Into<rt::Vec3<f32>>,
         middle_4: impl rt::Into<rt::Scalar<f32>>,
         params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_span_of(pixel_29, prism_9, rt::into(along_11), rt::into(middle_4), rt::into(params_13)))
+        rt::into(self.v_span_of(pixel_29, prism_8, rt::into(along_11), rt::into(middle_4), rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_span_of(
         &self,
         pixel_29: PixelIn,
-        prism_9: Prism,
+        prism_8: Prism,
         along_11: rt::Vec3<f32>,
         middle_4: rt::Scalar<f32>,
         params_13: rt::Vec4<f32>,
@@ -4023,18 +4126,18 @@ impl<'g> Resources<'g> {
         let _e12 = shell_2;
         let _e13 = self.v_offsets_of(_e12);
         let _e14 = self.v_shell_slack(pixel_29, middle_4);
-        let low0_ = (prism_9.p0_ + (prism_9.n0_ * _e13.x()));
-        let low1_ = (prism_9.p1_ + (prism_9.n1_ * _e13.x()));
-        let low2_ = (prism_9.p2_ + (prism_9.n2_ * _e13.x()));
-        let high0_ = (prism_9.p0_ + (prism_9.n0_ * _e13.y()));
-        let high1_ = (prism_9.p1_ + (prism_9.n1_ * _e13.y()));
-        let high2_ = (prism_9.p2_ + (prism_9.n2_ * _e13.y()));
+        let low0_ = (prism_8.p0_ + (prism_8.n0_ * _e13.x()));
+        let low1_ = (prism_8.p1_ + (prism_8.n1_ * _e13.x()));
+        let low2_ = (prism_8.p2_ + (prism_8.n2_ * _e13.x()));
+        let high0_ = (prism_8.p0_ + (prism_8.n0_ * _e13.y()));
+        let high1_ = (prism_8.p1_ + (prism_8.n1_ * _e13.y()));
+        let high2_ = (prism_8.p2_ + (prism_8.n2_ * _e13.y()));
         span_1 = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_4), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e50 = span_1;
-        let _e54 = self.v_in_slab(_e50, (low1_ - low0_).cross((low2_ - low0_)), prism_9, _e13, along_11, _e14);
+        let _e54 = self.v_in_slab(_e50, (low1_ - low0_).cross((low2_ - low0_)), low0_, high0_, high1_, high2_, along_11, _e14);
         span_1 = _e54;
         let _e55 = span_1;
-        let _e59 = self.v_in_slab(_e55, (high1_ - high0_).cross((high2_ - high0_)), prism_9, _e13, along_11, _e14);
+        let _e59 = self.v_in_slab(_e55, (high1_ - high0_).cross((high2_ - high0_)), high0_, low0_, low1_, low2_, along_11, _e14);
         span_1 = _e59;
         let _e61 = span_1.y();
         let _e63 = span_1.x();
@@ -4043,29 +4146,46 @@ impl<'g> Resources<'g> {
             return _e66;
         }
         let _e67 = span_1;
-        let _e71 = self.v_in_slab(_e67, (high1_ - low0_).cross((low1_ - high0_)), prism_9, _e13, along_11, _e14);
+        let _e71 = self.v_in_slab(_e67, (high1_ - low0_).cross((low1_ - high0_)), low0_, low1_, low2_, high2_, along_11, _e14);
         span_1 = _e71;
         let _e72 = span_1;
-        let _e76 = self.v_in_slab(_e72, (high2_ - low1_).cross((low2_ - high1_)), prism_9, _e13, along_11, _e14);
+        let _e76 = self.v_in_slab(_e72, (high2_ - low1_).cross((low2_ - high1_)), low1_, low2_, low0_, high0_, along_11, _e14);
         span_1 = _e76;
-        let _e77 = span_1;
-        let _e81 = self.v_in_slab(_e77, (high0_ - low2_).cross((low0_ - high2_)), prism_9, _e13, along_11, _e14);
-        span_1 = _e81;
-        let _e82 = span_1;
-        return _e82;
+        let _e78 = span_1.y();
+        let _e80 = span_1.x();
+        if rt::Scalar::into_branch_condition((!_e78.elementwise_gt(_e80))) {
+            let _e83 = span_1;
+            return _e83;
+        }
+        let _e84 = span_1;
+        let _e88 = self.v_in_slab(_e84, (high0_ - low2_).cross((low0_ - high2_)), low2_, low0_, low1_, high1_, along_11, _e14);
+        span_1 = _e88;
+        let _e89 = span_1;
+        return _e89;
+    }
+    pub(crate) fn passed_by(&self) -> Entered {
+        rt::into(self.v_passed_by())
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_passed_by(&self) -> Entered {
+        let zero_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let zeros = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let uv_27 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_27, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_27, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shell_point_from(
         &self,
-        prism_10: Prism,
+        prism_9: Prism,
         place_6: impl rt::Into<rt::Vec3<f32>>,
         from_point: ShellPoint,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_from(prism_10, rt::into(place_6), from_point))
+        rt::into(self.v_shell_point_from(prism_9, rt::into(place_6), from_point))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shell_point_from(
         &self,
-        prism_10: Prism,
+        prism_9: Prism,
         place_6: rt::Vec3<f32>,
         from_point: ShellPoint,
     ) -> ShellPoint {
@@ -4076,7 +4196,7 @@ impl<'g> Resources<'g> {
         let low_1 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
         let width_4 = (_e10 - low_1).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        let l = prism_10.lift;
+        let l = prism_9.lift;
         w_1 = from_point.weights;
         h_3 = rt::Scalar(from_point.height);
         'naga_break: loop {
@@ -4096,11 +4216,11 @@ impl<'g> Resources<'g> {
                     let _e35 = w_1.x();
                     let _e39 = w_1.y();
                     let _e44 = w_1.z();
-                    let normal_20 = (((prism_10.n0_ * _e35) + (prism_10.n1_ * _e39)) + (prism_10.n2_ * _e44));
+                    let normal_20 = (((prism_9.n0_ * _e35) + (prism_9.n1_ * _e39)) + (prism_9.n2_ * _e44));
                     let _e49 = w_1.x();
                     let _e53 = w_1.y();
                     let _e58 = w_1.z();
-                    let base_1 = (((prism_10.p0_ * _e49) + (prism_10.p1_ * _e53)) + (prism_10.p2_ * _e58));
+                    let base_1 = (((prism_9.p0_ * _e49) + (prism_9.p1_ * _e53)) + (prism_9.p2_ * _e58));
                     let rest_2 = ((place_6 - base_1) - (normal_20 * offset_6));
                     let _e66 = w_1.x();
                     let _e68 = w_1.y();
@@ -4110,46 +4230,47 @@ impl<'g> Resources<'g> {
                     let _e82 = w_1.z();
                     let _e86 = w_1.y();
                     let third_2 = ((l.y() * (_e80 - _e82)) + (_e86 * (l.x() - l.z())));
-                    let a_14 = (((prism_10.p1_ - prism_10.p0_) + ((prism_10.n1_ - prism_10.n0_) * offset_6)) + (normal_20 * second_3));
-                    let b_13 = (((prism_10.p2_ - prism_10.p0_) + ((prism_10.n2_ - prism_10.n0_) * offset_6)) + (normal_20 * third_2));
+                    let a_15 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_6)) + (normal_20 * second_3));
+                    let b_14 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_6)) + (normal_20 * third_2));
                     let c_10 = (normal_20 * width_4);
-                    let across_2 = b_13.cross(c_10);
-                    let volume_1 = a_14.dot(across_2);
-                    let db = (rest_2.dot(across_2) / volume_1);
-                    let dc = (rest_2.dot(c_10.cross(a_14)) / volume_1);
-                    let dh = (rest_2.dot(a_14.cross(b_13)) / volume_1);
-                    let _e124 = w_1.x();
-                    let _e128 = w_1.y();
-                    let _e131 = w_1.z();
-                    w_1 = <rt::Vec3<f32>>::from_scalars(((_e124 - db) - dc), (_e128 + db), (_e131 + dc));
-                    let _e134 = h_3;
-                    h_3 = (_e134 + dh);
-                    if rt::Scalar::into_branch_condition(db.abs().max(dc.abs()).max(dh.abs()).elementwise_lt(rt::Scalar(0.0001f32))) {
+                    let across_2 = b_14.cross(c_10);
+                    let one_over = (rt::Scalar(1f32) / a_15.dot(across_2));
+                    let db = (rest_2.dot(across_2) * one_over);
+                    let dc = (rest_2.dot(c_10.cross(a_15)) * one_over);
+                    let dh = (rest_2.dot(a_15.cross(b_14)) * one_over);
+                    let _e126 = w_1.x();
+                    let _e130 = w_1.y();
+                    let _e133 = w_1.z();
+                    w_1 = <rt::Vec3<f32>>::from_scalars(((_e126 - db) - dc), (_e130 + db), (_e133 + dc));
+                    let _e136 = h_3;
+                    h_3 = (_e136 + dh);
+                    if rt::Scalar::into_branch_condition(db.abs().max(dc.abs()).max(dh.abs()).elementwise_lt(rt::Scalar(0.001f32))) {
                         break 'naga_break;
                     }
                 }
             }
         }
-        let _e143 = w_1;
-        let _e144 = h_3;
-        return <ShellPoint>::new(_e143, _e144);
+        let _e145 = w_1;
+        let _e146 = h_3;
+        return <ShellPoint>::new(_e145, _e146);
     }
     pub(crate) fn shell_point(
         &self,
-        prism_11: Prism,
+        prism_10: Prism,
         place_7: impl rt::Into<rt::Vec3<f32>>,
         height_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point(prism_11, rt::into(place_7), rt::into(height_1)))
+        rt::into(self.v_shell_point(prism_10, rt::into(place_7), rt::into(height_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_shell_point(
         &self,
-        prism_11: Prism,
+        prism_10: Prism,
         place_7: rt::Vec3<f32>,
         height_1: rt::Scalar<f32>,
     ) -> ShellPoint {
-        let _e8 = self.v_shell_point_from(prism_11, place_7, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_1));
+        let _e8 = self.v_shell_point_from(prism_10, place_7, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_1));
         return _e8;
     }
     pub(crate) fn surface_prism_enter(
@@ -4165,8 +4286,8 @@ impl<'g> Resources<'g> {
         pixel_30: PixelIn,
         params_14: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_24: Entered;
         let mut local_25: rt::Scalar<bool>;
+        let mut at_24: Entered;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_30.shell.order).elementwise_ge(SHELL_FOLDED)) {
             let _e6 = self.v_folded_enter(pixel_30, params_14);
@@ -4175,42 +4296,43 @@ impl<'g> Resources<'g> {
         let along_18 = pixel_30.direction.normalize();
         let _e9 = self.v_middle_of(pixel_30, along_18);
         let _e10 = self.v_prism_of(pixel_30, along_18, _e9, params_14);
-        let _e11 = self.v_shell_middle(pixel_30, along_18);
-        at_24 = _e11;
-        let _e14 = self.v_span_of(pixel_30, _e10, along_18, _e9, params_14);
-        at_24.span = _e14;
-        let _e17 = at_24.span.y();
-        let _e20 = at_24.span.x();
-        let long_3 = (_e17 - _e20).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e11 = self.v_span_of(pixel_30, _e10, along_18, _e9, params_14);
+        let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
             local_25 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
             local_25 = rt::Scalar(true);
         }
-        let _e34 = local_25;
-        if rt::Scalar::into_branch_condition(_e34) {
-            let _e35 = at_24;
-            return _e35;
+        let _e27 = local_25;
+        if rt::Scalar::into_branch_condition(_e27) {
+            let _e28 = self.v_passed_by();
+            return _e28;
         }
+        let _e29 = self.v_shell_middle(pixel_30, along_18);
+        at_24 = _e29;
+        at_24.span = _e11;
         let height_11 = (rt::Scalar(0.5f32) * (pixel_30.shell.heights.x() + pixel_30.shell.heights.y()));
-        let _e47 = at_24.span.x();
-        let _e49 = self.v_shell_point(_e10, (along_18 * _e47), height_11);
-        let _e52 = at_24.span.y();
-        let _e54 = self.v_shell_point(_e10, (along_18 * _e52), height_11);
-        let _e57 = at_24.span.x();
-        let _e62 = self.v_shell_point(_e10, (along_18 * (_e57 + (rt::Scalar(0.5f32) * long_3))), height_11);
-        let _e65 = at_24.span.x();
-        let _e70 = self.v_shell_point(_e10, (along_18 * (_e65 + (rt::Scalar(0.25f32) * long_3))), height_11);
-        let _e73 = at_24.span.x();
-        let _e78 = self.v_shell_point(_e10, (along_18 * (_e73 + (rt::Scalar(0.75f32) * long_3))), height_11);
-        let _e80 = self.v_beside_chord(pixel_30, _e49, _e62, _e54, _e70, rt::Scalar(0.25f32));
-        let _e82 = self.v_beside_chord(pixel_30, _e49, _e62, _e54, _e78, rt::Scalar(0.75f32));
-        let quarters_1 = _e80.max(_e82);
-        let _e85 = self.v_beside_chord(pixel_30, _e49, _e62, _e54, _e62, rt::Scalar(0.5f32));
-        let most_6 = _e85.max(quarters_1);
+        let _e43 = at_24.span.x();
+        let _e45 = self.v_shell_point(_e10, (along_18 * _e43), height_11);
+        let _e48 = at_24.span.y();
+        let _e50 = self.v_shell_point(_e10, (along_18 * _e48), height_11);
+        let _e53 = at_24.span.x();
+        let _e58 = self.v_between(_e45, _e50);
+        let _e59 = self.v_shell_point_from(_e10, (along_18 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
+        let _e62 = at_24.span.x();
+        let _e67 = self.v_between(_e45, _e59);
+        let _e68 = self.v_shell_point_from(_e10, (along_18 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
+        let _e71 = at_24.span.x();
+        let _e76 = self.v_between(_e59, _e50);
+        let _e77 = self.v_shell_point_from(_e10, (along_18 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
+        let _e79 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e68, rt::Scalar(0.25f32));
+        let _e81 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e77, rt::Scalar(0.75f32));
+        let quarters_1 = _e79.max(_e81);
+        let _e84 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e59, rt::Scalar(0.5f32));
+        let most_6 = _e84.max(quarters_1);
         rt::Scalar(at_24.segments) = (most_6 / params_14.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).cast_elem_as_u32();
-        let _e96 = at_24;
-        return _e96;
+        let _e95 = at_24;
+        return _e95;
     }
     pub(crate) fn weight_at(
         &self,
@@ -4220,6 +4342,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_weight_at(rt::into(order), rt::into(weights_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_weight_at(
         &self,
         order: rt::Scalar<u32>,
@@ -4236,6 +4359,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_ordered_weights(shell_3, rt::into(weights_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_ordered_weights(
         &self,
         shell_3: Shell,
@@ -4352,6 +4476,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_moved_out(corner_1, rt::into(side), rt::into(offset_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_moved_out(
         &self,
         corner_1: Corner,
@@ -4369,6 +4494,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_raised(corner_2, rt::into(side_1), rt::into(height_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_raised(
         &self,
         corner_2: Corner,
@@ -4421,17 +4547,17 @@ impl<'g> Resources<'g> {
         let n2_ = e3_.cross(e1_);
         let n3_ = e1_.cross(e2_);
         let n0_ = (e2_ - e1_).cross((e3_ - e1_));
-        let volume_2 = e1_.dot(n1_);
-        let w1_ = ((rt::Scalar(0f32) - q0_.dot(n1_)) / volume_2);
-        let w2_ = ((rt::Scalar(0f32) - q0_.dot(n2_)) / volume_2);
-        let w3_ = ((rt::Scalar(0f32) - q0_.dot(n3_)) / volume_2);
-        let w0_ = (q1_.dot(n0_) / volume_2);
-        let g1_ = (along_12.dot(n1_) / volume_2);
-        let g2_ = (along_12.dot(n2_) / volume_2);
-        let g3_ = (along_12.dot(n3_) / volume_2);
-        let g0_ = (rt::Scalar(0f32) - (along_12.dot(n0_) / volume_2));
+        let volume_1 = e1_.dot(n1_);
+        let w1_ = ((rt::Scalar(0f32) - q0_.dot(n1_)) / volume_1);
+        let w2_ = ((rt::Scalar(0f32) - q0_.dot(n2_)) / volume_1);
+        let w3_ = ((rt::Scalar(0f32) - q0_.dot(n3_)) / volume_1);
+        let w0_ = (q1_.dot(n0_) / volume_1);
+        let g1_ = (along_12.dot(n1_) / volume_1);
+        let g2_ = (along_12.dot(n2_) / volume_1);
+        let g3_ = (along_12.dot(n3_) / volume_1);
+        let g0_ = (rt::Scalar(0f32) - (along_12.dot(n0_) / volume_1));
         let _e77 = self.v_shell_slack(pixel_34, middle_5);
-        let slack_5 = (_e77 / volume_2.abs());
+        let slack_5 = (_e77 / volume_1.abs());
         inside_1 = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_5), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e85 = inside_1;
         let _e88 = self.v_where_positive(_e85, w0_, g0_, (slack_5 * n0_.length()));
@@ -4445,7 +4571,7 @@ impl<'g> Resources<'g> {
         let _e97 = inside_1;
         let _e100 = self.v_where_positive(_e97, w3_, g3_, (slack_5 * n3_.length()));
         inside_1 = _e100;
-        if rt::Scalar::into_branch_condition((!(!volume_2.abs().elementwise_gt(rt::Scalar(0f32))))) {
+        if rt::Scalar::into_branch_condition((!(!volume_1.abs().elementwise_gt(rt::Scalar(0f32))))) {
             let _e109 = inside_1.y();
             local_26 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
@@ -4477,6 +4603,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_is_met(pixel_35, rt::into(along_13), rt::into(middle_6), rt::into(number_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_is_met(
         &self,
         pixel_35: PixelIn,
@@ -4501,33 +4628,36 @@ impl<'g> Resources<'g> {
         pixel_36: PixelIn,
         params_17: rt::Vec4<f32>,
     ) -> Entered {
+        let mut local_27: rt::Scalar<bool>;
+        let mut local_28: rt::Scalar<bool>;
         let mut at_27: Entered;
-        let mut number_3: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let along_20 = pixel_36.direction.normalize();
         let _e4 = self.v_middle_of(pixel_36, along_20);
-        let _e5 = self.v_shell_middle(pixel_36, along_20);
-        at_27 = _e5;
-        'naga_break: loop {
-            'naga_continue: {
-                let _e9 = number_3;
-                if rt::Scalar::into_branch_condition(_e9.elementwise_lt(rt::Scalar(3u32))) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e12 = number_3;
-                    let _e13 = self.v_is_met(pixel_36, along_20, _e4, _e12);
-                    if rt::Scalar::into_branch_condition(_e13) {
-                        rt::Scalar(at_27.segments) = rt::Scalar(3u32);
-                    }
-                    let _e16 = number_3;
-                    number_3 = (_e16 + rt::Scalar(1u32));
-                }
-            }
+        let _e6 = self.v_is_met(pixel_36, along_20, _e4, rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!_e6)) {
+            let _e11 = self.v_is_met(pixel_36, along_20, _e4, rt::Scalar(1u32));
+            local_27 = (!_e11);
+        } else {
+            local_27 = rt::Scalar(false);
         }
-        let _e19 = at_27;
-        return _e19;
+        let _e14 = local_27;
+        if rt::Scalar::into_branch_condition(_e14) {
+            let _e18 = self.v_is_met(pixel_36, along_20, _e4, rt::Scalar(2u32));
+            local_28 = (!_e18);
+        } else {
+            local_28 = rt::Scalar(false);
+        }
+        let is_passed_by = local_28;
+        if rt::Scalar::into_branch_condition(is_passed_by) {
+            let _e22 = self.v_passed_by();
+            return _e22;
+        }
+        let _e23 = self.v_shell_middle(pixel_36, along_20);
+        at_27 = _e23;
+        rt::Scalar(at_27.segments) = rt::Scalar(3u32);
+        let _e27 = at_27;
+        return _e27;
     }
     pub(crate) fn surface_enter_stage(&self, pixel_37: PixelIn) -> Entered {
         rt::into(self.v_surface_enter_stage(pixel_37))
@@ -4572,13 +4702,18 @@ impl<'g> Resources<'g> {
 
         let _e1 = self.v_surface_enter_stage(pixel_38);
         at_28 = _e1;
-        let _e3 = at_28;
-        let _e4 = self.v_detail_stage(pixel_38, _e3);
-        rt::Scalar(at_28.level) = rt::Scalar(_e4.level);
-        rt::Scalar(at_28.footprint) = rt::Scalar(_e4.footprint);
-        rt::Scalar(at_28.fade) = rt::Scalar(_e4.fade);
-        let _e11 = at_28;
-        return _e11;
+        let _e4 = rt::Scalar(at_28.segments);
+        if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0u32))) {
+            let _e7 = at_28;
+            return _e7;
+        }
+        let _e8 = at_28;
+        let _e9 = self.v_detail_stage(pixel_38, _e8);
+        rt::Scalar(at_28.level) = rt::Scalar(_e9.level);
+        rt::Scalar(at_28.footprint) = rt::Scalar(_e9.footprint);
+        rt::Scalar(at_28.fade) = rt::Scalar(_e9.fade);
+        let _e16 = at_28;
+        return _e16;
     }
     pub(crate) fn entered_once(
         &self,
@@ -4608,7 +4743,7 @@ impl<'g> Resources<'g> {
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
         let mut cost_1: rt::Vec3<u32>;
-        let mut local_27: rt::Scalar<bool>;
+        let mut local_29: rt::Scalar<bool>;
 
         near_1 = above;
         far_1 = below;
@@ -4633,11 +4768,11 @@ impl<'g> Resources<'g> {
                     let _e33 = near_1;
                     if rt::Scalar::into_branch_condition(middle_11.elementwise_gt(_e33)) {
                         let _e37 = far_1;
-                        local_27 = middle_11.elementwise_lt(_e37);
+                        local_29 = middle_11.elementwise_lt(_e37);
                     } else {
-                        local_27 = rt::Scalar(false);
+                        local_29 = rt::Scalar(false);
                     }
-                    let _e40 = local_27;
+                    let _e40 = local_29;
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
@@ -4670,6 +4805,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_facing_four(rt::into(middle_7), rt::into(along_14), rt::into(across)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_facing_four(
         &self,
         middle_7: rt::Scalar<f32>,
@@ -4689,6 +4825,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_normal_at(rt::into(uv_9), rt::into(layer_5), rt::into(level_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_normal_at(
         &self,
         uv_9: rt::Vec2<f32>,
@@ -4715,16 +4852,17 @@ impl<'g> Resources<'g> {
         rt::into(self.v_slope_beside(rt::into(own), rt::into(beside), rt::into(rate)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_slope_beside(
         &self,
         own: rt::Scalar<f32>,
         beside: rt::Scalar<f32>,
         rate: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let a_15 = (own * rate);
-        let b_14 = (beside * rate);
-        let along_21 = (rt::Scalar(1f32) + (a_15 * b_14));
-        let apart_3 = (a_15 - b_14).abs();
+        let a_16 = (own * rate);
+        let b_15 = (beside * rate);
+        let along_21 = (rt::Scalar(1f32) + (a_16 * b_15));
+        let apart_3 = (a_16 - b_15).abs();
         if rt::Scalar::into_branch_condition(apart_3.elementwise_le((rt::Scalar(0.5f32) * along_21))) {
             return beside;
         }
@@ -4787,6 +4925,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_normal_of_slopes(at_30, rt::into(slope_u), rt::into(slope_v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_normal_of_slopes(
         &self,
         at_30: Entered,
@@ -4843,6 +4982,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_finest_normal(at_32, rt::into(uv_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_finest_normal(
         &self,
         at_32: Entered,
@@ -4861,6 +5001,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_miss(rt::into(cost_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_miss(&self, cost_2: rt::Vec3<u32>) -> Hit {
         return <Hit>::new(rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), cost_2);
     }
@@ -4945,10 +5086,10 @@ impl<'g> Resources<'g> {
         k_2: rt::Scalar<u32>,
         params_19: rt::Vec4<f32>,
     ) -> Path {
-        let mut a_6: WayPoint;
-        let mut b_6: WayPoint;
+        let mut a_8: WayPoint;
+        let mut b_8: WayPoint;
         let mut path_17: Path;
-        let mut local_28: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
 
         let along_23 = pixel_40.direction.normalize();
         let _e6 = self.v_middle_of(pixel_40, along_23);
@@ -4961,39 +5102,39 @@ impl<'g> Resources<'g> {
         let _e14 = self.v_way_chord(pixel_40, _e7, along_23, _e9, _e10, _e12, params_19.x(), k_2);
         let _e16 = self.v_before_turn(_e7, along_23, _e9, _e14.offsets);
         let _e18 = self.v_way_point(_e7, along_23, _e9, _e16.x());
-        a_6 = _e18;
+        a_8 = _e18;
         let _e25 = self.v_way_point(_e7, along_23, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
         let _e27 = self.v_way_point(_e7, along_23, _e9, _e16.y());
-        b_6 = _e27;
-        let _e30 = rt::Scalar(b_6.t);
-        let _e32 = rt::Scalar(a_6.t);
+        b_8 = _e27;
+        let _e30 = rt::Scalar(b_8.t);
+        let _e32 = rt::Scalar(a_8.t);
         if rt::Scalar::into_branch_condition(_e30.elementwise_lt(_e32)) {
-            let turned_1 = b_6;
-            let _e35 = a_6;
-            b_6 = _e35;
-            a_6 = turned_1;
+            let turned_1 = b_8;
+            let _e35 = a_8;
+            b_8 = _e35;
+            a_8 = turned_1;
         }
-        let _e38 = rt::Scalar(a_6.t);
-        let _e41 = rt::Scalar(b_6.t);
-        let _e43 = rt::Scalar(a_6.t);
+        let _e38 = rt::Scalar(a_8.t);
+        let _e41 = rt::Scalar(b_8.t);
+        let _e43 = rt::Scalar(a_8.t);
         let part_13 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
-        let _e48 = rt::Scalar(a_6.point.height);
-        let _e53 = rt::Scalar(b_6.point.height);
+        let _e48 = rt::Scalar(a_8.point.height);
+        let _e53 = rt::Scalar(b_8.point.height);
         let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_13);
-        let _e56 = a_6.point;
-        let _e58 = b_6.point;
-        let _e60 = rt::Scalar(a_6.t);
-        let _e62 = rt::Scalar(b_6.t);
+        let _e56 = a_8.point;
+        let _e58 = b_8.point;
+        let _e60 = rt::Scalar(a_8.t);
+        let _e62 = rt::Scalar(b_8.t);
         let _e64 = self.v_chord_path(pixel_40, at_34, _e6, params_19, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
         path_17 = _e64;
-        let _e67 = rt::Scalar(a_6.beside);
+        let _e67 = rt::Scalar(a_8.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
-            let _e76 = rt::Scalar(b_6.beside);
-            local_28 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
+            let _e76 = rt::Scalar(b_8.beside);
+            local_30 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
         } else {
-            local_28 = rt::Scalar(true);
+            local_30 = rt::Scalar(true);
         }
-        let _e82 = local_28;
+        let _e82 = local_30;
         if rt::Scalar::into_branch_condition(_e82) {
             rt::Scalar(path_17.exit) = rt::Scalar(0f32);
         }
@@ -5029,13 +5170,14 @@ impl<'g> Resources<'g> {
         let _e20 = self.v_chord_end(at_35, k_3);
         let _e23 = self.v_chord_end(at_35, (k_3 + rt::Scalar(1u32)));
         let _e25 = self.v_shell_point(_e12, (along_24 * _e20), mean_3);
-        let _e30 = self.v_shell_point(_e12, (along_24 * (rt::Scalar(0.5f32) * (_e20 + _e23))), mean_3);
-        let _e32 = self.v_shell_point(_e12, (along_24 * _e23), mean_3);
-        let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e32.height)) - (rt::Scalar(2f32) * rt::Scalar(_e30.height))));
-        let _e55 = self.v_chord_reach(pixel_41, at_35, _e11, params_20);
-        let beyond_4 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e55 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e67 = self.v_chord_path(pixel_41, at_35, _e11, params_20, _e25, _e32, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_4);
-        return _e67;
+        let _e27 = self.v_shell_point(_e12, (along_24 * _e23), mean_3);
+        let _e32 = self.v_between(_e25, _e27);
+        let _e33 = self.v_shell_point_from(_e12, (along_24 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
+        let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
+        let _e56 = self.v_chord_reach(pixel_41, at_35, _e11, params_20);
+        let beyond_4 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
+        let _e68 = self.v_chord_path(pixel_41, at_35, _e11, params_20, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_4);
+        return _e68;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
         &self,
@@ -5056,7 +5198,7 @@ impl<'g> Resources<'g> {
     ) -> Path {
         let mut begin_1: rt::Scalar<f32>;
         let mut end_1: rt::Scalar<f32>;
-        let mut local_29: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
         let mut path_18: Path;
         let mut inside_2: rt::Vec2<f32>;
 
@@ -5082,11 +5224,11 @@ impl<'g> Resources<'g> {
         end_1 = (at_36.quadric.w() - (_e57 / _e10));
         if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_21.z().cast_elem_as_u32())) {
             let _e68 = end_1;
-            local_29 = _e68.elementwise_lt(rt::Scalar(0.5f32));
+            local_31 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
-            local_29 = rt::Scalar(false);
+            local_31 = rt::Scalar(false);
         }
-        let _e72 = local_29;
+        let _e72 = local_31;
         if rt::Scalar::into_branch_condition(_e72) {
             let _e73 = end_1;
             end_1 = _e73.min(rt::Scalar(-0.000001f32));
@@ -5142,13 +5284,13 @@ impl<'g> Resources<'g> {
         k_5: rt::Scalar<u32>,
         params_22: rt::Vec4<f32>,
     ) -> Path {
-        let mut local_30: rt::Scalar<bool>;
-        let mut local_31: rt::Scalar<bool>;
+        let mut local_32: rt::Scalar<bool>;
+        let mut local_33: rt::Scalar<bool>;
         let mut enter_1: rt::Scalar<f32>;
         let mut leave_5: rt::Scalar<f32>;
         let mut interval_4: rt::Vec2<f32>;
         let mut path_19: Path;
-        let mut local_32: rt::Scalar<bool>;
+        let mut local_34: rt::Scalar<bool>;
 
         let along_26 = pixel_43.direction.length();
         let direction_6 = (pixel_43.direction / rt::Vec3::splat_from_scalar(along_26));
@@ -5167,16 +5309,16 @@ impl<'g> Resources<'g> {
         let _e35 = self.v_bent_descent(((height_12 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
             if rt::Scalar::into_branch_condition((!height_12.elementwise_lt(rt::Scalar(1f32)))) {
-                local_31 = _e35.elementwise_ge(rt::Scalar(0f32));
+                local_33 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
-                local_31 = rt::Scalar(true);
+                local_33 = rt::Scalar(true);
             }
-            let _e48 = local_31;
-            local_30 = _e48;
+            let _e48 = local_33;
+            local_32 = _e48;
         } else {
-            local_30 = rt::Scalar(false);
+            local_32 = rt::Scalar(false);
         }
-        let comes_down = local_30;
+        let comes_down = local_32;
         enter_1 = _e35.max(eye_3);
         let _e53 = enter_1;
         let _e54 = enter_1;
@@ -5220,11 +5362,11 @@ impl<'g> Resources<'g> {
         path_19 = <Path>::new((at_37.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_9 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_37.metric, RAY_VIEW, rt::Scalar(at_37.level), (distance_2 + _e137), rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
             let _e147 = rt::Scalar(path_19.exit);
-            local_32 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
+            local_34 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_32 = rt::Scalar(true);
+            local_34 = rt::Scalar(true);
         }
-        let _e152 = local_32;
+        let _e152 = local_34;
         if rt::Scalar::into_branch_condition(_e152) {
             rt::Scalar(path_19.exit) = rt::Scalar(0f32);
         }
@@ -5272,7 +5414,7 @@ impl<'g> Resources<'g> {
         let _e34 = self.v_ordered(pixel_44, rt::Scalar(2u32));
         let w_3 = chosen_1.weights;
         let g = chosen_1.change;
-        let uv_27 = (((_e30.uv * w_3.x()) + (_e32.uv * w_3.y())) + (_e34.uv * w_3.z()));
+        let uv_28 = (((_e30.uv * w_3.x()) + (_e32.uv * w_3.y())) + (_e34.uv * w_3.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
         let _e61 = self.v_shell_slack(pixel_44, _e6);
         let beyond_5 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
@@ -5287,10 +5429,10 @@ impl<'g> Resources<'g> {
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_3;
-            let _e96 = self.v_inside_unit(uv_27.x(), duv_7.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_28.x(), duv_7.x(), _e95);
             inside_3 = _e96;
             let _e99 = inside_3;
-            let _e100 = self.v_inside_unit(uv_27.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_28.y(), duv_7.y(), _e99);
             inside_3 = _e100;
         }
         let whole_1 = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -5301,7 +5443,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_20 = <Path>::new((uv_27 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_3.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_38.metric, RAY_VIEW, rt::Scalar(at_38.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
+        path_20 = <Path>::new((uv_28 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_3.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_38.metric, RAY_VIEW, rt::Scalar(at_38.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
         let _e158 = rt::Scalar(path_20.exit);
         if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
             let _e161 = path_20;
@@ -5365,6 +5507,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_path_slope(path_21, rt::into(t_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_path_slope(
         &self,
         path_21: Path,
@@ -5461,15 +5604,15 @@ impl<'g> Resources<'g> {
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_33: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(t_14.elementwise_gt(rt::Scalar(path_24.exit))) {
             let _e9 = self.v_path_height(path_24, rt::Scalar(path_24.exit));
-            local_33 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+            local_35 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_33 = rt::Scalar(false);
+            local_35 = rt::Scalar(false);
         }
-        let _e13 = local_33;
+        let _e13 = local_35;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
@@ -5484,17 +5627,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_starting_point(&self, path_25: Path, found: Found) -> rt::Scalar<f32> {
-        let mut local_34: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_25.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
-            local_34 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
+            local_36 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_34 = rt::Scalar(true);
+            local_36 = rt::Scalar(true);
         }
-        let _e16 = local_34;
+        let _e16 = local_36;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found.far);
         }
@@ -5509,6 +5652,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_refine_none(path_26, found_1, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_refine_none(
         &self,
         path_26: Path,
@@ -5602,6 +5746,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_height_and_slope(rt::into(uv_13), rt::into(level_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_height_and_slope(
         &self,
         uv_13: rt::Vec2<f32>,
@@ -5626,6 +5771,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_normal_z(path_29, rt::into(slope)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_normal_z(
         &self,
         path_29: Path,
@@ -5751,28 +5897,28 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found_6: Found) -> rt::Scalar<bool> {
-        let mut local_35: rt::Scalar<bool>;
-        let mut local_36: rt::Scalar<bool>;
         let mut local_37: rt::Scalar<bool>;
+        let mut local_38: rt::Scalar<bool>;
+        let mut local_39: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.far).elementwise_gt(rt::Scalar(found_6.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_6.status).elementwise_eq(FOUND_BRACKET))) {
-                local_36 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
+                local_38 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
-                local_36 = rt::Scalar(true);
+                local_38 = rt::Scalar(true);
             }
-            let _e16 = local_36;
+            let _e16 = local_38;
             if rt::Scalar::into_branch_condition((!_e16)) {
-                local_37 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
+                local_39 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
             } else {
-                local_37 = rt::Scalar(true);
+                local_39 = rt::Scalar(true);
             }
-            let _e24 = local_37;
-            local_35 = _e24;
+            let _e24 = local_39;
+            local_37 = _e24;
         } else {
-            local_35 = rt::Scalar(false);
+            local_37 = rt::Scalar(false);
         }
-        let _e26 = local_35;
+        let _e26 = local_37;
         return _e26;
     }
     pub(crate) fn refine_binary(
@@ -5793,7 +5939,7 @@ impl<'g> Resources<'g> {
         let mut near_2: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_38: rt::Scalar<bool>;
+        let mut local_40: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_10: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -5808,11 +5954,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
             let _e19 = self.v_path_height(path_32, _e18);
-            local_38 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_40 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_38 = rt::Scalar(true);
+            local_40 = rt::Scalar(true);
         }
-        let _e23 = local_38;
+        let _e23 = local_40;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -6060,7 +6206,7 @@ impl<'g> Resources<'g> {
         let mut t_19: rt::Scalar<f32>;
         let mut cell_7: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_39: rt::Scalar<bool>;
+        let mut local_41: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_10.cost);
@@ -6117,11 +6263,11 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(found_10.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_39 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
+                            local_41 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_39 = rt::Scalar(true);
+                            local_41 = rt::Scalar(true);
                         }
-                        let _e89 = local_39;
+                        let _e89 = local_41;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
                             let _e93 = self.v_hit_on_path(path_35, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
@@ -6253,6 +6399,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_search_none(path_38, rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_search_none(
         &self,
         path_38: Path,
@@ -6326,62 +6473,63 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn least_at(
         &self,
-        c_4: impl rt::Into<rt::Vec3<f32>>,
+        c_5: impl rt::Into<rt::Vec3<f32>>,
         span_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_least_at(rt::into(c_4), rt::into(span_2)))
+        rt::into(self.v_least_at(rt::into(c_5), rt::into(span_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_least_at(
         &self,
-        c_4: rt::Vec3<f32>,
+        c_5: rt::Vec3<f32>,
         span_2: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(c_4.z().elementwise_gt(rt::Scalar(0f32))) {
-            return ((rt::Scalar(0f32) - c_4.y()) / (rt::Scalar(2f32) * c_4.z())).clamp(rt::Scalar(0f32), span_2);
+        if rt::Scalar::into_branch_condition(c_5.z().elementwise_gt(rt::Scalar(0f32))) {
+            return ((rt::Scalar(0f32) - c_5.y()) / (rt::Scalar(2f32) * c_5.z())).clamp(rt::Scalar(0f32), span_2);
         }
         return span_2;
     }
     pub(crate) fn found_in_cell(
         &self,
-        c_5: impl rt::Into<rt::Vec3<f32>>,
+        c_6: impl rt::Into<rt::Vec3<f32>>,
         t_20: impl rt::Into<rt::Scalar<f32>>,
         span_3: impl rt::Into<rt::Scalar<f32>>,
         first_1: impl rt::Into<rt::Scalar<bool>>,
         cost_10: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_found_in_cell(rt::into(c_5), rt::into(t_20), rt::into(span_3), rt::into(first_1), rt::into(cost_10)))
+        rt::into(self.v_found_in_cell(rt::into(c_6), rt::into(t_20), rt::into(span_3), rt::into(first_1), rt::into(cost_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_found_in_cell(
         &self,
-        c_5: rt::Vec3<f32>,
+        c_6: rt::Vec3<f32>,
         t_20: rt::Scalar<f32>,
         span_3: rt::Scalar<f32>,
         first_1: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_40: rt::Scalar<bool>;
+        let mut local_42: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(c_5.x().elementwise_le(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(c_6.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first_1) {
-                local_40 = c_5.x().elementwise_lt(rt::Scalar(0f32));
+                local_42 = c_6.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_40 = rt::Scalar(false);
+                local_42 = rt::Scalar(false);
             }
-            let _e14 = local_40;
+            let _e14 = local_42;
             if rt::Scalar::into_branch_condition(_e14) {
-                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_5.x(), c_5.x(), cost_10);
+                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_6.x(), c_6.x(), cost_10);
             }
-            return <Found>::new(FOUND_BRACKET, t_20, t_20, c_5.x(), c_5.x(), cost_10);
+            return <Found>::new(FOUND_BRACKET, t_20, t_20, c_6.x(), c_6.x(), cost_10);
         }
-        let _e25 = self.v_least_at(c_5, span_3);
-        let _e26 = self.v_quadratic(c_5, _e25);
+        let _e25 = self.v_least_at(c_6, span_3);
+        let _e26 = self.v_quadratic(c_6, _e25);
         if rt::Scalar::into_branch_condition(_e26.elementwise_le(rt::Scalar(0f32))) {
-            return <Found>::new(FOUND_BRACKET, t_20, (t_20 + _e25), c_5.x(), _e26, cost_10);
+            return <Found>::new(FOUND_BRACKET, t_20, (t_20 + _e25), c_6.x(), _e26, cost_10);
         }
-        let _e36 = self.v_quadratic(c_5, span_3);
-        return <Found>::new(FOUND_ABOVE, t_20, (t_20 + span_3), c_5.x(), _e36, cost_10);
+        let _e36 = self.v_quadratic(c_6, span_3);
+        return <Found>::new(FOUND_ABOVE, t_20, (t_20 + span_3), c_6.x(), _e36, cost_10);
     }
     pub(crate) fn search_cells(
         &self,
@@ -6461,14 +6609,14 @@ impl<'g> Resources<'g> {
         cell_9: rt::Scalar<i32>,
         n_4: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_41: rt::Scalar<bool>;
+        let mut local_43: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_9.elementwise_ge(rt::Scalar(0i32))) {
-            local_41 = cell_9.elementwise_lt(n_4);
+            local_43 = cell_9.elementwise_lt(n_4);
         } else {
-            local_41 = rt::Scalar(false);
+            local_43 = rt::Scalar(false);
         }
-        let _e8 = local_41;
+        let _e8 = local_43;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_9, rt::Scalar(0i32));
         }
@@ -6505,17 +6653,17 @@ impl<'g> Resources<'g> {
         cell_10: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_42: rt::Scalar<bool>;
+        let mut local_44: rt::Scalar<bool>;
 
         let _e4 = self.v_height_texels(rt::Scalar(path_41.level));
         let _e7 = self.v_image_of(cell_10.x(), _e4.x());
         let _e10 = self.v_image_of(cell_10.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_42 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_44 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_42 = rt::Scalar(true);
+            local_44 = rt::Scalar(true);
         }
-        let _e21 = local_42;
+        let _e21 = local_44;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
@@ -6532,6 +6680,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_map_read(path_42, rt::into(texels_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_map_read(
         &self,
         path_42: Path,
@@ -6553,6 +6702,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_stays_above(rt::into(above_1), rt::into(slope_1), rt::into(left), rt::into(speed), rt::into(lost), rt::into(span_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_stays_above(
         &self,
         above_1: rt::Vec3<f32>,
@@ -6595,7 +6745,7 @@ impl<'g> Resources<'g> {
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_2: rt::Scalar<f32>;
-        let mut local_43: rt::Scalar<bool>;
+        let mut local_45: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_43);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -6638,11 +6788,11 @@ impl<'g> Resources<'g> {
                     let _e82 = self.v_least_at(above_6, span_8);
                     let _e83 = self.v_quadratic(above_6, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_43 = above_6.x().elementwise_gt(of_heights);
+                        local_45 = above_6.x().elementwise_gt(of_heights);
                     } else {
-                        local_43 = rt::Scalar(false);
+                        local_45 = rt::Scalar(false);
                     }
-                    let _e90 = local_43;
+                    let _e90 = local_45;
                     if rt::Scalar::into_branch_condition(_e90) {
                         if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_43.exit))) {
                             let _e93 = cell_11;
@@ -6673,9 +6823,9 @@ impl<'g> Resources<'g> {
                         let at_93 = ((_e2.origin - _e116) + (_e2.step * _e119));
                         let left_3 = at_93.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_93), forward_3);
                         let _e131 = t_22;
-                        let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                        let far_5 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_2;
-                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_4));
+                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_5));
                         let _e145 = t_22;
                         let rest_4 = (rt::Scalar(path_43.exit) - _e145);
                         let _e147 = slope_2;
@@ -6716,6 +6866,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_nearest_corner(rt::into(at_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_nearest_corner(&self, at_41: rt::Vec2<f32>) -> rt::Vec2<f32> {
         return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_41.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
@@ -6741,7 +6892,7 @@ impl<'g> Resources<'g> {
         t_23: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_44: rt::Scalar<bool>;
+        let mut local_46: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
         let rest_5 = (rt::Scalar(path_44.exit) - t_23);
@@ -6758,32 +6909,32 @@ impl<'g> Resources<'g> {
         let _e39 = most;
         let end_7 = (t_23 + _e39);
         let _e52 = self.v_height_size(rt::Scalar(path_44.level));
-        let far_5 = (((grid_6.origin.abs() + (grid_6.step.abs() * end_7)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
+        let far_6 = (((grid_6.origin.abs() + (grid_6.step.abs() * end_7)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
         let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_44.h.x().abs() + (end_7 * (path_44.h.y().abs() + (end_7 * path_44.h.z().abs())))));
-        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_3) * (far_5.x() + far_5.y())));
+        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_3) * (far_6.x() + far_6.y())));
         let gap_2 = (height_14 - (rt::Scalar(2f32) * lost_2));
         let _e85 = self.v_height_size(rt::Scalar(path_44.level));
         let aside_4 = (((grid_6.origin - offset_4) + (grid_6.step * t_23)) / _e85);
         let c_11 = (((slope_3 * aside_4.length()) - gap_2) * ((slope_3 * aside_4.length()) + gap_2));
         if rt::Scalar::into_branch_condition((!gap_2.elementwise_le(rt::Scalar(0f32)))) {
-            local_44 = c_11.elementwise_ge(rt::Scalar(0f32));
+            local_46 = c_11.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_44 = rt::Scalar(true);
+            local_46 = rt::Scalar(true);
         }
-        let _e102 = local_44;
+        let _e102 = local_46;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_15 = (((slope_3 * slope_3) * aside_4.dot(path_44.duv)) - (gap_2 * rise_3));
-        let a_16 = (((slope_3 * slope_3) * path_44.duv.dot(path_44.duv)) - (rise_3 * rise_3));
-        let discriminant_3 = ((b_15 * b_15) - (a_16 * c_11));
+        let b_16 = (((slope_3 * slope_3) * aside_4.dot(path_44.duv)) - (gap_2 * rise_3));
+        let a_17 = (((slope_3 * slope_3) * path_44.duv.dot(path_44.duv)) - (rise_3 * rise_3));
+        let discriminant_3 = ((b_16 * b_16) - (a_17 * c_11));
         if rt::Scalar::into_branch_condition(discriminant_3.elementwise_ge(rt::Scalar(0f32))) {
             let root_4 = discriminant_3.sqrt();
-            if rt::Scalar::into_branch_condition(b_15.elementwise_ge(rt::Scalar(0f32))) {
-                leave_6 = ((rt::Scalar(0f32) - c_11) / (b_15 + root_4));
+            if rt::Scalar::into_branch_condition(b_16.elementwise_ge(rt::Scalar(0f32))) {
+                leave_6 = ((rt::Scalar(0f32) - c_11) / (b_16 + root_4));
             } else {
-                if rt::Scalar::into_branch_condition(a_16.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_6 = ((root_4 - b_15) / a_16);
+                if rt::Scalar::into_branch_condition(a_17.elementwise_gt(rt::Scalar(0f32))) {
+                    leave_6 = ((root_4 - b_16) / a_17);
                 }
             }
         }
@@ -6915,7 +7066,7 @@ impl<'g> Resources<'g> {
         n_5: rt::Scalar<i32>,
         level_16: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_45: rt::Scalar<bool>;
+        let mut local_47: rt::Scalar<bool>;
 
         let first_10 = ((image.x() >> level_16) << level_16);
         let side_3 = (rt::Scalar(1i32) << level_16);
@@ -6929,11 +7080,11 @@ impl<'g> Resources<'g> {
         }
         if rt::Scalar::into_branch_condition(level_16.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_45 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_47 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_45 = rt::Scalar(false);
+            local_47 = rt::Scalar(false);
         }
-        let _e43 = local_45;
+        let _e43 = local_47;
         if rt::Scalar::into_branch_condition(_e43) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_5, cell_13.elementwise_ge(n_5)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_13.elementwise_ge(n_5)));
         }
@@ -6948,6 +7099,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_leaves_extent(rt::into(origin_1), rt::into(step_2), rt::into(extent)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_leaves_extent(
         &self,
         origin_1: rt::Scalar<f32>,
@@ -6981,10 +7133,10 @@ impl<'g> Resources<'g> {
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_46: rt::Scalar<bool>;
-        let mut local_47: rt::Scalar<bool>;
         let mut local_48: rt::Scalar<bool>;
         let mut local_49: rt::Scalar<bool>;
+        let mut local_50: rt::Scalar<bool>;
+        let mut local_51: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_46);
         let _e4 = self.v_height_texels(rt::Scalar(path_46.level));
@@ -7033,24 +7185,24 @@ impl<'g> Resources<'g> {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_1.x()))) {
                             let _e89 = parent.y();
-                            local_47 = _e89.elementwise_ne(over_1.y());
+                            local_49 = _e89.elementwise_ne(over_1.y());
                         } else {
-                            local_47 = rt::Scalar(true);
+                            local_49 = rt::Scalar(true);
                         }
-                        let _e93 = local_47;
-                        local_46 = _e93;
-                    } else {
-                        local_46 = rt::Scalar(false);
-                    }
-                    let left_4 = local_46;
-                    if rt::Scalar::into_branch_condition(left_4) {
-                        let _e98 = level_17;
-                        let _e99 = top;
-                        local_48 = _e98.elementwise_lt(_e99);
+                        let _e93 = local_49;
+                        local_48 = _e93;
                     } else {
                         local_48 = rt::Scalar(false);
                     }
-                    let _e102 = local_48;
+                    let left_4 = local_48;
+                    if rt::Scalar::into_branch_condition(left_4) {
+                        let _e98 = level_17;
+                        let _e99 = top;
+                        local_50 = _e98.elementwise_lt(_e99);
+                    } else {
+                        local_50 = rt::Scalar(false);
+                    }
+                    let _e102 = local_50;
                     if rt::Scalar::into_branch_condition(_e102) {
                         level_17 = above_level;
                     }
@@ -7104,11 +7256,11 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition((!gap_3.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e214 = self.v_least_at(gap_3, span_10);
                             let _e215 = self.v_quadratic(gap_3, _e214);
-                            local_49 = _e215.elementwise_le(rt::Scalar(0f32));
+                            local_51 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_49 = rt::Scalar(true);
+                            local_51 = rt::Scalar(true);
                         }
-                        let _e219 = local_49;
+                        let _e219 = local_51;
                         if rt::Scalar::into_branch_condition(_e219) {
                             if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
                                 let _e223 = t_25;
@@ -7164,18 +7316,18 @@ impl<'g> Resources<'g> {
         n_6: rt::Scalar<i32>,
         level_18: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_50: rt::Scalar<bool>;
+        let mut local_52: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_6);
         let first_11 = ((_e3 >> level_18) << level_18);
         let last_5 = (first_11 + (rt::Scalar(1i32) << level_18)).min(n_6);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_50 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_52 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_50 = rt::Scalar(true);
+            local_52 = rt::Scalar(true);
         }
-        let _e20 = local_50;
+        let _e20 = local_52;
         if rt::Scalar::into_branch_condition(_e20) {
             return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_11), ((texel_2 - _e3) + last_5));
         }
@@ -7344,6 +7496,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_leaves_window(grid_7, rt::into(cell_15), rt::into(radius)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_leaves_window(
         &self,
         grid_7: Grid,
@@ -7375,10 +7528,10 @@ impl<'g> Resources<'g> {
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_51: rt::Scalar<bool>;
-        let mut local_52: rt::Scalar<bool>;
         let mut local_53: rt::Scalar<bool>;
         let mut local_54: rt::Scalar<bool>;
+        let mut local_55: rt::Scalar<bool>;
+        let mut local_56: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_48);
         let _e4 = self.v_height_texels(rt::Scalar(path_48.level));
@@ -7409,11 +7562,11 @@ impl<'g> Resources<'g> {
                     let _e50 = cell_16.y();
                     let _e53 = self.v_image_of(_e50.cast_elem_as_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_51 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_53 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_51 = rt::Scalar(true);
+                        local_53 = rt::Scalar(true);
                     }
-                    let _e64 = local_51;
+                    let _e64 = local_53;
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
@@ -7449,18 +7602,18 @@ impl<'g> Resources<'g> {
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_52 = _e131.elementwise_lt(end_11);
+                            local_54 = _e131.elementwise_lt(end_11);
                         } else {
-                            local_52 = rt::Scalar(false);
+                            local_54 = rt::Scalar(false);
                         }
-                        let _e134 = local_52;
+                        let _e134 = local_54;
                         if rt::Scalar::into_branch_condition(_e134) {
                             let _e137 = self.v_path_height(path_48, end_11);
-                            local_53 = _e137.elementwise_lt(_e72.x());
+                            local_55 = _e137.elementwise_lt(_e72.x());
                         } else {
-                            local_53 = rt::Scalar(false);
+                            local_55 = rt::Scalar(false);
                         }
-                        let _e141 = local_53;
+                        let _e141 = local_55;
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
@@ -7471,11 +7624,11 @@ impl<'g> Resources<'g> {
                     let _e145 = next_3;
                     if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_11))) {
                         let _e150 = t_27;
-                        local_54 = (!end_11.elementwise_gt(_e150));
+                        local_56 = (!end_11.elementwise_gt(_e150));
                     } else {
-                        local_54 = rt::Scalar(true);
+                        local_56 = rt::Scalar(true);
                     }
-                    let _e154 = local_54;
+                    let _e154 = local_56;
                     if rt::Scalar::into_branch_condition(_e154) {
                         let _e155 = looks;
                         if rt::Scalar::into_branch_condition(_e155) {
@@ -7533,7 +7686,7 @@ impl<'g> Resources<'g> {
         let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_55: rt::Scalar<bool>;
+        let mut local_57: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_49);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -7542,9 +7695,9 @@ impl<'g> Resources<'g> {
         let climb_1 = _e9.abs().max(_e12.abs());
         let fastest = <rt::Vec3<f32>>::new_21(path_49.duv, climb_1).length();
         let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_6 = (path_49.uv.abs() + (path_49.duv.abs() * rt::Scalar(path_49.exit)));
+        let far_7 = (path_49.uv.abs() + (path_49.duv.abs() * rt::Scalar(path_49.exit)));
         let height_terms = (path_49.h.x().abs() + (rt::Scalar(path_49.exit) * (path_49.h.y().abs() + (rt::Scalar(path_49.exit) * path_49.h.z().abs()))));
-        let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_6.x() + far_6.y()) + height_terms) + rt::Scalar(1f32)));
+        let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_7.x() + far_7.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_17 = _e52;
         let limit_7 = params_42.x().cast_elem_as_u32();
@@ -7591,11 +7744,11 @@ impl<'g> Resources<'g> {
                         let _e116 = next_4;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_12))) {
                             let _e121 = t_28;
-                            local_55 = (!end_12.elementwise_gt(_e121));
+                            local_57 = (!end_12.elementwise_gt(_e121));
                         } else {
-                            local_55 = rt::Scalar(true);
+                            local_57 = rt::Scalar(true);
                         }
-                        let _e125 = local_55;
+                        let _e125 = local_57;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
@@ -7652,7 +7805,7 @@ impl<'g> Resources<'g> {
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
         let mut k_14: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_56: rt::Scalar<bool>;
+        let mut local_58: rt::Scalar<bool>;
 
         let aside_5 = path_50.duv.length();
         'naga_break: loop {
@@ -7672,11 +7825,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
                         let _e27 = t_29;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_56 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_58 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_56 = rt::Scalar(false);
+                            local_58 = rt::Scalar(false);
                         }
-                        let _e35 = local_56;
+                        let _e35 = local_58;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
@@ -7706,8 +7859,8 @@ impl<'g> Resources<'g> {
                     let _e64 = self.v_path_slope(path_50, _e63);
                     let rise_4 = (_e64 + (path_50.h.z().min(rt::Scalar(0f32)) * rest_6));
                     let terms_1 = (path_50.h.x().abs() + (rt::Scalar(path_50.exit) * (path_50.h.y().abs() + (rt::Scalar(path_50.exit) * path_50.h.z().abs()))));
-                    let far_7 = (((path_50.uv.abs() + (path_50.duv.abs() * rt::Scalar(path_50.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
-                    let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_7.x()) + far_7.y()));
+                    let far_8 = (((path_50.uv.abs() + (path_50.duv.abs() * rt::Scalar(path_50.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
+                    let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_8.x()) + far_8.y()));
                     let nearing = ((_e53 * aside_5) - rise_4);
                     let closing_3 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
@@ -7752,11 +7905,11 @@ impl<'g> Resources<'g> {
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_57: rt::Scalar<bool>;
+        let mut local_59: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_58: rt::Scalar<bool>;
+        let mut local_60: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_51);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -7764,7 +7917,7 @@ impl<'g> Resources<'g> {
         let _e11 = self.v_path_slope(path_51, rt::Scalar(0f32));
         let terms_2 = (path_51.h.x().abs() + (rt::Scalar(path_51.exit) * path_51.h.y().abs()));
         let _e33 = self.v_height_size(rt::Scalar(path_51.level));
-        let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_51.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let far_9 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_51.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_18 = _e36;
         let limit_8 = params_44.x().cast_elem_as_u32();
@@ -7795,11 +7948,11 @@ impl<'g> Resources<'g> {
                         let _e79 = t_30;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_57 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_59 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_57 = rt::Scalar(false);
+                            local_59 = rt::Scalar(false);
                         }
-                        let _e87 = local_57;
+                        let _e87 = local_59;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
                             let _e89 = t_30;
@@ -7853,7 +8006,7 @@ impl<'g> Resources<'g> {
                         let nearing_1 = ((_e141 * aside_6) - _e11);
                         let closing_4 = (nearing_1 + (rt::Scalar(0.0000009536743f32) * nearing_1));
                         let _e155 = gap;
-                        let room_1 = (_e155 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e141 * (far_8.x() + far_8.y())))));
+                        let room_1 = (_e155 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e141 * (far_9.x() + far_9.y())))));
                         next_5 = rt::Scalar(300000000000000000000000000000000000000f32);
                         if rt::Scalar::into_branch_condition(closing_4.elementwise_gt(rt::Scalar(0f32))) {
                             let _e167 = start_1;
@@ -7863,11 +8016,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(params_44.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
                         let _e178 = t_30;
-                        local_58 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_51.exit))));
+                        local_60 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_51.exit))));
                     } else {
-                        local_58 = rt::Scalar(false);
+                        local_60 = rt::Scalar(false);
                     }
-                    let _e186 = local_58;
+                    let _e186 = local_60;
                     if rt::Scalar::into_branch_condition(_e186) {
                         let _e188 = t_30;
                         let _e190 = gap;
@@ -7921,7 +8074,7 @@ impl<'g> Resources<'g> {
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_59: rt::Scalar<bool>;
+        let mut local_61: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_52);
@@ -7956,11 +8109,11 @@ impl<'g> Resources<'g> {
                         let _e52 = t_31;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_59 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_61 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_59 = rt::Scalar(false);
+                            local_61 = rt::Scalar(false);
                         }
-                        let _e60 = local_59;
+                        let _e60 = local_61;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
                             let _e62 = t_31;
@@ -8108,6 +8261,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_trace(path_54))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_trace(&self, path_54: Path) -> Hit {
         let _e1 = self.v_search_stage(path_54);
         let _e2 = self.v_refine_stage(path_54, _e1);
@@ -8124,6 +8278,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_plane_polish(pixel_47, at_42, path_55, hit_8, rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_surface_plane_polish(
         &self,
         pixel_47: PixelIn,
@@ -8136,55 +8291,57 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn weights_at_offset(
         &self,
-        prism_12: Prism,
+        prism_11: Prism,
         place_8: impl rt::Into<rt::Vec3<f32>>,
         offset_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_weights_at_offset(prism_12, rt::into(place_8), rt::into(offset_5)))
+        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_8), rt::into(offset_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_weights_at_offset(
         &self,
-        prism_12: Prism,
+        prism_11: Prism,
         place_8: rt::Vec3<f32>,
         offset_5: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let corner_6 = (prism_12.p0_ + (prism_12.n0_ * offset_5));
-        let a_17 = ((prism_12.p1_ - prism_12.p0_) + ((prism_12.n1_ - prism_12.n0_) * offset_5));
-        let b_16 = ((prism_12.p2_ - prism_12.p0_) + ((prism_12.n2_ - prism_12.n0_) * offset_5));
+        let corner_6 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
+        let a_18 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
+        let b_17 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
         let rest_7 = (place_8 - corner_6);
-        let across_4 = a_17.cross(b_16);
+        let across_4 = a_18.cross(b_17);
         let square_1 = across_4.dot(across_4);
         if rt::Scalar::into_branch_condition((!square_1.elementwise_gt(rt::Scalar(0f32)))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
         }
-        let second_4 = (rest_7.cross(b_16).dot(across_4) / square_1);
-        let third_3 = (a_17.cross(rest_7).dot(across_4) / square_1);
+        let second_4 = (rest_7.cross(b_17).dot(across_4) / square_1);
+        let third_3 = (a_18.cross(rest_7).dot(across_4) / square_1);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_4) - third_3), second_4, third_3);
     }
     pub(crate) fn shell_point_near(
         &self,
-        prism_13: Prism,
+        prism_12: Prism,
         place_9: impl rt::Into<rt::Vec3<f32>>,
         height_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_near(prism_13, rt::into(place_9), rt::into(height_4)))
+        rt::into(self.v_shell_point_near(prism_12, rt::into(place_9), rt::into(height_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_shell_point_near(
         &self,
-        prism_13: Prism,
+        prism_12: Prism,
         place_9: rt::Vec3<f32>,
         height_4: rt::Scalar<f32>,
     ) -> ShellPoint {
         let low_5 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
         let offset_7 = (low_5 + ((_e10 - low_5).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_4));
-        let _e16 = self.v_weights_at_offset(prism_13, place_9, offset_7);
-        let _e18 = self.v_lift_of(prism_13.lift, _e16);
-        let _e20 = self.v_weights_at_offset(prism_13, place_9, (offset_7 + _e18));
+        let _e16 = self.v_weights_at_offset(prism_12, place_9, offset_7);
+        let _e18 = self.v_lift_of(prism_12.lift, _e16);
+        let _e20 = self.v_weights_at_offset(prism_12, place_9, (offset_7 + _e18));
         let near_8 = <ShellPoint>::new(_e20, height_4);
-        let _e22 = self.v_shell_point_from(prism_13, place_9, near_8);
+        let _e22 = self.v_shell_point_from(prism_12, place_9, near_8);
         let moved = (_e22.weights - near_8.weights).abs();
         let away = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_4).abs()));
         if rt::Scalar::into_branch_condition(away.elementwise_lt(rt::Scalar(0.5f32))) {
@@ -8195,25 +8352,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn point_of_way(
         &self,
         pixel_48: PixelIn,
-        prism_14: Prism,
+        prism_13: Prism,
         place_10: impl rt::Into<rt::Vec3<f32>>,
         height_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_point_of_way(pixel_48, prism_14, rt::into(place_10), rt::into(height_5)))
+        rt::into(self.v_point_of_way(pixel_48, prism_13, rt::into(place_10), rt::into(height_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_point_of_way(
         &self,
         pixel_48: PixelIn,
-        prism_14: Prism,
+        prism_13: Prism,
         place_10: rt::Vec3<f32>,
         height_5: rt::Scalar<f32>,
     ) -> ShellPoint {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_48.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_shell_point_near(prism_14, place_10, height_5);
+            let _e8 = self.v_shell_point_near(prism_13, place_10, height_5);
             return _e8;
         }
-        let _e9 = self.v_shell_point(prism_14, place_10, height_5);
+        let _e9 = self.v_shell_point(prism_13, place_10, height_5);
         return _e9;
     }
     pub(crate) fn surface_prism_polish(
@@ -8277,18 +8435,25 @@ impl<'g> Resources<'g> {
                         t_32 = (_e66 - (gap_6 / change_5)).clamp((rt::Scalar(hit_9.t) - most_7), (rt::Scalar(hit_9.t) + most_7));
                     }
                     let _e75 = t_32;
-                    let _e79 = t_32;
-                    let _e80 = self.v_path_height(path_56, _e79);
-                    let _e81 = self.v_point_of_way(pixel_49, _e8, (along_28 * ((rt::Scalar(path_56.start) + _e75) - _e7)), _e80);
-                    point_4 = _e81;
+                    let place_20 = (along_28 * ((rt::Scalar(path_56.start) + _e75) - _e7));
+                    if rt::Scalar::into_branch_condition(rt::Scalar(pixel_49.shell.order).elementwise_ge(SHELL_FOLDED)) {
+                        let _e83 = t_32;
+                        let _e84 = self.v_path_height(path_56, _e83);
+                        let _e85 = self.v_shell_point_near(_e8, place_20, _e84);
+                        point_4 = _e85;
+                    } else {
+                        let _e86 = point_4;
+                        let _e87 = self.v_shell_point_from(_e8, place_20, _e86);
+                        point_4 = _e87;
+                    }
                 }
             }
         }
-        let _e85 = point_4.weights;
-        let _e86 = self.v_uv_of(pixel_49, _e85);
-        let _e88 = rt::Scalar(point_4.height);
-        let _e89 = t_32;
-        return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_9.exhausted), _e86, _e88, _e89, hit_9.cost);
+        let _e91 = point_4.weights;
+        let _e92 = self.v_uv_of(pixel_49, _e91);
+        let _e94 = rt::Scalar(point_4.height);
+        let _e95 = t_32;
+        return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_9.exhausted), _e92, _e94, _e95, hit_9.cost);
     }
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
@@ -8301,6 +8466,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_quadric_perpendicular_polish(pixel_50, at_44, path_57, hit_10, rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_surface_quadric_perpendicular_polish(
         &self,
         pixel_50: PixelIn,
@@ -8322,6 +8488,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_quadric_vertical_polish(pixel_51, at_45, path_58, hit_11, rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_surface_quadric_vertical_polish(
         &self,
         pixel_51: PixelIn,
@@ -8343,6 +8510,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_tetrahedra_polish(pixel_52, at_46, path_59, hit_12, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_surface_tetrahedra_polish(
         &self,
         pixel_52: PixelIn,
@@ -8391,6 +8559,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_polish_hit(pixel_54, at_48, path_61, hit_14))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_polish_hit(&self, pixel_54: PixelIn, at_48: Entered, path_61: Path, hit_14: Hit) -> Hit {
         let _e4 = self.v_surface_polish_stage(pixel_54, at_48, path_61, hit_14);
         return _e4;
@@ -8399,6 +8568,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_key_of(rt::into(depth_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_key_of(&self, depth_5: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.frame.near);
         let _e6 = rt::Scalar(self.frame.near);
@@ -8438,9 +8608,9 @@ impl<'g> Resources<'g> {
         let mut first_2: FirstHit;
         let mut k_15: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut hit_15: Hit;
-        let mut local_60: rt::Scalar<bool>;
-        let mut local_61: rt::Scalar<bool>;
         let mut local_62: rt::Scalar<bool>;
+        let mut local_63: rt::Scalar<bool>;
+        let mut local_64: rt::Scalar<bool>;
 
         let _e4 = cost_21;
         let _e5 = self.v_miss(_e4);
@@ -8476,27 +8646,27 @@ impl<'g> Resources<'g> {
                                 let _e43 = rt::Scalar(first_2.hit.found);
                                 if rt::Scalar::into_branch_condition((!_e43.elementwise_eq(rt::Scalar(0u32)))) {
                                     let _e50 = rt::Scalar(first_2.key);
-                                    local_61 = _e34.elementwise_gt(_e50);
+                                    local_63 = _e34.elementwise_gt(_e50);
                                 } else {
-                                    local_61 = rt::Scalar(true);
+                                    local_63 = rt::Scalar(true);
                                 }
-                                let _e53 = local_61;
-                                local_60 = _e53;
+                                let _e53 = local_63;
+                                local_62 = _e53;
                             } else {
-                                local_60 = rt::Scalar(false);
+                                local_62 = rt::Scalar(false);
                             }
-                            let _e55 = local_60;
+                            let _e55 = local_62;
                             if rt::Scalar::into_branch_condition(_e55) {
                                 let _e56 = hit_15;
                                 let _e57 = k_15;
                                 first_2 = <FirstHit>::new(_e56, _e57, _e34);
                             }
                             if rt::Scalar::into_branch_condition(is_open) {
-                                local_62 = rt::Scalar(pixel_55.shell.order).elementwise_lt(SHELL_FOLDED);
+                                local_64 = rt::Scalar(pixel_55.shell.order).elementwise_lt(SHELL_FOLDED);
                             } else {
-                                local_62 = rt::Scalar(false);
+                                local_64 = rt::Scalar(false);
                             }
-                            let _e66 = local_62;
+                            let _e66 = local_64;
                             if rt::Scalar::into_branch_condition(_e66) {
                                 break 'naga_break;
                             }
@@ -8516,6 +8686,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_footprint_m(at_50))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_footprint_m(&self, at_50: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
         return ((rt::Scalar(at_50.footprint) * at_50.metric.x().sqrt()) / _e7.x());
@@ -8524,6 +8695,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_near_uv(rt::into(uv_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_near_uv(&self, uv_15: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
@@ -8539,6 +8711,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_from_hit(at_51, hit_16, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_from_hit(&self, at_51: Entered, hit_16: Hit, light_1: Toward) -> Path {
         let _e4 = self.v_climb(at_51, light_1.direction);
         let _e6 = self.v_near_uv(hit_16.uv);
@@ -8574,7 +8747,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_ray(&self, at_52: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
-        let mut local_63: rt::Scalar<bool>;
+        let mut local_65: rt::Scalar<bool>;
 
         let _e3 = self.v_from_hit(at_52, hit_17, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
@@ -8591,11 +8764,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.cast_elem_as_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_63 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
+            local_65 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_63 = rt::Scalar(true);
+            local_65 = rt::Scalar(true);
         }
-        let _e45 = local_63;
+        let _e45 = local_65;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -8682,6 +8855,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_free_way(at_53, hit_18, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_free_way(&self, at_53: Entered, hit_18: Hit, light_4: Toward) -> rt::Scalar<f32> {
         let _e3 = self.v_light_ray(at_53, hit_18, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
@@ -8697,6 +8871,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_has_table(levels))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_has_table(&self, levels: Levels) -> rt::Scalar<bool> {
         return rt::Scalar(levels.fine).elementwise_ge(SEEN_FIRST_LEVEL);
     }
@@ -8715,23 +8890,23 @@ impl<'g> Resources<'g> {
         place_11: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_64: rt::Scalar<bool>;
-        let mut local_65: rt::Scalar<bool>;
+        let mut local_66: rt::Scalar<bool>;
+        let mut local_67: rt::Scalar<bool>;
 
         let least_1 = (place_11.x().min(place_11.y()) - half);
         let most_8 = (place_11.x().max(place_11.y()) + half);
         if rt::Scalar::into_branch_condition(place_11.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_64 = least_1.elementwise_ge(rt::Scalar(0f32));
+            local_66 = least_1.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_64 = rt::Scalar(false);
+            local_66 = rt::Scalar(false);
         }
-        let _e19 = local_64;
+        let _e19 = local_66;
         if rt::Scalar::into_branch_condition(_e19) {
-            local_65 = most_8.elementwise_le(rt::Scalar(view_6.size).cast_elem_as_f32());
+            local_67 = most_8.elementwise_le(rt::Scalar(view_6.size).cast_elem_as_f32());
         } else {
-            local_65 = rt::Scalar(false);
+            local_67 = rt::Scalar(false);
         }
-        let _e26 = local_65;
+        let _e26 = local_67;
         return _e26;
     }
     pub(crate) fn light_place(
@@ -8742,6 +8917,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_light_place(view_7, rt::into(point_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_light_place(
         &self,
         view_7: LightView,
@@ -8760,6 +8936,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_patch_normal(at_54, rt::into(uv_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_patch_normal(
         &self,
         at_54: Entered,
@@ -8783,6 +8960,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_plane_depth(view_8, rt::into(point_6), rt::into(normal_11), rt::into(texel_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_plane_depth(
         &self,
         view_8: LightView,
@@ -8804,6 +8982,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_light_texel(rt::into(place_12), rt::into(view_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_light_texel(
         &self,
         place_12: rt::Vec2<i32>,
@@ -8844,11 +9023,11 @@ impl<'g> Resources<'g> {
                     let _e24 = column;
                     let wide_2 = (at_55.high.x().min((_e18 + rt::Scalar(1f32))) - at_55.low.x().max(_e24));
                     let _e27 = column;
-                    let place_20 = <rt::Vec2<f32>>::from_scalars(_e27, row);
-                    let _e35 = self.v_plane_depth(view_16, at_55.point, at_55.normal, (place_20 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let place_21 = <rt::Vec2<f32>>::from_scalars(_e27, row);
+                    let _e35 = self.v_plane_depth(view_16, at_55.point, at_55.normal, (place_21 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
                     let depth_8 = _e35.clamp(rt::Scalar(at_55.least_depth), rt::Scalar(at_55.most_depth));
                     let key = (rt::Scalar(view_16.near) / (rt::Scalar(view_16.near) + depth_8.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_20.cast_elem_as_i32(), rt::Scalar(at_55.number).cast_elem_as_i32());
+                    let _e48 = self.v_light_texel(place_21.cast_elem_as_i32(), rt::Scalar(at_55.number).cast_elem_as_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -8863,19 +9042,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_part(
         &self,
-        number_4: impl rt::Into<rt::Scalar<u32>>,
+        number_3: impl rt::Into<rt::Scalar<u32>>,
         at_56: Entered,
         normal_12: impl rt::Into<rt::Vec3<f32>>,
         place_13: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_4), at_56, rt::into(normal_12), rt::into(place_13), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_3), at_56, rt::into(normal_12), rt::into(place_13), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
         &self,
-        number_4: rt::Scalar<u32>,
+        number_3: rt::Scalar<u32>,
         at_56: Entered,
         normal_12: rt::Vec3<f32>,
         place_13: rt::Vec3<f32>,
@@ -8885,7 +9064,7 @@ impl<'g> Resources<'g> {
         let mut seen: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut row_1: rt::Scalar<f32>;
 
-        let view_17 = self.frame.light_views[rt::Scalar::into_array_index(number_4)];
+        let view_17 = self.frame.light_views[rt::Scalar::into_array_index(number_3)];
         let texel_m = (rt::Scalar(view_17.texel_m) * rt::Scalar(1f32).select(place_13.z(), rt::Scalar(view_17.from_point).elementwise_eq(rt::Scalar(1u32))));
         let _e19 = self.v_footprint_m(at_56);
         let point_16 = (at_56.point + (normal_12 * (bias * texel_m.max(_e19))));
@@ -8893,7 +9072,7 @@ impl<'g> Resources<'g> {
         let low_6 = (place_13.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_1 = (low_6 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
         let last_7 = high_1.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_17.size).cast_elem_as_f32(), rt::Scalar(view_17.size).cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_4, point_16, normal_12, low_6, high_1, (place_13.z() - reach_1), (place_13.z() + reach_1));
+        let in_view = <InView>::new(number_3, point_16, normal_12, low_6, high_1, (place_13.z() - reach_1), (place_13.z() + reach_1));
         row_1 = low_6.y().floor();
         'naga_break: loop {
             'naga_continue: {
@@ -8922,26 +9101,26 @@ impl<'g> Resources<'g> {
         &self,
         at_57: Entered,
         uv_17: impl rt::Into<rt::Vec2<f32>>,
-        number_5: impl rt::Into<rt::Scalar<u32>>,
+        number_4: impl rt::Into<rt::Scalar<u32>>,
         toward: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_57, rt::into(uv_17), rt::into(number_5), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_57, rt::into(uv_17), rt::into(number_4), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
         at_57: Entered,
         uv_17: rt::Vec2<f32>,
-        number_5: rt::Scalar<u32>,
+        number_4: rt::Scalar<u32>,
         toward: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
         bias_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut k_16: rt::Scalar<u32>;
 
-        let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_5)];
+        let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_4)];
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
@@ -8985,6 +9164,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_mean_of_five(rt::into(middle_9), rt::into(four)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_mean_of_five(
         &self,
         middle_9: rt::Scalar<f32>,
@@ -8996,6 +9176,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_means_of_one(rt::into(n_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_means_of_one(&self, n_7: rt::Vec3<f32>) -> Normals {
         let upright = n_7.z().max(rt::Scalar(0.05f32));
         let slope_10 = (<rt::Vec2<f32>>::from_scalars((-n_7.x()), (-n_7.y())) / rt::Vec2::splat_from_scalar(upright));
@@ -9006,6 +9187,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_no_table())
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_no_table(&self) -> SeenTable {
         let none = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         return <SeenTable>::new(none, none, none);
@@ -9014,6 +9196,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_one_seen(rt::into(normal_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_one_seen(&self, normal_13: rt::Vec3<f32>) -> SeenNormals {
         let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let none_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
@@ -9029,6 +9212,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_to_tangent_space(at_58, rt::into(v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_to_tangent_space(
         &self,
         at_58: Entered,
@@ -9079,6 +9263,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_sum_of_four(rt::into(four_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_sum_of_four(&self, four_1: rt::Vec4<f32>) -> rt::Scalar<f32> {
         return ((four_1.x() + four_1.y()) + (four_1.z() + four_1.w()));
     }
@@ -9103,19 +9288,19 @@ impl<'g> Resources<'g> {
         let upright_1 = first_12.z().max(rt::Scalar(0.05f32));
         let x_3 = (first_12.x() / upright_1);
         let y_2 = (first_12.y() / upright_1);
-        let a_18 = ((second_5.x() / upright_1) - (x_3 * x_3)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_17 = (((second_5.y() / upright_1) - (x_3 * y_2)) / a_18);
+        let a_19 = ((second_5.x() / upright_1) - (x_3 * x_3)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_18 = (((second_5.y() / upright_1) - (x_3 * y_2)) / a_19);
         let spread = ((second_5.z() / upright_1) - (y_2 * y_2)).max(rt::Scalar(0f32));
-        let d_1 = (spread - (b_17 * b_17)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let d_2 = (spread - (b_18 * b_18)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
         let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_12.x())) - (first_12.xyz() * slope_11.x()));
         let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_12.y())) - (first_12.xyz() * slope_11.y()));
-        let most_9 = ((a_18 * a_18) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_29 = (with_x / rt::Vec3::splat_from_scalar(a_18.max((with_x.length() / most_9))));
-        let rest_8 = (with_y - (along_29 * b_17));
-        let across_6 = (rest_8 / rt::Vec3::splat_from_scalar(d_1.max((rest_8.length() / most_9))));
+        let most_9 = ((a_19 * a_19) + spread).sqrt().min(rt::Scalar(1f32));
+        let along_29 = (with_x / rt::Vec3::splat_from_scalar(a_19.max((with_x.length() / most_9))));
+        let rest_8 = (with_y - (along_29 * b_18));
+        let across_6 = (rest_8 / rt::Vec3::splat_from_scalar(d_2.max((rest_8.length() / most_9))));
         let _e77 = self.v_to_tangent_space(at_60, view_10);
         let middle_14 = (_e77.z() - _e77.xy().dot(slope_11));
-        let _e91 = self.v_facing_four(middle_14, (-((_e77.x() * a_18) + (_e77.y() * b_17))), (-(_e77.y() * d_1)));
+        let _e91 = self.v_facing_four(middle_14, (-((_e77.x() * a_19) + (_e77.y() * b_18))), (-(_e77.y() * d_2)));
         let one = middle_14.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one, _e94);
@@ -9123,12 +9308,13 @@ impl<'g> Resources<'g> {
         let aside_7 = ((along_29 * ((_e91.x() - _e91.y()) / all)) + (across_6 * ((_e91.z() - _e91.w()) / all)));
         let _e113 = self.v_from_tangent_space(at_60, (first_12.xyz() + (aside_7 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_12.xyz(), along_29, across_6, slope_11, <rt::Vec2<f32>>::from_scalars(a_18, b_17), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_12.xyz(), along_29, across_6, slope_11, <rt::Vec2<f32>>::from_scalars(a_19, b_18), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
     }
     pub(crate) fn table_part(&self, at_61: Entered) -> f32 {
         rt::into(self.v_table_part(at_61))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_table_part(&self, at_61: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
@@ -9146,6 +9332,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_with_table(at_62, seen_1, table, rt::into(part_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_with_table(
         &self,
         at_62: Entered,
@@ -9198,20 +9385,21 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_between(
         &self,
-        a_7: SeenTexel,
-        b_7: SeenTexel,
+        a_9: SeenTexel,
+        b_9: SeenTexel,
         part_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_between(a_7, b_7, rt::into(part_7)))
+        rt::into(self.v_seen_between(a_9, b_9, rt::into(part_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_seen_between(
         &self,
-        a_7: SeenTexel,
-        b_7: SeenTexel,
+        a_9: SeenTexel,
+        b_9: SeenTexel,
         part_7: rt::Scalar<f32>,
     ) -> SeenTexel {
-        return <SeenTexel>::new((a_7.first + ((b_7.first - a_7.first) * part_7)), (a_7.second + ((b_7.second - a_7.second) * part_7)));
+        return <SeenTexel>::new((a_9.first + ((b_9.first - a_9.first) * part_7)), (a_9.second + ((b_9.second - a_9.second) * part_7)));
     }
     pub(crate) fn seen_texel(
         &self,
@@ -9223,6 +9411,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_seen_texel(rt::into(uv_19), rt::into(azimuth), rt::into(elevation), rt::into(level_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_seen_texel(
         &self,
         uv_19: rt::Vec2<f32>,
@@ -9245,6 +9434,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_seen_in_levels(rt::into(uv_20), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_seen_in_levels(
         &self,
         uv_20: rt::Vec2<f32>,
@@ -9320,7 +9510,7 @@ impl<'g> Resources<'g> {
         uv_22: rt::Vec2<f32>,
         view_12: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_66: rt::Scalar<bool>;
+        let mut local_68: rt::Scalar<bool>;
         let mut first_3: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
@@ -9332,11 +9522,11 @@ impl<'g> Resources<'g> {
         let _e20 = rt::Scalar(self.surface_settings.normal_levels);
         let _e21 = self.v_levels_of(texels_5, _e20);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_66 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
+            local_68 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_66 = rt::Scalar(false);
+            local_68 = rt::Scalar(false);
         }
-        let _e32 = local_66;
+        let _e32 = local_68;
         if rt::Scalar::into_branch_condition(_e32) {
             let _e33 = self.v_finest_normal(at_64, uv_22);
             let _e34 = self.v_one_seen(_e33);
@@ -9380,6 +9570,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shadow_ray(at_65, hit_19, light_5, rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_shadow_ray(
         &self,
         at_65: Entered,
@@ -9400,6 +9591,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shadow_none(at_66, hit_20, light_6, rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_shadow_none(
         &self,
         at_66: Entered,
@@ -9451,6 +9643,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_mixed(rt::into(seed)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_mixed(&self, seed: rt::Scalar<u32>) -> rt::Scalar<u32> {
         let mut x: rt::Scalar<u32>;
 
@@ -9470,16 +9663,18 @@ impl<'g> Resources<'g> {
         rt::into(self.v_seed_of(hit_22))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_seed_of(&self, hit_22: Hit) -> rt::Scalar<u32> {
-        let place_21 = ((hit_22.uv - hit_22.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
-        let _e10 = self.v_mixed(place_21.y());
-        let _e12 = self.v_mixed((place_21.x() ^ _e10));
+        let place_22 = ((hit_22.uv - hit_22.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
+        let _e10 = self.v_mixed(place_22.y());
+        let _e12 = self.v_mixed((place_22.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn unit_of(&self, bits: impl rt::Into<rt::Scalar<u32>>) -> f32 {
         rt::into(self.v_unit_of(rt::into(bits)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_unit_of(&self, bits: rt::Scalar<u32>) -> rt::Scalar<f32> {
         return ((bits >> rt::Scalar(8u32)).cast_elem_as_f32() / rt::Scalar(16777216f32));
     }
@@ -9487,6 +9682,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_quarter_sine(rt::into(turn_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_quarter_sine(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let x_6 = (turn_1 * rt::Scalar(6.2831855f32));
         let s_2 = (x_6 * x_6);
@@ -9497,6 +9693,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_sine_of(rt::into(turn_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_sine_of(&self, turn_2: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let part_14 = (turn_2 - turn_2.floor());
         let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_14 - rt::Scalar(0.5f32)).abs()).abs()));
@@ -9506,6 +9703,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_turned(rt::into(turn_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_turned(&self, turn_3: rt::Scalar<f32>) -> rt::Vec2<f32> {
         let _e3 = self.v_sine_of((turn_3 + rt::Scalar(0.25f32)));
         let _e4 = self.v_sine_of(turn_3);
@@ -9521,6 +9719,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_17), rt::into(count_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_point_of_disc(
         &self,
         light_8: Toward,
@@ -9533,11 +9732,11 @@ impl<'g> Resources<'g> {
         let ring = ((k_17.cast_elem_as_f32() + _e9) / count_2.cast_elem_as_f32());
         let _e16 = self.v_unit_of(seed_1);
         let _e18 = self.v_turned(((k_17.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_22 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
+        let place_23 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
         let up_1 = light_8.direction.cross(right_2);
-        let toward_6 = ((light_8.direction + (right_2 * place_22.x())) + (up_1 * place_22.y()));
+        let toward_6 = ((light_8.direction + (right_2 * place_23.x())) + (up_1 * place_23.y()));
         let along_30 = toward_6.length();
         return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_30)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_30), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
@@ -9639,6 +9838,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shadow_texel(rt::into(place_14), rt::into(layer_6), rt::into(level_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_shadow_texel(
         &self,
         place_14: rt::Vec2<i32>,
@@ -9659,6 +9859,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shadow_texel_between(rt::into(uv_23), rt::into(layer_7), rt::into(level_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_shadow_texel_between(
         &self,
         uv_23: rt::Vec2<f32>,
@@ -9679,6 +9880,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_own_slope(way_7))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_own_slope(&self, way_7: Path) -> rt::Scalar<f32> {
         let mut level_24: Path;
 
@@ -9698,6 +9900,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_part_above(rt::into(height_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_part_above(&self, height_6: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let x_7 = height_6.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
         let s_3 = (x_7 * x_7);
@@ -9734,12 +9937,12 @@ impl<'g> Resources<'g> {
         let _e31 = self.v_shadow_texel_between(hit_25.uv, ((before_4 + rt::Scalar(1i32)) % count_6), rt::Scalar(at_70.level));
         let sine_1 = (low_7 + ((_e31.x() - low_7) * part_16));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
-        let far_9 = (squared_4 * along_31.dot(along_31)).sqrt();
+        let far_10 = (squared_4 * along_31.dot(along_31)).sqrt();
         let _e48 = self.v_from_hit(at_70, hit_25, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_9 = (_e49 * _e52);
-        let horizon = far_9.max(near_9);
+        let horizon = far_10.max(near_9);
         let up_2 = at_70.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_2.elementwise_gt(horizon));
@@ -9763,6 +9966,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_open_part(at_71, hit_26, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_open_part(
         &self,
         at_71: Entered,
@@ -9806,8 +10010,8 @@ impl<'g> Resources<'g> {
         let azimuth_5 = (_e32 * params_57.x());
         let elevation_4 = ((squared_5 * params_57.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_57.y() - rt::Scalar(1f32)));
         if rt::Scalar::into_branch_condition(params_57.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_19 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
-            let _e56 = self.v_open_part(at_72, hit_27, a_19, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
+            let a_20 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
+            let _e56 = self.v_open_part(at_72, hit_27, a_20, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().cast_elem_as_i32() % azimuths);
@@ -9835,6 +10039,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shadow_map(at_73, hit_28, light_13, rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_shadow_map(
         &self,
         at_73: Entered,
@@ -9855,6 +10060,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shadow_scene(at_74, hit_29, light_14, rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_shadow_scene(
         &self,
         at_74: Entered,
@@ -9922,6 +10128,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_mirrored_light(pixel_56, at_76, hit_31))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_mirrored_light(&self, pixel_56: PixelIn, at_76: Entered, hit_31: Hit) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_31.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
@@ -9935,6 +10142,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_pixel_direction(rt::into(pixel_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_pixel_direction(&self, pixel_57: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.corner;
         let _e7 = self.frame.right;
@@ -9945,6 +10153,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_pixel_eye(rt::into(pixel_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_pixel_eye(&self, pixel_58: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.eye;
         let _e7 = self.frame.eye_right;
@@ -9953,28 +10162,29 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn pixel_of(
         &self,
-        a_8: Corner,
-        b_8: Corner,
-        c_6: Corner,
+        a_10: Corner,
+        b_10: Corner,
+        c_7: Corner,
         shell_4: Shell,
         side_2: impl rt::Into<rt::Scalar<f32>>,
         point_7: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_8, b_8, c_6, shell_4, rt::into(side_2), rt::into(point_7)))
+        rt::into(self.v_pixel_of(a_10, b_10, c_7, shell_4, rt::into(side_2), rt::into(point_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_pixel_of(
         &self,
-        a_8: Corner,
-        b_8: Corner,
-        c_6: Corner,
+        a_10: Corner,
+        b_10: Corner,
+        c_7: Corner,
         shell_4: Shell,
         side_2: rt::Scalar<f32>,
         point_7: rt::Vec2<f32>,
     ) -> PixelIn {
         let _e6 = self.v_pixel_eye(point_7);
         let _e7 = self.v_pixel_direction(point_7);
-        return <PixelIn>::new(_e6, _e7, side_2, a_8, b_8, c_6, shell_4);
+        return <PixelIn>::new(_e6, _e7, side_2, a_10, b_10, c_7, shell_4);
     }
     pub(crate) fn surface_plane_place(
         &self,
@@ -9987,6 +10197,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_plane_place(pixel_59, at_77, path_64, hit_32, rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_surface_plane_place(
         &self,
         pixel_59: PixelIn,
@@ -10019,6 +10230,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_placed_at(pixel_60, at_78, rt::into(weights_4), rt::into(point_8), rt::into(uv_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_placed_at(
         &self,
         pixel_60: PixelIn,
@@ -10048,6 +10260,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_prism_place(pixel_61, at_79, path_65, hit_33, rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_surface_prism_place(
         &self,
         pixel_61: PixelIn,
@@ -10079,16 +10292,16 @@ impl<'g> Resources<'g> {
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_67: rt::Scalar<bool>;
+        let mut local_69: rt::Scalar<bool>;
 
         placed_2 = at_80;
         let _e5 = self.v_quadric_slope(at_80.quadric.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_67 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_69 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_67 = rt::Scalar(false);
+            local_69 = rt::Scalar(false);
         }
-        let _e15 = local_67;
+        let _e15 = local_69;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
@@ -10124,6 +10337,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_surface_quadric_perpendicular_place(pixel_62, at_81, path_66, hit_34, rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_surface_quadric_perpendicular_place(
         &self,
         pixel_62: PixelIn,
@@ -10199,7 +10413,7 @@ impl<'g> Resources<'g> {
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
-        let mut number_6: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut number_5: rt::Scalar<u32> = rt::Scalar(1u32);
 
         let along_34 = pixel_64.direction.normalize();
         let _e7 = self.v_middle_of(pixel_64, along_34);
@@ -10211,13 +10425,13 @@ impl<'g> Resources<'g> {
         beside_1 = (_e17 - t_37).max((t_37 - _e21));
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = number_6;
+                let _e27 = number_5;
                 if rt::Scalar::into_branch_condition(_e27.elementwise_lt(rt::Scalar(3u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = number_6;
+                    let _e30 = number_5;
                     let _e31 = self.v_tetrahedron(pixel_64, along_34, _e7, _e30);
                     let aside_10 = (_e31.inside.x() - t_37).max((t_37 - _e31.inside.y()));
                     let _e39 = beside_1;
@@ -10225,8 +10439,8 @@ impl<'g> Resources<'g> {
                         nearest = _e31;
                         beside_1 = aside_10;
                     }
-                    let _e41 = number_6;
-                    number_6 = (_e41 + rt::Scalar(1u32));
+                    let _e41 = number_5;
+                    number_5 = (_e41 + rt::Scalar(1u32));
                 }
             }
         }
@@ -10281,6 +10495,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_place_hit(pixel_66, at_85, rt::into(segment), hit_38))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_place_hit(
         &self,
         pixel_66: PixelIn,
@@ -10300,47 +10515,49 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn toward_light(
         &self,
-        number_7: impl rt::Into<rt::Scalar<u32>>,
+        number_6: impl rt::Into<rt::Scalar<u32>>,
         position: impl rt::Into<rt::Vec3<f32>>,
     ) -> Toward {
-        rt::into(self.v_toward_light(rt::into(number_7), rt::into(position)))
+        rt::into(self.v_toward_light(rt::into(number_6), rt::into(position)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_toward_light(
         &self,
-        number_7: rt::Scalar<u32>,
+        number_6: rt::Scalar<u32>,
         position: rt::Vec3<f32>,
     ) -> Toward {
-        let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_7)];
+        let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_6)];
         if rt::Scalar::into_branch_condition(light_18.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
             let toward_7 = (light_18.place.xyz() - position);
             let squared_6 = toward_7.dot(toward_7);
             let distance_3 = squared_6.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_6.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_7.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_7);
+            return <Toward>::new(toward_7.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_6);
         }
-        return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_7);
+        return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_6);
     }
     pub(crate) fn point_of_light(
         &self,
         at_86: Entered,
         hit_39: Hit,
-        number_8: impl rt::Into<rt::Scalar<u32>>,
+        number_7: impl rt::Into<rt::Scalar<u32>>,
         k_20: impl rt::Into<rt::Scalar<u32>>,
         count_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_86, hit_39, rt::into(number_8), rt::into(k_20), rt::into(count_3)))
+        rt::into(self.v_point_of_light(at_86, hit_39, rt::into(number_7), rt::into(k_20), rt::into(count_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_point_of_light(
         &self,
         at_86: Entered,
         hit_39: Hit,
-        number_8: rt::Scalar<u32>,
+        number_7: rt::Scalar<u32>,
         k_20: rt::Scalar<u32>,
         count_3: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_8, at_86.point);
+        let _e6 = self.v_toward_light(number_7, at_86.point);
         if rt::Scalar::into_branch_condition(count_3.elementwise_gt(rt::Scalar(0u32))) {
             let _e9 = self.v_seed_of(hit_39);
             let _e10 = self.v_point_of_disc(_e6, _e9, k_20, count_3);
@@ -10352,22 +10569,23 @@ impl<'g> Resources<'g> {
         &self,
         at_87: Entered,
         hit_40: Hit,
-        number_9: impl rt::Into<rt::Scalar<u32>>,
+        number_8: impl rt::Into<rt::Scalar<u32>>,
         k_21: impl rt::Into<rt::Scalar<u32>>,
         count_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_87, hit_40, rt::into(number_9), rt::into(k_21), rt::into(count_4)))
+        rt::into(self.v_ray_to_light(at_87, hit_40, rt::into(number_8), rt::into(k_21), rt::into(count_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_ray_to_light(
         &self,
         at_87: Entered,
         hit_40: Hit,
-        number_9: rt::Scalar<u32>,
+        number_8: rt::Scalar<u32>,
         k_21: rt::Scalar<u32>,
         count_4: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_87, hit_40, number_9, k_21, count_4);
+        let _e5 = self.v_point_of_light(at_87, hit_40, number_8, k_21, count_4);
         let _e6 = self.v_light_ray(at_87, hit_40, _e5);
         return _e6;
     }
@@ -10379,6 +10597,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_table_cosine(table_1, rt::into(toward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_table_cosine(
         &self,
         table_1: SeenTable,
@@ -10542,6 +10761,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shade_stage(rt::into(normal_15), rt::into(mean_1), rt::into(cosine_2), rt::into(view_14), rt::into(toward_4), rt::into(color_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_shade_stage(
         &self,
         normal_15: rt::Vec3<f32>,
@@ -10619,6 +10839,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_z_of(rt::into(depth_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_z_of(&self, depth_6: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let _e4 = self.frame.clip.y();
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0f32))) {
@@ -10689,6 +10910,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_shade_pixel(pixel_68))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_shade_pixel(&self, pixel_68: PixelIn) -> PixelOut {
         let _e1 = self.v_enter_relief(pixel_68);
         let _e2 = self.v_first_hit(pixel_68, _e1);

@@ -2048,7 +2048,7 @@ fn way_chord(
         module: "shared/folded",
         name: "before_turn",
         sampling: None,
-        uses: &["Prism", "TURN_STEPS", "Way", "way_point"],
+        uses: &["Prism", "TURN_STEPS", "Way", "between", "way_point"],
         text: r#"// The part of a chord that is not turned inside out, where the way turns back in it; else the whole chord.
 fn before_turn(prism: Prism, along: vec3f, way: Way, chord: vec2f) -> vec2f {
     let is_first = way_point(prism, along, way, chord.x).volume > 0.0;
@@ -3283,6 +3283,9 @@ fn pixel_of(a: Corner, b: Corner, c: Corner, shell: Shell, side: f32, point: vec
         text: r#"// The ray at the base surface, in the detail that it is seen in.
 fn enter_relief(pixel: PixelIn) -> Entered {
     var at = surface_enter_stage(pixel);
+    if (at.segments == 0u) {
+        return at;
+    }
     let detail = detail_stage(pixel, at);
     at.level = detail.level;
     at.footprint = detail.footprint;
@@ -4735,6 +4738,19 @@ fn frame_at(pixel: PixelIn, weights: vec3f, point: vec3f, uv: vec2f, facing: vec
     },
     Declaration {
         module: "shared/shell",
+        name: "passed_by",
+        sampling: None,
+        uses: &["Entered"],
+        text: r#"// What is entered of a shell that the ray does not come into.
+fn passed_by() -> Entered {
+    let zero = vec3f(0.0, 0.0, 0.0);
+    let zeros = vec4f(0.0, 0.0, 0.0, 0.0);
+    let uv = vec2f(0.0, 0.0);
+    return Entered(0u, zero, uv, zero, zero, zero, zeros, 0u, zero, uv, zeros, 0.0, 0.0, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/shell",
         name: "shell_middle",
         sampling: None,
         uses: &["Entered", "PixelIn", "facing_of", "frame_at", "middle_of"],
@@ -4778,7 +4794,7 @@ const NEWTON_STEPS = 6u;"#,
         uses: &[],
         text: r#"// After a step that is shorter than this, in weights and heights, the point is known to rounding: each step
 // squares what is missing.
-const NEWTON_END = 0.0001;"#,
+const NEWTON_END = 0.001;"#,
     },
     Declaration {
         module: "shared/shell_point",
@@ -4886,10 +4902,10 @@ fn shell_point_from(prism: Prism, place: vec3f, from_point: ShellPoint) -> Shell
         let b = (prism.p2 - prism.p0) + (prism.n2 - prism.n0) * offset + normal * third;
         let c = normal * width;
         let across = cross(b, c);
-        let volume = dot(a, across);
-        let db = dot(rest, across) / volume;
-        let dc = dot(rest, cross(c, a)) / volume;
-        let dh = dot(rest, cross(a, b)) / volume;
+        let one_over = 1.0 / dot(a, across);
+        let db = dot(rest, across) * one_over;
+        let dc = dot(rest, cross(c, a)) * one_over;
+        let dh = dot(rest, cross(a, b)) * one_over;
         w = vec3f(w.x - db - dc, w.y + db, w.z + dc);
         h = h + dh;
         if (max(max(abs(db), abs(dc)), abs(dh)) < NEWTON_END) {
@@ -4940,6 +4956,16 @@ fn shell_point_near(prism: Prism, place: vec3f, height: f32) -> ShellPoint {
         return point;
     }
     return near;
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_point",
+        name: "between",
+        sampling: None,
+        uses: &["ShellPoint"],
+        text: r#"// Halfway between two points: near the point of a shell that is seen halfway.
+fn between(a: ShellPoint, b: ShellPoint) -> ShellPoint {
+    return ShellPoint(0.5 * (a.weights + b.weights), 0.5 * (a.height + b.height));
 }"#,
     },
     Declaration {
@@ -5449,14 +5475,22 @@ const MOST_CHORDS = 32.0;"#,
         module: "surface/prism",
         name: "in_slab",
         sampling: None,
-        uses: &["Prism", "where_positive"],
-        text: r#"// The part of an interval in which the ray is in the slab of that normal that holds all of a shell.
-fn in_slab(interval: vec2f, normal: vec3f, prism: Prism, offsets: vec2f, along: vec3f, slack: f32) -> vec2f {
-    let a = vec2f(dot(normal, prism.p0 + prism.n0 * offsets.x), dot(normal, prism.p0 + prism.n0 * offsets.y));
-    let b = vec2f(dot(normal, prism.p1 + prism.n1 * offsets.x), dot(normal, prism.p1 + prism.n1 * offsets.y));
-    let c = vec2f(dot(normal, prism.p2 + prism.n2 * offsets.x), dot(normal, prism.p2 + prism.n2 * offsets.y));
-    let least = min(min(min(a.x, a.y), min(b.x, b.y)), min(c.x, c.y));
-    let most = max(max(max(a.x, a.y), max(b.x, b.y)), max(c.x, c.y));
+        uses: &["where_positive"],
+        text: r#"// The part of an interval in which the ray is in the slab of that normal that holds all of a shell. Of corners
+// that are equally far along the normal one is given.
+fn in_slab(
+    interval: vec2f,
+    normal: vec3f,
+    a: vec3f,
+    b: vec3f,
+    c: vec3f,
+    d: vec3f,
+    along: vec3f,
+    slack: f32,
+) -> vec2f {
+    let far = vec4f(dot(normal, a), dot(normal, b), dot(normal, c), dot(normal, d));
+    let least = min(min(far.x, far.y), min(far.z, far.w));
+    let most = max(max(far.x, far.y), max(far.z, far.w));
     let beyond = slack * length(normal);
     let change = dot(normal, along);
     let inside = where_positive(interval, 0.0 - least, change, beyond);
@@ -5481,14 +5515,18 @@ fn span_of(pixel: PixelIn, prism: Prism, along: vec3f, middle: f32, params: vec4
     let high1 = prism.p1 + prism.n1 * offsets.y;
     let high2 = prism.p2 + prism.n2 * offsets.y;
     var span = vec2f(0.0 - middle, NEVER);
-    span = in_slab(span, cross(low1 - low0, low2 - low0), prism, offsets, along, slack);
-    span = in_slab(span, cross(high1 - high0, high2 - high0), prism, offsets, along, slack);
+    // Of the lower and the upper side all corners are in a plane, of the others the ends of each diagonal.
+    span = in_slab(span, cross(low1 - low0, low2 - low0), low0, high0, high1, high2, along, slack);
+    span = in_slab(span, cross(high1 - high0, high2 - high0), high0, low0, low1, low2, along, slack);
     if (!(span.y > span.x)) {
         return span;
     }
-    span = in_slab(span, cross(high1 - low0, low1 - high0), prism, offsets, along, slack);
-    span = in_slab(span, cross(high2 - low1, low2 - high1), prism, offsets, along, slack);
-    span = in_slab(span, cross(high0 - low2, low0 - high2), prism, offsets, along, slack);
+    span = in_slab(span, cross(high1 - low0, low1 - high0), low0, low1, low2, high2, along, slack);
+    span = in_slab(span, cross(high2 - low1, low2 - high1), low1, low2, low0, high0, along, slack);
+    if (!(span.y > span.x)) {
+        return span;
+    }
+    span = in_slab(span, cross(high0 - low2, low0 - high2), low2, low0, low1, high1, along, slack);
     return span;
 }"#,
     },
@@ -5520,7 +5558,7 @@ fn beside_chord(
         module: "surface/prism",
         name: "surface_prism_enter",
         sampling: None,
-        uses: &["Entered", "MOST_CHORDS", "NEVER", "PixelIn", "SHELL_FOLDED", "beside_chord", "folded_enter", "middle_of", "prism_of", "shell_middle", "shell_point", "span_of"],
+        uses: &["Entered", "MOST_CHORDS", "NEVER", "PixelIn", "SHELL_FOLDED", "beside_chord", "between", "folded_enter", "middle_of", "passed_by", "prism_of", "shell_middle", "shell_point", "shell_point_from", "span_of"],
         text: r#"fn surface_prism_enter(pixel: PixelIn, params: vec4f) -> Entered {
     if (pixel.shell.order >= SHELL_FOLDED) {
         return folded_enter(pixel, params);
@@ -5528,19 +5566,20 @@ fn beside_chord(
     let along = normalize(pixel.direction);
     let middle = middle_of(pixel, along);
     let prism = prism_of(pixel, along, middle, params);
-    var at = shell_middle(pixel, along);
-    at.span = span_of(pixel, prism, along, middle, params);
+    let span = span_of(pixel, prism, along, middle, params);
     // A limit that is never reached, as in `shell_point`.
-    let long = min(at.span.y - at.span.x, NEVER);
+    let long = min(span.y - span.x, NEVER);
     if (!(long > 0.0) || !(long < NEVER)) {
-        return at;
+        return passed_by();
     }
+    var at = shell_middle(pixel, along);
+    at.span = span;
     let height = 0.5 * (pixel.shell.heights.x + pixel.shell.heights.y);
     let a = shell_point(prism, along * at.span.x, height);
     let b = shell_point(prism, along * at.span.y, height);
-    let m = shell_point(prism, along * (at.span.x + 0.5 * long), height);
-    let before = shell_point(prism, along * (at.span.x + 0.25 * long), height);
-    let after = shell_point(prism, along * (at.span.x + 0.75 * long), height);
+    let m = shell_point_from(prism, along * (at.span.x + 0.5 * long), between(a, b));
+    let before = shell_point_from(prism, along * (at.span.x + 0.25 * long), between(a, m));
+    let after = shell_point_from(prism, along * (at.span.x + 0.75 * long), between(m, b));
     let quarters = max(beside_chord(pixel, a, m, b, before, 0.25), beside_chord(pixel, a, m, b, after, 0.75));
     let most = max(beside_chord(pixel, a, m, b, m, 0.5), quarters);
     // Half as many chords are four times as far beside.
@@ -5563,7 +5602,7 @@ fn chord_end(at: Entered, k: u32) -> f32 {
         module: "surface/prism",
         name: "surface_prism_segment",
         sampling: None,
-        uses: &["Entered", "Path", "PixelIn", "SHELL_FOLDED", "chord_end", "chord_path", "chord_reach", "folded_segment", "middle_of", "prism_of", "shell_point"],
+        uses: &["Entered", "Path", "PixelIn", "SHELL_FOLDED", "between", "chord_end", "chord_path", "chord_reach", "folded_segment", "middle_of", "prism_of", "shell_point", "shell_point_from"],
         text: r#"fn surface_prism_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
     if (pixel.shell.order >= SHELL_FOLDED) {
         return folded_segment(pixel, at, k, params);
@@ -5576,8 +5615,8 @@ fn chord_end(at: Entered, k: u32) -> f32 {
     let first = chord_end(at, k);
     let last = chord_end(at, k + 1u);
     let a = shell_point(prism, along * first, mean);
-    let m = shell_point(prism, along * (0.5 * (first + last)), mean);
     let b = shell_point(prism, along * last, mean);
+    let m = shell_point_from(prism, along * (0.5 * (first + last)), between(a, b));
     let bend = 2.0 * (a.height + b.height - 2.0 * m.height);
     let beyond = vec3f(
         length(prism.p2 - prism.p1),
@@ -5730,7 +5769,7 @@ fn point_of_way(pixel: PixelIn, prism: Prism, place: vec3f, height: f32) -> Shel
         module: "surface/prism",
         name: "surface_prism_polish",
         sampling: None,
-        uses: &["Entered", "HEIGHTS_A_TEXEL", "Hit", "POLISH_STEPS", "Path", "PixelIn", "cell_gap", "cell_of", "grid_of", "height_at", "middle_of", "path_gap", "path_height", "point_of_way", "prism_of", "uv_of"],
+        uses: &["Entered", "HEIGHTS_A_TEXEL", "Hit", "POLISH_STEPS", "Path", "PixelIn", "SHELL_FOLDED", "cell_gap", "cell_of", "grid_of", "height_at", "middle_of", "path_gap", "path_height", "point_of_way", "prism_of", "shell_point_from", "shell_point_near", "uv_of"],
         text: r#"// The chord's hit is moved along the ray until the way is as high above the surface there as the chord was.
 fn surface_prism_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Hit {
     let along = normalize(pixel.direction);
@@ -5751,7 +5790,12 @@ fn surface_prism_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, param
         if (change < 0.0) {
             t = clamp(t - gap / change, hit.t - most, hit.t + most);
         }
-        point = point_of_way(pixel, prism, along * (path.start + t - middle), path_height(path, t));
+        let place = along * (path.start + t - middle);
+        if (pixel.shell.order >= SHELL_FOLDED) {
+            point = shell_point_near(prism, place, path_height(path, t));
+        } else {
+            point = shell_point_from(prism, place, point);
+        }
     }
     return Hit(1u, hit.exhausted, uv_of(pixel, point.weights), point.height, t, hit.cost);
 }"#,
@@ -6272,18 +6316,17 @@ fn is_met(pixel: PixelIn, along: vec3f, middle: f32, number: u32) -> bool {
         module: "surface/tetrahedra",
         name: "surface_tetrahedra_enter",
         sampling: None,
-        uses: &["Entered", "PixelIn", "is_met", "middle_of", "shell_middle"],
+        uses: &["Entered", "PixelIn", "is_met", "middle_of", "passed_by", "shell_middle"],
         text: r#"fn surface_tetrahedra_enter(pixel: PixelIn, params: vec4f) -> Entered {
     let along = normalize(pixel.direction);
     let middle = middle_of(pixel, along);
-    var at = shell_middle(pixel, along);
-    var number = 0u;
-    while (number < 3u) {
-        if (is_met(pixel, along, middle, number)) {
-            at.segments = 3u;
-        }
-        number = number + 1u;
+    let is_passed_by = !is_met(pixel, along, middle, 0u) && !is_met(pixel, along, middle, 1u)
+        && !is_met(pixel, along, middle, 2u);
+    if (is_passed_by) {
+        return passed_by();
     }
+    var at = shell_middle(pixel, along);
+    at.segments = 3u;
     return at;
 }"#,
     },

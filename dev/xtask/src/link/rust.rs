@@ -22,7 +22,7 @@ pub fn translate(module: &Module, info: &ModuleInfo) -> Result<String, String> {
         .write(&mut text, module, info)
         .map_err(|error| format!("translating to Rust: {error}"))?;
     let text = concrete_textures(module, &text.replace(&format!("{RUNTIME}::"), "rt::"))?;
-    let text = crate_alone(&text)?;
+    let text = short_ones_inlined(&crate_alone(&text)?)?;
     let bound = bound(module);
     Ok(format!(
         "// The stages' translation. Written by `cargo xtask link`; do not edit.\n\n\
@@ -42,6 +42,33 @@ fn crate_alone(text: &str) -> Result<String, String> {
     let (fields, functions) =
         (fields.replace("pub ", "pub(crate) "), functions.replace("\n    pub fn ", "\n    pub(crate) fn "));
     Ok(format!("{before}#[derive(Clone, Copy, Debug)]\n{fields}{functions}"))
+}
+
+/// The most lines of a body that is compiled into its callers.
+const SHORT_LINES: usize = 14;
+
+/// Has short functions without loops compiled into their callers: vectors are handed over in memory, where
+/// reading them as a whole waits for their parts.
+fn short_ones_inlined(text: &str) -> Result<String, String> {
+    let lines: Vec<&str> = text.lines().collect();
+    let mut marked = String::with_capacity(text.len());
+    let mut count = 0;
+    for (at, line) in lines.iter().enumerate() {
+        if line.starts_with("    fn v_") {
+            let body = lines[at..].iter().skip_while(|line| !line.ends_with('{')).skip(1);
+            let body: Vec<&&str> = body.take_while(|line| **line != "    }").collect();
+            if body.len() <= SHORT_LINES && !body.iter().any(|line| line.contains("loop {")) {
+                marked.push_str("    #[inline(always)]\n");
+                count += 1;
+            }
+        }
+        marked.push_str(line);
+        marked.push('\n');
+    }
+    if count == 0 {
+        return Err("the translation writes its functions in another way than expected".to_owned());
+    }
+    Ok(marked)
 }
 
 /// The constructor that takes, of all that can be bound, what the translated shaders use.
