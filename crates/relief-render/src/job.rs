@@ -4,12 +4,13 @@ use std::sync::Arc;
 
 use relief_core::{BakedMap, HeightMap, TexelMask};
 use relief_shaders::cpu::{
-    Bound, ColorTexture, Frame, HeightTexture, HoleTexture, PixelOut, Program, SurfaceSettings, Triangle,
+    Bound, ColorTexture, Frame, HeightTexture, HoleTexture, PixelOut, Program, SurfaceSettings,
 };
 use relief_shaders::{MapSlot, Selection, SlotMaps};
 
 pub use crate::light_views::LightViews;
 use crate::mipmaps::Mipmaps;
+pub use crate::triangles::Triangles;
 
 /// What both backends are given. The same job gives the same picture on either.
 #[derive(Clone, Debug)]
@@ -37,7 +38,7 @@ pub struct JobSurface {
     /// What is run.
     pub selection: Selection,
     /// The base mesh, in the world.
-    pub triangles: Arc<[Triangle]>,
+    pub triangles: Arc<Triangles>,
     /// The height map.
     pub height_map: Arc<HeightMap>,
     /// The colour map, if any.

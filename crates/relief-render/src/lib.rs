@@ -12,6 +12,7 @@ pub mod gpu;
 mod heights_under;
 pub mod job;
 mod kept;
+mod kept_triangles;
 pub mod light;
 mod light_views;
 pub mod material;

@@ -12,13 +12,13 @@ use relief_shaders::{MapNeed, MapSlot, SlotMaps};
 use crate::camera::Camera;
 use crate::environment::Environment;
 use crate::job::{Job, JobSurface};
+use crate::kept_triangles::{KeptTriangles, extent_m, moved_out_m};
 use crate::light::Light;
 use crate::light_views::{LightViews, relief_points};
 use crate::mesh::Vertex;
 use crate::mipmaps::Mipmaps;
 use crate::pictures::Pictures;
 use crate::scene::{Scene, Surface};
-use crate::triangles::{KeptTriangles, extent_m, moved_out_m};
 
 /// The least distance of the near plane, as a part of the distance of what is farthest away. Smaller, and
 /// what is nearest has more bits than it needs; larger, and the eye cannot come close to a surface.

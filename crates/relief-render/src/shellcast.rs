@@ -12,6 +12,7 @@ use obvhs::bvh2::{Bvh2, builder::build_bvh2};
 use relief_shaders::cpu::{Corner, Triangle};
 
 use crate::camera::Ray;
+use crate::triangles::Triangles;
 
 /// How far boxes are grown, relative to the largest coordinate in play: more than the shaders' own slack for
 /// rounding, so that no triangle is left out that they would have hit.
@@ -33,8 +34,8 @@ impl fmt::Debug for ShellCaster {
 impl ShellCaster {
     /// Prepares shells between two distances along the corners' normals, at which the heights 0 and 1 lie, in
     /// metres; with `both`, those of the mesh turned over as well. Takes about 100 bytes a triangle.
-    pub fn new(triangles: &[Triangle], shell_m: [f32; 2], both: bool) -> Self {
-        let boxes: Vec<Aabb> = triangles.iter().map(|triangle| bounds(triangle, shell_m, both)).collect();
+    pub fn new(triangles: &Triangles, shell_m: [f32; 2], both: bool) -> Self {
+        let boxes: Vec<Aabb> = triangles.iter().map(|triangle| bounds(&triangle, shell_m, both)).collect();
         let bvh = if boxes.is_empty() {
             Bvh2::default()
         } else {
@@ -109,7 +110,7 @@ mod tests {
     use relief_shaders::cpu::Shell;
 
     /// Triangles side by side along x, facing along z.
-    fn row(count: usize) -> Vec<Triangle> {
+    fn row(count: usize) -> Triangles {
         let corner = |x: f32, y: f32| {
             let (tangent, bitangent) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
             Corner::new([x, y, 0.0], [0.0, 0.0, 1.0], tangent, bitangent, [x, y], [0.0; 3])
@@ -158,6 +159,7 @@ mod tests {
         });
         assert!(proposed.contains(&0) && proposed.contains(&2) && !proposed.contains(&20), "{proposed:?}");
         caster.each(&Ray { direction: DVec3::ZERO, ..ray }, |_| panic!("a ray without a direction"));
-        ShellCaster::new(&[], [0.0, 1.0], false).each(&ray, |_| panic!("a mesh without triangles"));
+        ShellCaster::new(&Triangles::default(), [0.0, 1.0], false)
+            .each(&ray, |_| panic!("a mesh without triangles"));
     }
 }

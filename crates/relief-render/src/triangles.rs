@@ -1,189 +1,96 @@
-//! Meshes as the shaders have them: triangles with their corners, and what is known of their shells.
+//! Triangles that share their corners.
 
-use std::sync::Arc;
+use relief_shaders::cpu::{Corner, Face, Shell, Triangle};
 
-use glam::Vec3;
-use relief_core::HeightMap;
-use relief_core::mesh::QuadricCoefficients;
-use relief_shaders::cpu::{Corner, Shell, Triangle};
-use relief_shaders::surface::Proposal;
-
-use crate::heights_under::HeightsUnder;
-use crate::kept::kept;
-use crate::mesh::{Mesh, Vertex};
-use crate::scene::Surface;
-
-/// The triangles of a scene's surfaces.
-#[derive(Debug, Default)]
-pub struct KeptTriangles {
-    /// Of meshes alone.
-    polygons: Vec<(Arc<Mesh>, Arc<[Triangle]>)>,
-    /// Of meshes with quadrics.
-    bent: Vec<(BentOf, Arc<[Triangle]>)>,
-    /// Of meshes under height maps.
-    shells: Vec<(ShellsOf, Arc<[Triangle]>)>,
+/// The triangles of a mesh as the shaders have them, in the order of the mesh.
+///
+/// Corners are held once, however many triangles meet there: 96 bytes each, and 48 for a triangle.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Triangles {
+    corners: Vec<Corner>,
+    faces: Vec<Face>,
 }
 
-/// What shells are made of.
-#[derive(Clone, Debug)]
-struct ShellsOf {
-    mesh: Arc<Mesh>,
-    map: Arc<HeightMap>,
-    /// Where the heights 0 and 1 lie along the normals, in metres.
-    shell_m: [f32; 2],
-    /// Whether the base is smooth.
-    lifted: bool,
-    /// How many levels of the map are seen.
-    levels: u32,
-    /// Whether the mesh is seen turned over as well.
-    both: bool,
-}
+impl Triangles {
+    /// Triangles by the places of their corners, which all exist.
+    pub(crate) fn new(corners: Vec<Corner>, faces: impl Iterator<Item = ([u32; 3], Shell)>) -> Self {
+        let faces = faces.map(|(corners, shell)| Face { corners: corners.into(), shell });
+        Self { corners, faces: faces.collect() }
+    }
 
-impl ShellsOf {
-    fn is(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.mesh, &other.mesh)
-            && Arc::ptr_eq(&self.map, &other.map)
-            && self.shell_m == other.shell_m
-            && (self.lifted, self.levels, self.both) == (other.lifted, other.levels, other.both)
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.faces.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.faces.is_empty()
+    }
+
+    /// The triangle of that number.
+    ///
+    /// # Panics
+    ///
+    /// When there is no such triangle.
+    #[inline]
+    pub fn get(&self, number: usize) -> Triangle {
+        self.of(&self.faces[number])
+    }
+
+    /// All of them.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = Triangle> {
+        self.faces.iter().map(|face| self.of(face))
+    }
+
+    /// All corners.
+    pub fn corners(&self) -> &[Corner] {
+        &self.corners
+    }
+
+    /// The places of the triangles' corners among [`Self::corners`], and their shells.
+    pub fn faces(&self) -> &[Face] {
+        &self.faces
+    }
+
+    #[inline]
+    fn of(&self, face: &Face) -> Triangle {
+        let at = face.corners;
+        let [a, b, c] = [at.x, at.y, at.z].map(|place| self.corners[place as usize]);
+        Triangle { a, b, c, shell: face.shell }
     }
 }
 
-/// What triangles with quadrics are made of.
-#[derive(Clone, Debug)]
-struct BentOf {
-    mesh: Arc<Mesh>,
-    coefficients: QuadricCoefficients,
-    /// How far the base is moved along its normals, in metres.
-    out_m: f32,
-    /// Whether the base is smooth.
-    lifted: bool,
-}
-
-impl BentOf {
-    fn is(&self, other: &Self) -> bool {
-        let settings = |of: &Self| (of.coefficients, of.out_m, of.lifted);
-        Arc::ptr_eq(&self.mesh, &other.mesh) && settings(self) == settings(other)
-    }
-
-    /// The triangles, with their quadrics and the numbers of a smooth base.
-    fn triangles(&self) -> Arc<[Triangle]> {
-        let moved = (self.out_m > 0.0).then(|| moved_out(&self.mesh, self.out_m)).flatten();
-        let mesh = moved.as_ref().unwrap_or(&self.mesh);
-        let quadrics = mesh.quadrics(self.coefficients);
-        let smooth = self.lifted.then(|| (mesh.welded(), mesh.lifts()));
-        let numbered = (0u32..).zip(mesh.triangles());
-        let triangles = numbered.map(|(number, corners)| {
-            let shell = smooth.as_ref().map_or_else(Shell::whole, |(welded, lifts)| {
-                let places = Shell::places_of(corners.map(|corner| welded[corner as usize]));
-                let lift = lifts[number as usize];
-                Shell::between([0.0, 1.0], places, places.map(|place| lift[place as usize]))
-            });
-            triangle(mesh, number, &|vertex| quadrics[vertex as usize], shell)
-        });
-        triangles.collect()
+impl FromIterator<Triangle> for Triangles {
+    /// Triangles that share no corners.
+    fn from_iter<I: IntoIterator<Item = Triangle>>(triangles: I) -> Self {
+        let (mut corners, mut faces) = (Vec::new(), Vec::new());
+        for Triangle { a, b, c, shell } in triangles {
+            let first = corners.len() as u32;
+            faces.push(Face { corners: [first, first + 1, first + 2].into(), shell });
+            corners.extend([a, b, c]);
+        }
+        Self { corners, faces }
     }
 }
 
-/// A mesh moved along its normals by that many metres, with the tangents that it has there. None where it is
-/// too large for that.
-fn moved_out(mesh: &Mesh, out_m: f32) -> Option<Mesh> {
-    let quadrics = mesh.quadrics(QuadricCoefficients::Three);
-    let vertices = mesh.vertices().iter().zip(quadrics).map(|(vertex, [a, b, c])| {
-        let (t, s) = (vertex.tangent, vertex.bitangent);
-        let (tt, ts, ss) = (t.dot(t), t.dot(s), s.dot(s));
-        let area = tt * ss - ts * ts;
-        let dual = |x: f32, y: f32| (t * (x * ss - y * ts) + s * (y * tt - x * ts)) / area;
-        // The normal turns with the texture coordinates by the second derivatives of the quadric.
-        let turned = |tangent: Vec3, x: f32, y: f32| {
-            let moved = tangent - dual(x, y) * out_m;
-            if moved.is_finite() && moved.dot(tangent) > 0.0 { moved } else { tangent }
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_are_shared_or_not_and_the_same() {
+        let corner = |x: f32, y: f32| {
+            Corner::new([x, y, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [x, y], [0.0; 3])
         };
-        let (tangent, bitangent) = (turned(t, 2.0 * a, b), turned(s, b, 2.0 * c));
-        Vertex { position: vertex.position + vertex.normal * out_m, tangent, bitangent, ..*vertex }
-    });
-    Mesh::new(vertices.collect(), mesh.triangles().to_vec()).ok()
-}
-
-impl KeptTriangles {
-    /// The triangles of a surface whose heights 0 and 1 lie at these distances along the normals, in metres:
-    /// those made for it before, if any were.
-    pub fn of(&mut self, surface: &Surface, shell_m: [f32; 2], before: &Self) -> Arc<[Triangle]> {
-        let (mesh, selection) = (surface.mesh(), surface.selection());
-        if let Some(coefficients) = selection.quadrics() {
-            let (mesh, lifted) = (Arc::clone(mesh), selection.has_smooth_base());
-            let of = BentOf { mesh, coefficients, out_m: moved_out_m(surface), lifted };
-            let mut known = self.bent.iter().chain(&before.bent);
-            let made = known.find(|(known, _)| known.is(&of)).map(|(_, made)| Arc::clone(made));
-            let made = made.unwrap_or_else(|| of.triangles());
-            self.bent.push((of, Arc::clone(&made)));
-            return made;
-        }
-        if selection.paths().proposal == Proposal::Polygons {
-            return kept(&mut self.polygons, &before.polygons, mesh, || polygons(mesh));
-        }
-        let (mesh, map) = (Arc::clone(mesh), Arc::clone(surface.height_map()));
-        let (lifted, levels) = (selection.has_smooth_base(), selection.levels_of(&map));
-        let of = ShellsOf { mesh, map, shell_m, lifted, levels, both: surface.two_sided() };
-        let mut known = self.shells.iter().chain(&before.shells);
-        let made = known.find(|(known, _)| known.is(&of)).map(|(_, made)| Arc::clone(made));
-        let made = made.unwrap_or_else(|| shells(&of));
-        self.shells.push((of, Arc::clone(&made)));
-        made
+        let corners = vec![corner(0.0, 0.0), corner(1.0, 0.0), corner(0.0, 1.0), corner(1.0, 1.0)];
+        let [first, second] = [Shell::whole(), Shell::whole().folded()];
+        let faces = [([0, 1, 2], first), ([2, 1, 3], second)];
+        let shared = Triangles::new(corners.clone(), faces.into_iter());
+        let unshared: Triangles = shared.iter().collect();
+        assert_eq!((shared.corners().len(), unshared.corners().len()), (4, 6));
+        assert!(shared.iter().eq(unshared.iter()) && shared.len() == 2 && !shared.is_empty());
+        let (a, b, c) = (corners[2], corners[1], corners[3]);
+        assert_eq!(unshared.get(1), Triangle { a, b, c, shell: second });
     }
-}
-
-/// How far along its normals a surface's base is moved, in metres, so that all relief is carved into it: 0
-/// where its triangles are not those of quadrics.
-pub fn moved_out_m(surface: &Surface) -> f32 {
-    let map = surface.height_map();
-    let out_m = map.scale_m() as f32 + map.bias_m() as f32;
-    if surface.selection().quadrics().is_some() { out_m.max(0.0) } else { 0.0 }
-}
-
-/// The triangles of a mesh, of whose shells nothing is known.
-fn polygons(mesh: &Mesh) -> Arc<[Triangle]> {
-    let numbers = 0..mesh.triangles().len() as u32;
-    numbers.map(|number| triangle(mesh, number, &|_| [0.0; 3], Shell::whole())).collect()
-}
-
-/// The triangles of a mesh with their shells.
-fn shells(of: &ShellsOf) -> Arc<[Triangle]> {
-    let ShellsOf { mesh, map, shell_m, lifted, levels, both } = of;
-    let (welded, lifts) = (mesh.welded(), lifted.then(|| mesh.lifts()));
-    let heights = HeightsUnder::new(map, *levels);
-    let numbered = (0u32..).zip(mesh.triangles());
-    let triangles = numbered.map(|(number, corners)| {
-        let places = Shell::places_of(corners.map(|corner| welded[corner as usize]));
-        let lift = lifts.as_ref().map_or([0.0; 3], |lifts| lifts[number as usize]);
-        let under = heights.under(mesh.corners(number).map(|corner| corner.uv.as_dvec2()));
-        let shell = Shell::between(under, places, places.map(|place| lift[place as usize]));
-        let ([lowest, highest], [down, up]) = (shell.offsets_m(*shell_m), mesh.fold_range(number));
-        let is_between = |offset: f32| down < f64::from(offset) && f64::from(offset) < up;
-        let is_whole = |lowest: f32, highest: f32| is_between(lowest) && is_between(highest);
-        let is_folded = !is_whole(lowest, highest) || (*both && !is_whole(-highest, -lowest));
-        triangle(mesh, number, &|_| [0.0; 3], if is_folded { shell.folded() } else { shell })
-    });
-    triangles.collect()
-}
-
-/// A triangle of a mesh, with the quadrics of its vertices.
-fn triangle(mesh: &Mesh, number: u32, quadric_of: &dyn Fn(u32) -> [f32; 3], shell: Shell) -> Triangle {
-    let corner = |place: usize| {
-        let vertex: &Vertex = mesh.corners(number)[place];
-        Corner::new(
-            vertex.position.to_array(),
-            vertex.normal.to_array(),
-            vertex.tangent.to_array(),
-            vertex.bitangent.to_array(),
-            vertex.uv.to_array(),
-            quadric_of(mesh.triangles()[number as usize][place]),
-        )
-    };
-    let [a, b, c] = [0, 1, 2].map(corner);
-    Triangle { a, b, c, shell }
-}
-
-/// The largest absolute coordinate of a mesh, in metres.
-pub fn extent_m(mesh: &Mesh) -> f32 {
-    mesh.vertices().iter().fold(0.0, |extent, vertex| vertex.position.abs().max_element().max(extent))
 }

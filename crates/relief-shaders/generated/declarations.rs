@@ -533,17 +533,24 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "bindings",
-        name: "triangles",
+        name: "mesh_faces",
         sampling: None,
-        uses: &["Triangle"],
-        text: r#"@group(1) @binding(0) var<storage, read> triangles: array<Triangle>;"#,
+        uses: &["Face"],
+        text: r#"@group(1) @binding(0) var<storage, read> mesh_faces: array<Face>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "mesh_corners",
+        sampling: None,
+        uses: &["Corner"],
+        text: r#"@group(1) @binding(1) var<storage, read> mesh_corners: array<Corner>;"#,
     },
     Declaration {
         module: "bindings",
         name: "pixels",
         sampling: None,
         uses: &["PixelIn"],
-        text: r#"@group(1) @binding(1) var<storage, read> pixels: array<PixelIn>;"#,
+        text: r#"@group(1) @binding(8) var<storage, read> pixels: array<PixelIn>;"#,
     },
     Declaration {
         module: "bindings",
@@ -3099,13 +3106,25 @@ struct Traced {
     },
     Declaration {
         module: "shared/numbered",
+        name: "numbered_triangle",
+        sampling: None,
+        uses: &["Triangle", "mesh_corners", "mesh_faces"],
+        text: r#"// The triangle of that number.
+fn numbered_triangle(number: u32) -> Triangle {
+    let face = mesh_faces[number];
+    let at = face.corners;
+    return Triangle(mesh_corners[at.x], mesh_corners[at.y], mesh_corners[at.z], face.shell);
+}"#,
+    },
+    Declaration {
+        module: "shared/numbered",
         name: "numbered_pixel",
         sampling: None,
-        uses: &["PixelIn", "pixel_of", "triangles"],
+        uses: &["PixelIn", "numbered_triangle", "pixel_of"],
         text: r#"// The ray through a point of the picture that meets the triangle of that number.
 fn numbered_pixel(triangle: u32, side: f32, point: vec2f) -> PixelIn {
-    let corners = triangles[triangle];
-    return pixel_of(corners.a, corners.b, corners.c, corners.shell, side, point);
+    let met = numbered_triangle(triangle);
+    return pixel_of(met.a, met.b, met.c, met.shell, side, point);
 }"#,
     },
     Declaration {
@@ -3729,6 +3748,17 @@ fn quadric_frame(at: Entered, aside: vec2f) -> Entered {
     let bb = dot(placed.bitangent, placed.bitangent);
     placed.metric = vec4f(tt, tb, bb, m.w);
     return placed;
+}"#,
+    },
+    Declaration {
+        module: "shared/records",
+        name: "Face",
+        sampling: None,
+        uses: &["Shell"],
+        text: r#"// A base triangle in buffers: the places of its corners among all of the mesh.
+struct Face {
+    corners: vec3u,
+    shell: Shell,
 }"#,
     },
     Declaration {
@@ -8223,32 +8253,27 @@ fn clip_of(position: vec3f) -> vec4f {
         module: "roots/trace",
         name: "vertex_main",
         sampling: None,
-        uses: &["Varying", "clip_of", "triangles"],
+        uses: &["Varying", "clip_of", "mesh_corners", "mesh_faces"],
         text: r#"@vertex
 fn vertex_main(@builtin(vertex_index) vertex: u32) -> Varying {
     let triangle = vertex / 3u;
     let corner = vertex % 3u;
-    var position = triangles[triangle].a.position;
-    if (corner == 1u) {
-        position = triangles[triangle].b.position;
-    }
-    if (corner == 2u) {
-        position = triangles[triangle].c.position;
-    }
-    return Varying(clip_of(position), triangle, 0.0);
+    let corners = mesh_faces[triangle].corners;
+    let place = select(select(corners.z, corners.y, corner == 1u), corners.x, corner == 0u);
+    return Varying(clip_of(mesh_corners[place].position), triangle, 0.0);
 }"#,
     },
     Declaration {
         module: "roots/trace",
         name: "shell_vertex",
         sampling: None,
-        uses: &["BOX_VERTICES", "Varying", "box_corner", "clip_of", "triangles", "turned"],
+        uses: &["BOX_VERTICES", "Varying", "box_corner", "clip_of", "numbered_triangle", "turned"],
         text: r#"// A shell is looked for in all of a box around it, of which the far sides are drawn.
 @vertex
 fn shell_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) turned: u32) -> Varying {
     let triangle = vertex / BOX_VERTICES;
     let side = select(1.0, -1.0, turned == 1u);
-    let position = box_corner(triangles[triangle], side, vertex % BOX_VERTICES);
+    let position = box_corner(numbered_triangle(triangle), side, vertex % BOX_VERTICES);
     let clip = clip_of(position);
     // What is seen is decided by keys; no plane cuts a box off.
     return Varying(vec4f(clip.xy, 0.5 * clip.w, clip.w), triangle, side);

@@ -102,6 +102,71 @@ impl Shared for Frame {
     }
 }
 
+impl Shared for Corner {
+    const SIZE: usize = 96;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.position.write(&mut bytes[0..]);
+        self.normal.write(&mut bytes[16..]);
+        self.tangent.write(&mut bytes[32..]);
+        self.bitangent.write(&mut bytes[48..]);
+        self.uv.write(&mut bytes[64..]);
+        self.quadric.write(&mut bytes[80..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            position: Shared::read(&bytes[0..]),
+            normal: Shared::read(&bytes[16..]),
+            tangent: Shared::read(&bytes[32..]),
+            bitangent: Shared::read(&bytes[48..]),
+            uv: Shared::read(&bytes[64..]),
+            quadric: Shared::read(&bytes[80..]),
+        }
+    }
+}
+
+impl Shared for Shell {
+    const SIZE: usize = 32;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.heights.write(&mut bytes[0..]);
+        self.order.write(&mut bytes[8..]);
+        self.lift.write(&mut bytes[16..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            heights: Shared::read(&bytes[0..]),
+            order: Shared::read(&bytes[8..]),
+            lift: Shared::read(&bytes[16..]),
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+/// A base triangle in buffers: the places of its corners among all of the mesh.
+pub struct Face {
+    pub corners: rt::Vec3<u32>,
+    pub shell: Shell,
+}
+
+impl Shared for Face {
+    const SIZE: usize = 48;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.corners.write(&mut bytes[0..]);
+        self.shell.write(&mut bytes[16..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            corners: Shared::read(&bytes[0..]),
+            shell: Shared::read(&bytes[16..]),
+        }
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 /// What one pass works on: some rows of the picture, and of their pixels one sample. The host keeps 256 bytes
 /// for each, so there is room for more.
@@ -253,77 +318,6 @@ impl Shared for SurfaceSettings {
             number: Shared::read(&bytes[852..]),
             environment_side: Shared::read(&bytes[856..]),
             environment_levels: Shared::read(&bytes[860..]),
-        }
-    }
-}
-
-impl Shared for Corner {
-    const SIZE: usize = 96;
-
-    fn write(&self, bytes: &mut [u8]) {
-        self.position.write(&mut bytes[0..]);
-        self.normal.write(&mut bytes[16..]);
-        self.tangent.write(&mut bytes[32..]);
-        self.bitangent.write(&mut bytes[48..]);
-        self.uv.write(&mut bytes[64..]);
-        self.quadric.write(&mut bytes[80..]);
-    }
-
-    fn read(bytes: &[u8]) -> Self {
-        Self {
-            position: Shared::read(&bytes[0..]),
-            normal: Shared::read(&bytes[16..]),
-            tangent: Shared::read(&bytes[32..]),
-            bitangent: Shared::read(&bytes[48..]),
-            uv: Shared::read(&bytes[64..]),
-            quadric: Shared::read(&bytes[80..]),
-        }
-    }
-}
-
-impl Shared for Shell {
-    const SIZE: usize = 32;
-
-    fn write(&self, bytes: &mut [u8]) {
-        self.heights.write(&mut bytes[0..]);
-        self.order.write(&mut bytes[8..]);
-        self.lift.write(&mut bytes[16..]);
-    }
-
-    fn read(bytes: &[u8]) -> Self {
-        Self {
-            heights: Shared::read(&bytes[0..]),
-            order: Shared::read(&bytes[8..]),
-            lift: Shared::read(&bytes[16..]),
-        }
-    }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-/// A base triangle, in the world.
-pub struct Triangle {
-    pub a: Corner,
-    pub b: Corner,
-    pub c: Corner,
-    pub shell: Shell,
-}
-
-impl Shared for Triangle {
-    const SIZE: usize = 320;
-
-    fn write(&self, bytes: &mut [u8]) {
-        self.a.write(&mut bytes[0..]);
-        self.b.write(&mut bytes[96..]);
-        self.c.write(&mut bytes[192..]);
-        self.shell.write(&mut bytes[288..]);
-    }
-
-    fn read(bytes: &[u8]) -> Self {
-        Self {
-            a: Shared::read(&bytes[0..]),
-            b: Shared::read(&bytes[96..]),
-            c: Shared::read(&bytes[192..]),
-            shell: Shared::read(&bytes[288..]),
         }
     }
 }

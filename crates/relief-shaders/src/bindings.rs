@@ -77,7 +77,7 @@ const fn traced(number: u32, name: &'static str, kind: BindingKind, holds: &'sta
 
 /// All bindings. Group 0 is the same for every program; a program of the other groups binds those of them
 /// that it names.
-pub const BINDINGS: [Binding; 27] = [
+pub const BINDINGS: [Binding; 28] = [
     uniform(0, "surface_settings", "SurfaceSettings", "what changes with the surface"),
     filtered(1, "height_map", false, "heights"),
     filtered(
@@ -115,8 +115,9 @@ pub const BINDINGS: [Binding; 27] = [
         kind: BindingKind::Texture { layers: false, filtered: false },
         holds: "above 0 the texels that are holes; a single texel where the settings say that there are none",
     },
-    storage(1, 0, "triangles", "Triangle", true, "the base mesh"),
-    storage(1, 1, "pixels", "PixelIn", true, "rays to probe"),
+    storage(1, 0, "mesh_faces", "Face", true, "the base mesh's triangles"),
+    storage(1, 1, "mesh_corners", "Corner", true, "the base mesh's corners, which triangles share"),
+    storage(1, 8, "pixels", "PixelIn", true, "rays to probe"),
     storage(1, 2, "probes", "Probe", false, "the stages' results for these rays"),
     traced(
         0,

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use relief_core::HeightMap;
 use relief_core::exact::FastTracer;
 use relief_core::registry::RayClass;
-use relief_shaders::cpu::{PixelOut, Triangle};
+use relief_shaders::cpu::PixelOut;
 use relief_shaders::surface::Proposal;
 
 use self::light_map::{LightMap, NoLightMap};
@@ -18,6 +18,7 @@ use crate::kept::kept;
 use crate::raycast::RayCaster;
 use crate::samples::{Sample, samples};
 use crate::shellcast::ShellCaster;
+use crate::triangles::Triangles;
 
 mod light_map;
 mod ready;
@@ -29,8 +30,8 @@ const BAND_PIXELS: u32 = 1 << 18;
 /// lights see, from one job to the next.
 #[derive(Debug, Default)]
 pub struct CpuRenderer {
-    casters: Vec<(Arc<[Triangle]>, Arc<RayCaster>)>,
-    shells: Vec<(Arc<[Triangle]>, Arc<ShellCaster>)>,
+    casters: Vec<(Arc<Triangles>, Arc<RayCaster>)>,
+    shells: Vec<(Arc<Triangles>, Arc<ShellCaster>)>,
     tracers: Vec<(Arc<HeightMap>, Arc<[FastTracer]>)>,
     light_map: Option<LightMap>,
 }

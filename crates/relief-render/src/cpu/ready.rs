@@ -16,11 +16,12 @@ use crate::job::{Job, JobSurface};
 use crate::light_views::{frame_of_rays, relief_points};
 use crate::raycast::{RayCaster, Sides};
 use crate::shellcast::ShellCaster;
+use crate::triangles::Triangles;
 
 /// The hierarchy of a mesh's polygons.
-pub fn caster(triangles: &[Triangle]) -> RayCaster {
+pub fn caster(triangles: &Triangles) -> RayCaster {
     let position = |corner: &Corner| Vec3::new(corner.position.x, corner.position.y, corner.position.z);
-    RayCaster::of_corners(triangles.iter().map(|Triangle { a, b, c, .. }| [a, b, c].map(position)))
+    RayCaster::of_corners(triangles.iter().map(|Triangle { a, b, c, .. }| [&a, &b, &c].map(position)))
 }
 
 /// The depths, relative to the nearest hit, up to which base polygons are looked at: keys and depths are
@@ -72,7 +73,7 @@ pub struct Aim {
 /// A surface ready to be traced.
 pub struct Ready<'a> {
     program: Program<'a>,
-    triangles: &'a [Triangle],
+    triangles: &'a Triangles,
     base: Base,
     sides: Sides,
     /// The exact tracers of all levels of detail.
@@ -180,7 +181,7 @@ impl<'a> Ready<'a> {
 
     /// Traces a side of a triangle, and keeps what it shows where that is the nearest so far.
     fn look(&self, best: &mut Option<Seen>, rank: (bool, u32), side: f32, aim: Aim) {
-        let Triangle { a, b, c, shell } = self.triangles[rank.1 as usize];
+        let Triangle { a, b, c, shell } = self.triangles.get(rank.1 as usize);
         let pixel = PixelIn { origin: aim.origin, direction: aim.direction, side, a, b, c, shell };
         let at = self.program.enter(pixel);
         let first = match &self.tracers {
@@ -319,8 +320,7 @@ impl<'a> SceneRays<'a> {
 }
 
 /// The largest absolute coordinate of some triangles' corners, in metres.
-fn extent_m(triangles: &[Triangle]) -> f32 {
-    let corners = triangles.iter().flat_map(|triangle| [triangle.a, triangle.b, triangle.c]);
-    let largest = |of: Corner| [of.position.x, of.position.y, of.position.z].map(f32::abs);
-    corners.flat_map(largest).fold(0.0, f32::max)
+fn extent_m(triangles: &Triangles) -> f32 {
+    let largest = |of: &Corner| [of.position.x, of.position.y, of.position.z].map(f32::abs);
+    triangles.corners().iter().flat_map(largest).fold(0.0, f32::max)
 }

@@ -62,6 +62,14 @@ pub enum GpuError {
         /// The most that fit.
         limit: u64,
     },
+    /// The mesh's vertices do not fit the adapter's buffers.
+    #[error("the mesh has {count} vertices, the GPU takes at most {limit}; use a coarser mesh or the CPU")]
+    TooManyVertices {
+        /// Vertices of the mesh.
+        count: usize,
+        /// The most that fit.
+        limit: u64,
+    },
     /// A map is empty, or has not as many texels as its size says.
     #[error("the {what} of {width}x{height} texels has {given} texels")]
     WrongLength {

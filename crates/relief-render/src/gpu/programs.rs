@@ -64,7 +64,7 @@ impl Layouts {
         Self {
             exact: layout(device, "maps", &shared(), Sampling::Exact),
             fast: layout(device, "maps", &shared(), Sampling::Fast),
-            mesh: of("mesh", &["triangles"]),
+            mesh: of("mesh", &["mesh_faces", "mesh_corners"]),
             traced: of("traced", &["traced_hit", "traced_what", "records", "sums"]),
             shown: of("shown", &["shown_records", "picture"]),
             rays: of("rays", &["pixels", "probes"]),

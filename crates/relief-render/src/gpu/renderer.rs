@@ -4,7 +4,7 @@
 use std::ops::ControlFlow;
 
 use relief_shaders::MapNeed;
-use relief_shaders::cpu::{PixelOut, Record, Shared, Triangle, read_all};
+use relief_shaders::cpu::{Corner, Face, PixelOut, Record, Shared, read_all};
 use relief_shaders::surface::Proposal;
 use relief_shaders::wgsl::{BOX_VERTICES, SHADE_GROUP, Sampling};
 use wgpu::{
@@ -372,9 +372,13 @@ impl GpuRenderer {
 
 /// The number of a triangle travels as a signed integer, that of a vertex as an unsigned one.
 fn check_triangles(gpu: &Gpu, surface: &JobSurface) -> Result<(), GpuError> {
-    let (count, limit) = (surface.triangles.len(), gpu.storage_capacity(Triangle::SIZE));
-    let limit = limit.min(u64::from(u32::MAX / vertices_of(surface)));
-    if count as u64 > limit { Err(GpuError::TooManyTriangles { count, limit }) } else { Ok(()) }
+    let (count, corners) = (surface.triangles.len(), surface.triangles.corners().len());
+    let limit = gpu.storage_capacity(Face::SIZE).min(u64::from(u32::MAX / vertices_of(surface)));
+    if count as u64 > limit {
+        return Err(GpuError::TooManyTriangles { count, limit });
+    }
+    let limit = gpu.storage_capacity(Corner::SIZE);
+    if corners as u64 > limit { Err(GpuError::TooManyVertices { count: corners, limit }) } else { Ok(()) }
 }
 
 /// The vertices that are drawn for a triangle.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use relief_core::{BakedMap, HeightMap, TexelMask, Wrap};
 use relief_shaders::MapSlot;
-use relief_shaders::cpu::{Shared, SurfaceSettings, Triangle, write_all};
+use relief_shaders::cpu::{Shared, SurfaceSettings, write_all};
 use relief_shaders::wgsl::Sampling;
 use wgpu::{BindGroup, BindGroupLayout, BindingResource, Buffer, BufferUsages, Sampler, TextureView};
 
@@ -13,7 +13,7 @@ use super::layouts::group;
 use super::pyramid::Builder;
 use super::textures::{self, Precision};
 use super::{Gpu, GpuError, pyramid};
-use crate::job::JobSurface;
+use crate::job::{JobSurface, Triangles};
 use crate::mipmaps::Mipmaps;
 
 /// A uniform buffer and what was written last.
@@ -117,7 +117,7 @@ pub struct Resident {
     normals: Option<Held<Arc<Mipmaps>>>,
     slots: [Option<Held<SlotSource>>; MapSlot::ALL.len()],
     sampler: Option<(Wrap, Sampler)>,
-    mesh: Option<(Arc<[Triangle]>, BindGroup)>,
+    mesh: Option<(Arc<Triangles>, BindGroup)>,
     /// Group 0, with what it was made for. None where a part has changed.
     maps: Option<(Sampling, u64, MapGroups)>,
 }
@@ -198,7 +198,7 @@ impl Resident {
     pub fn mesh(
         &mut self,
         gpu: &Gpu,
-        triangles: &Arc<[Triangle]>,
+        triangles: &Arc<Triangles>,
         layout: &BindGroupLayout,
     ) -> Result<(BindGroup, bool), GpuError> {
         if let Some((of, group)) = &self.mesh
@@ -208,8 +208,11 @@ impl Resident {
         }
         // What was held goes first, so that both need not fit.
         self.mesh = None;
-        let buffer = gpu.filled("triangles", triangles, BufferUsages::STORAGE)?;
-        let group = group(gpu.device(), "mesh", layout, &[("triangles", buffer.as_entire_binding())]);
+        let faces = gpu.filled("mesh_faces", triangles.faces(), BufferUsages::STORAGE)?;
+        let corners = gpu.filled("mesh_corners", triangles.corners(), BufferUsages::STORAGE)?;
+        let bound =
+            [("mesh_faces", faces.as_entire_binding()), ("mesh_corners", corners.as_entire_binding())];
+        let group = group(gpu.device(), "mesh", layout, &bound);
         self.mesh = Some((Arc::clone(triangles), group.clone()));
         Ok((group, true))
     }

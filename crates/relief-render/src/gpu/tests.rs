@@ -60,7 +60,7 @@ fn surface(map: &Arc<HeightMap>) -> JobSurface {
     JobSurface {
         settings: SurfaceSettings::tracing(map, &selection, &SlotMaps::default()),
         selection,
-        triangles: Arc::new([]),
+        triangles: Arc::default(),
         height_map: Arc::clone(map),
         color: None,
         normal_map: None,

@@ -19,18 +19,20 @@ mod layout;
 mod method_tracer;
 mod program;
 mod runtime;
+mod triangle;
 
 pub use bytes::{Shared, read_all, write_all};
 pub use generated::{
     Choice, Corner, Entered, FirstHit, Found, Frame, Hit, Light, LightRay, LightView, MapSettings, Path,
     PixelIn, PixelOut, Shell, SurfaceSettings, Toward,
 };
-pub use layout::{PassSettings, Probe, PyramidPass, Record, Triangle};
+pub use layout::{Face, PassSettings, Probe, PyramidPass, Record};
 pub use method_tracer::MethodTracer;
 /// A vector, as shaders have it.
 pub use naga_rust_rt::{Vec2, Vec3, Vec4};
 pub use program::Program;
 pub use runtime::{ColorTexture, HeightTexture, HoleTexture, MapTexture};
+pub use triangle::Triangle;
 
 /// Everything that can be bound to a [`Program`].
 #[derive(Clone, Copy, Debug)]

@@ -139,7 +139,7 @@ fn bare_surface(map: Arc<HeightMap>, selection: Selection, maps: Vec<BakedMap>) 
     JobSurface {
         settings,
         selection,
-        triangles: Arc::new([]),
+        triangles: Arc::default(),
         height_map: map,
         color: None,
         normal_map: None,

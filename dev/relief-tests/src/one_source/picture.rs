@@ -117,7 +117,7 @@ impl Picture {
         let surface = JobSurface {
             settings,
             selection: *selection,
-            triangles: triangles().into(),
+            triangles: Arc::new(triangles().into_iter().collect()),
             height_map: Arc::new(map),
             color: Some(color),
             normal_map: normals,
@@ -143,7 +143,7 @@ impl Picture {
         let program = self.surface().program(self.job.frame, None);
         let point = [x as f32 + 0.5, y as f32 + 0.5];
         let mut met: Vec<Met> =
-            self.surface().triangles.iter().filter_map(|each| self.meet(&program, each, point)).collect();
+            self.surface().triangles.iter().filter_map(|each| self.meet(&program, &each, point)).collect();
         met.sort_by(|a, b| a.depth.total_cmp(&b.depth));
         let mut answers = Vec::new();
         for Met { certain, pixel, .. } in met {

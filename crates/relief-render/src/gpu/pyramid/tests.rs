@@ -59,7 +59,7 @@ fn builder(gpu: &Gpu, map: &Arc<HeightMap>) -> Builder {
             &relief_shaders::SlotMaps::default(),
         ),
         selection: selection(FINEST),
-        triangles: Arc::new([]),
+        triangles: Arc::default(),
         height_map: Arc::clone(map),
         color: None,
         normal_map: None,
