@@ -527,6 +527,10 @@ mod tests {
                 // Every third place lies on a line between cells.
                 let x = if step % 3 == 0 { f64::from(step / 3 - 50) } else { f64::from(step) * 0.0437 - 4.0 };
                 let y = 5.3 - f64::from(step) * 0.0371;
+                // Beside a line but not on it differences do not see the crease.
+                if [x, y].iter().any(|at| (1e-9..1.0 / 2048.0).contains(&(at - at.round()).abs())) {
+                    continue;
+                }
                 let small = 1e-5;
                 let [ahead, behind] = [small, -small].map(|by| map.height_at_place(x + by, y));
                 let [below, above] = [small, -small].map(|by| map.height_at_place(x, y + by));
