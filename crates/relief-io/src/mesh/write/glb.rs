@@ -36,7 +36,8 @@ fn json(MeshCounts { vertices, triangles }: MeshCounts) -> String {
     let version = env!("CARGO_PKG_VERSION");
     format!(
         r#"{{"asset":{{"version":"2.0","generator":"relief {version}"}},"scene":0,"scenes":[{{"nodes":[0]}}],"#
-    ) + r#""nodes":[{"mesh":0}],"materials":[{"pbrMetallicRoughness":{"metallicFactor":0}}],"#
+    ) + r#""nodes":[{"mesh":0}],"materials":[{"pbrMetallicRoughness":"#
+        + r#"{"baseColorFactor":[0.5,0.5,0.5,1],"metallicFactor":0}}],"#
         + r#""meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"TANGENT":2,"TEXCOORD_0":3},"#
         + r#""indices":4,"material":0}]}],"#
         + &format!(r#""buffers":[{{"byteLength":{total}}}],"#)
