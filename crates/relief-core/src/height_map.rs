@@ -454,8 +454,8 @@ impl HeightMap {
         self.height_at_place(u * f64::from(self.width) - 0.5, v * f64::from(self.height) - 0.5)
     }
 
-    /// The bilinear surface at a place counted in texels, in `[0, 1]`: whole numbers are the centres of texels,
-    /// so that `(0, 0)` is the centre of the first one.
+    /// The bilinear surface at a place counted in texels, in `[0, 1]`: whole numbers are the centres of
+    /// texels, so that `(0, 0)` is the centre of the first one.
     pub fn height_at_place(&self, x: f64, y: f64) -> f64 {
         let (i, j) = (x.floor(), y.floor());
         let [h00, h10, h01, h11] = self.cell(i as i64, j as i64).map(f64::from);
@@ -466,8 +466,8 @@ impl HeightMap {
     }
 
     /// The derivatives of the bilinear surface along `x` and `y` at such a place, in heights for each texel.
-    /// On a line between dual cells, to 2⁻¹² of a texel, where the surface has a crease, the derivative across
-    /// is the mean of both sides'. So at the centre of a texel it is the central difference.
+    /// On a line between dual cells, to 2⁻¹² of a texel, where the surface has a crease, the derivative
+    /// across is the mean of both sides'. So at the centre of a texel it is the central difference.
     pub fn slope_at_place(&self, x: f64, y: f64) -> [f64; 2] {
         const ON_A_LINE: f64 = 1.0 / 4096.0;
         // The cells on both sides of a place, and how far the place is in each.

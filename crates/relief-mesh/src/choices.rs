@@ -49,7 +49,8 @@ choice! {
     /// The triangles as they are.
     #[default]
     Flat = "flat",
-    /// The smooth surface that the mesh's normals promise: see [`Mesh::lifts`](relief_core::mesh::Mesh::lifts).
+    /// The smooth surface that the mesh's normals promise: see
+    /// [`Mesh::lifts`](relief_core::mesh::Mesh::lifts).
     Lift = "lift",
 }
 

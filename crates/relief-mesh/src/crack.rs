@@ -10,9 +10,9 @@ use crate::point;
 
 /// What was found of a mesh.
 ///
-/// An edge has two ends by the bits of their positions, and a triangle runs along each of its sides one way or
-/// the other. Where a surface goes on, the edge has two sides, which run opposite ways. Sides whose ends are at
-/// one position count for nothing.
+/// An edge has two ends by the bits of their positions, and a triangle runs along each of its sides one way
+/// or the other. Where a surface goes on, the edge has two sides, which run opposite ways. Sides whose ends
+/// are at one position count for nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cracks {
     /// Triangles that were looked at.

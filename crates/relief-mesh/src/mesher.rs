@@ -97,8 +97,8 @@ impl Mesher {
     /// [`displacement_m`](HeightMap::displacement_m) of the bilinear height at its texture coordinates, along
     /// its normal, by the formula of [`BasePoint`](relief_core::mesh::BasePoint).
     ///
-    /// A mesh of two triangles that make a rectangle with straight texture is a plane, and cut along the lines
-    /// of texels: its vertices are where the lines of the edge rule meet, with the border.
+    /// A mesh of two triangles that make a rectangle with straight texture is a plane, and cut along the
+    /// lines of texels: its vertices are where the lines of the edge rule meet, with the border.
     ///
     /// The same input gives the same bits, whatever the number of threads.
     ///

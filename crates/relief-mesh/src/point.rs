@@ -7,8 +7,9 @@ use glam::{DVec3, Vec3};
 /// Point `k` of `n` between two ends: `(a (n - k) + b k) / n`.
 ///
 /// Both products are rounded by themselves and the sum does not depend on the order of its parts, so that the
-/// point is the same, bit by bit, as point `n - k` from the other end; the ends themselves are points 0 and `n`.
-/// Adding up differences, as Gumhold and Hüttner 1999 do (section 3.4), gives other bits from either end.
+/// point is the same, bit by bit, as point `n - k` from the other end; the ends themselves are points 0 and
+/// `n`. Adding up differences, as Gumhold and Hüttner 1999 do (section 3.4), gives other bits from either
+/// end.
 pub fn between<T>(a: T, b: T, k: u32, n: u32) -> T
 where
     T: Mul<f64, Output = T> + Add<Output = T> + Div<f64, Output = T>,

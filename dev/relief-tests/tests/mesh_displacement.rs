@@ -232,7 +232,15 @@ fn torus_normal(uv: DVec2) -> DVec3 {
 fn normals_of_the_mesh_are_those_of_its_triangles() {
     let map = maps::ALL.iter().find(|map| map.name == "natural 101x67").expect("it is listed");
     let map = displaced(map.build(Wrap::Repeat), 0.05, 0.0);
-    for base in [sphere(24, 12), cube(1), square(1)].map(|mesh| mesh.expect("a mesh")) {
+    // A plane whose texture is mirrored.
+    let plane = square(1).expect("a mesh");
+    let mut vertices = plane.vertices().to_vec();
+    vertices.iter_mut().for_each(|vertex| {
+        vertex.uv.x = 1.0 - vertex.uv.x;
+        vertex.tangent = -vertex.tangent;
+    });
+    let mirrored = Mesh::new(vertices, plane.triangles().to_vec());
+    for base in [sphere(24, 12), cube(1), square(1), mirrored].map(|mesh| mesh.expect("a mesh")) {
         let settings = MeshSettings { shading: Shading::Mesh, texels: 2, ..MeshSettings::default() };
         let mesh = mesh_of(&base, &map, &settings);
         let exact = mesh_of(&base, &map, &MeshSettings { shading: Shading::Exact, ..settings });

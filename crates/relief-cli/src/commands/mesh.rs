@@ -44,12 +44,26 @@ pub struct Arguments {
     /// [default: 1]
     #[arg(long, value_name = "N", allow_hyphen_values = true, help_heading = "Triangles")]
     texels: Option<u32>,
-    #[arg(long, value_name = "NAME", value_parser = edge_rule, help_heading = "Triangles", help = edges_help())]
+    #[arg(
+        long,
+        value_name = "NAME",
+        value_parser = edge_rule,
+        help_heading = "Triangles",
+        hide_short_help = true,
+        help = edges_help(),
+    )]
     edges: Option<&'static EdgeRule>,
-    #[arg(long, value_name = "NAME", value_parser = interior, help_heading = "Triangles", help = interior_help())]
+    #[arg(
+        long,
+        value_name = "NAME",
+        value_parser = interior,
+        help_heading = "Triangles",
+        hide_short_help = true,
+        help = interior_help(),
+    )]
     interior: Option<&'static Interior>,
-    /// What is displaced: the flat triangles of the mesh, or lift, the smooth surface that its normals promise
-    /// [default: flat]
+    /// What is displaced: the flat triangles of the mesh, or lift, the smooth surface that its normals
+    /// promise [default: flat]
     #[arg(long, value_name = "flat|lift", help_heading = "Triangles")]
     base: Option<BaseSurface>,
     /// Along what: raw, the interpolated normals as they are, or unit, these normalised [default: raw]
@@ -59,8 +73,8 @@ pub struct Arguments {
     /// [default: exact]
     #[arg(long, value_name = "exact|mesh", help_heading = "Triangles")]
     shading: Option<Shading>,
-    /// Hard edges and seams of the texture: weld gives a position one displacement, so that a closed mesh stays
-    /// closed; keep gives each side its own, and gapes [default: weld]
+    /// Hard edges and seams of the texture: weld gives a position one displacement, so that a closed mesh
+    /// stays closed; keep gives each side its own, and gapes [default: weld]
     #[arg(long, value_name = "weld|keep", help_heading = "Triangles")]
     seams: Option<Seams>,
     /// Make the mesh as large as this along its longest side, in millimetres, or with a unit, as in 12cm
@@ -88,14 +102,16 @@ pub struct Arguments {
     max_memory: Option<ByteSize>,
 }
 
-const AFTER_HELP: &str = "Examples:\n  relief mesh dem.tif -o dem.glb                                    every texel of an elevation model\n  \
-    relief mesh dem.tif --texels 4 --print-size 150 -o dem.stl        a coarser one, 15 cm long, to print\n  \
-    relief mesh bark.png --mesh tree.obj --scale 2cm -o tree.glb      any mesh with texture coordinates\n  \
+const AFTER_HELP: &str = "Examples:\n  \
+    relief mesh dem.tif -o dem.glb                                    # every texel of an elevation model\n  \
+    relief mesh dem.tif --texels 4 --print-size 150 -o dem.stl        # coarser, 15 cm long, to print\n  \
+    relief mesh bark.png --mesh tree.obj --scale 2cm -o tree.glb      # on a mesh with a texture\n  \
     relief mesh wall.png --mesh sphere --tile 8,4 --base lift -o ball.ply\n\n\
-    The triangles are the relief that `relief render` shows, with the same --scale and --bias: carved into the mesh unless \
-    a bias lifts it, --bias 0 puts it on top. A plane has the proportions of the height map, its longer side 1 m. Without \
-    --seams keep the file has no cracks where the mesh has none: the answer counts open edges, those of a sheet's border among \
-    them. Look at it with `relief render --mesh FILE`, `relief inspect FILE`, or any viewer of glTF.";
+    The triangles are the relief that `relief render` shows, with the same --scale and --bias: carved into \
+    the mesh unless a bias lifts it, --bias 0 puts it on top. A plane has the proportions of the height map, \
+    its longer side 1 m. Without --seams keep the file has no cracks where the mesh has none: the answer counts \
+    open edges, those of a sheet's border among them. Look at it with `relief render --mesh FILE`, `relief \
+    inspect FILE`, or any viewer of glTF.";
 
 /// A format, by the ending of the output's name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -238,8 +254,8 @@ impl Arguments {
         }
         let (mib, limit) = (needed.div_ceil(1 << 20), ByteSize(limit));
         Err(Failure::Work(format!(
-            "a mesh of {} triangles takes {mib} MiB to make, more than the {limit} allowed: --max-memory raises \
-             it, a larger --texels makes the mesh coarser",
+            "a mesh of {} triangles takes {mib} MiB to make, more than the {limit} allowed: --max-memory \
+             raises it, a larger --texels makes the mesh coarser",
             mesher.triangles()
         )))
     }

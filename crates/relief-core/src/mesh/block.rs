@@ -5,8 +5,8 @@ use glam::Vec3;
 
 /// A part of a mesh that is handed over part by part.
 ///
-/// Vertices and triangles are numbered in the order in which they are handed over, and triangles name no vertex
-/// of a later part.
+/// Vertices and triangles are numbered in the order in which they are handed over, and triangles name no
+/// vertex of a later part.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MeshBlock {
     /// The vertices that follow those of the part before.

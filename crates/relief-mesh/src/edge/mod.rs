@@ -26,8 +26,8 @@ pub struct EdgeRule {
     pub publication: Publication,
     /// How its points lie.
     pub spacing: Spacing,
-    /// In how many parts, at least 1, a side of a base triangle is divided that has so many texels from end to
-    /// end along `u` and along `v`.
+    /// In how many parts, at least 1, a side of a base triangle is divided that has so many texels from end
+    /// to end along `u` and along `v`.
     pub parts: fn(texels: [f64; 2], &MeshSettings) -> u64,
     /// The least distance of the lines of a plane, in texels: an upper bound of their number follows from it.
     pub step: fn(&MeshSettings) -> f64,

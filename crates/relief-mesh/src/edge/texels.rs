@@ -21,7 +21,8 @@ pub const RULE: EdgeRule = EdgeRule {
     lines,
 };
 
-/// What a distance in texels may be longer than a whole number by rounding, as texture coordinates are stored.
+/// What a distance in texels may be longer than a whole number by rounding, as texture coordinates are
+/// stored.
 const ROUNDING: f64 = 1.0 / 1024.0;
 
 fn parts([across, down]: [f64; 2], settings: &MeshSettings) -> u64 {

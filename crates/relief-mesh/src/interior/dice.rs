@@ -1,17 +1,17 @@
 //! A fixed pattern for the three counts of a triangle, and the grid of a tile.
 //!
-//! A triangle is cut in rows that run along its side of fewest parts, from the corner `A` across from it.
-//! The other two sides have `n` and `m >= n` parts. Row `r` of `m` goes from point `⌈r n / m⌉` of the one to
-//! point `r` of the other, so that each point of either is the end of a row, and rows do not meet but at their
-//! ends. It is divided into the part of the short side's parts that it is as long as, rounded up, and the last
-//! row is that side. Two neighbouring rows are zipped: of the two next points the one that lies less far along
-//! its row makes the next triangle with the last two.
+//! A triangle is cut in rows that run along its side of fewest parts, from the corner `A` across from it. The
+//! other two sides have `n` and `m >= n` parts. Row `r` of `m` goes from point `⌈r n / m⌉` of the one to
+//! point `r` of the other, so that each point of either is the end of a row, and rows do not meet but at
+//! their ends. It is divided into the part of the short side's parts that it is as long as, rounded up, and
+//! the last row is that side. Two neighbouring rows are zipped: of the two next points the one that lies less
+//! far along its row makes the next triangle with the last two.
 //!
 //! Rows are straight, and both ends of each are further from `A` than those of the one before, or one is and
-//! the other the same. So all triangles between two rows have the turn of the base triangle. Rows that share an
-//! end differ by at most one part, and then zipping takes their points by turns: nothing is without an area.
-//! With equal counts it is the regular lattice, and long narrow triangles get no more rows across than they are
-//! wide.
+//! the other the same. So all triangles between two rows have the turn of the base triangle. Rows that share
+//! an end differ by at most one part, and then zipping takes their points by turns: nothing is without an
+//! area. With equal counts it is the regular lattice, and long narrow triangles get no more rows across than
+//! they are wide.
 
 use std::ops::Range;
 

@@ -146,9 +146,9 @@ fn first_used(point_of: &[u32], used: &[u32]) -> Vec<u32> {
 }
 
 /// One direction of displacement a position. Where the normals there are the same it is these. At hard edges
-/// it is the sum `S` of the normals, weighted by the angles of the triangles that have them, made as long as it
-/// takes for the faces on both sides to move by what the displacement says: `S W / |S|²`, `W` the sum of the
-/// weights, and at most twice as long as a normal.
+/// it is the sum `S` of the normals, weighted by the angles of the triangles that have them, made as long as
+/// it takes for the faces on both sides to move by what the displacement says: `S W / |S|²`, `W` the sum of
+/// the weights, and at most twice as long as a normal.
 fn welded_directions(mesh: &Mesh, point_of: &[u32]) -> Vec<Vec3> {
     let vertices = mesh.vertices();
     let differs = |at: usize| vertices[at].normal != vertices[point_of[at] as usize].normal;

@@ -71,8 +71,8 @@ impl Triangles {
         self.edges.end()
     }
 
-    /// The base point of a corner or along an edge as the displacement sees it: in a welded mesh all sides see
-    /// the same. With it the metres that the smooth base lies above.
+    /// The base point of a corner or along an edge as the displacement sees it: in a welded mesh all sides
+    /// see the same. With it the metres that the smooth base lies above.
     fn on_edge(&self, edge: u32, at: u32) -> (BasePoint, f64) {
         let seen = if self.is_welded { self.edges.first_at_seam(edge) } else { edge };
         let parts = self.edges.parts(edge);

@@ -1,4 +1,5 @@
-//! Binary glTF 2.0: one mesh of one material, its vertices side by side in one buffer, its indices behind them.
+//! Binary glTF 2.0: one mesh of one material, its vertices side by side in one buffer, its indices behind
+//! them.
 
 use std::io;
 
@@ -27,24 +28,22 @@ fn json(MeshCounts { vertices, triangles }: MeshCounts) -> String {
     let (indices, of_vertices, of_indices) = (3 * triangles, VERTEX * vertices, TRIANGLE * triangles);
     let total = of_vertices + of_indices;
     let accessor = |offset: u64, form: &str| {
-        format!(
-            r#"{{"bufferView":0,"byteOffset":{offset},"componentType":5126,"count":{vertices},"type":"{form}""#
-        )
+        format!(r#"{{"bufferView":0,"byteOffset":{offset},"componentType":5126,"count":{vertices},"#)
+            + &format!(r#""type":"{form}""#)
     };
     let [positions, normals, tangents, uvs] =
         [(0, "VEC3"), (12, "VEC3"), (24, "VEC4"), (40, "VEC2")].map(|(offset, form)| accessor(offset, form));
     let version = env!("CARGO_PKG_VERSION");
-    format!(
-        r#"{{"asset":{{"version":"2.0","generator":"relief {version}"}},"scene":0,"scenes":[{{"nodes":[0]}}],"#
-    ) + r#""nodes":[{"mesh":0}],"materials":[{"pbrMetallicRoughness":"#
-        + r#"{"baseColorFactor":[0.5,0.5,0.5,1],"metallicFactor":0}}],"#
+    format!(r#"{{"asset":{{"version":"2.0","generator":"relief {version}"}},"#)
+        + r#""scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"#
+        + r#""materials":[{"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.5,0.5,1],"metallicFactor":0}}],"#
         + r#""meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"TANGENT":2,"TEXCOORD_0":3},"#
         + r#""indices":4,"material":0}]}],"#
         + &format!(r#""buffers":[{{"byteLength":{total}}}],"#)
-        + &format!(
-            r#""bufferViews":[{{"buffer":0,"byteLength":{of_vertices},"byteStride":{VERTEX},"target":34962}},"#
-        )
-        + &format!(r#"{{"buffer":0,"byteOffset":{of_vertices},"byteLength":{of_indices},"target":34963}}],"#)
+        + &format!(r#""bufferViews":[{{"buffer":0,"byteLength":{of_vertices},"byteStride":{VERTEX},"#)
+        + r#""target":34962},"#
+        + &format!(r#"{{"buffer":0,"byteOffset":{of_vertices},"byteLength":{of_indices},"#)
+        + r#""target":34963}],"#
         + &format!(r#""accessors":[{positions}{PLACE}}},{normals}}},{tangents}}},{uvs}}},"#)
         + &format!(r#"{{"bufferView":1,"componentType":5125,"count":{indices},"type":"SCALAR"}}]}}"#)
 }

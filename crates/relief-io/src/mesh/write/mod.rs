@@ -67,16 +67,18 @@ impl MeshFormat {
     }
 }
 
-/// Writes a mesh whose blocks `blocks` hands over: as binary glTF (GLB), as binary PLY, as OBJ, or as binary STL.
+/// Writes a mesh whose blocks `blocks` hands over: as binary glTF (GLB), as binary PLY, as OBJ, or as binary
+/// STL.
 ///
 /// | format | lengths | what is written |
 /// | --- | --- | --- |
-/// | GLB | metres | positions, normals, tangents (with `w`, so that the green of normal maps points up in the picture), texture coordinates |
+/// | GLB | metres | positions, normals, tangents, texture coordinates |
 /// | PLY | metres | positions, normals, texture coordinates `s` and `t`, `t` upward |
 /// | OBJ | metres | the same; a block's faces follow its vertices |
 /// | STL | millimetres | triangles with their normals |
 ///
-/// Nothing but a block is held. The same blocks give the same bytes.
+/// A tangent's `w` is such that the green of glTF's normal maps points up in the picture. Nothing but a block
+/// is held. The same blocks give the same bytes.
 ///
 /// ```
 /// use relief_core::mesh::{MeshBlock, cube};
@@ -86,7 +88,8 @@ impl MeshFormat {
 /// # let folder = tempfile::tempdir()?;
 /// # let path = folder.path().join("cube.ply");
 /// let mesh = cube(2)?;
-/// let counts = MeshCounts { vertices: mesh.vertices().len() as u64, triangles: mesh.triangles().len() as u64 };
+/// let [vertices, triangles] = [mesh.vertices().len(), mesh.triangles().len()].map(|count| count as u64);
+/// let counts = MeshCounts { vertices, triangles };
 /// let position = |corner: u32| mesh.vertices()[corner as usize].position;
 /// let points = mesh.triangles().iter().map(|corners| corners.map(position)).collect();
 /// let (vertices, triangles) = (mesh.vertices().to_vec(), mesh.triangles().to_vec());
@@ -99,8 +102,8 @@ impl MeshFormat {
 ///
 /// # Errors
 ///
-/// When the format [cannot hold](MeshFormat::check) the mesh, when `blocks` fails or hands over other counts than
-/// it promised, or when the file cannot be written. Nothing is left behind then.
+/// When the format [cannot hold](MeshFormat::check) the mesh, when `blocks` fails or hands over other counts
+/// than it promised, or when the file cannot be written. Nothing is left behind then.
 pub fn write_mesh(
     path: &Path,
     format: MeshFormat,
