@@ -203,3 +203,31 @@ fn no_room_on_the_disk_leaves_what_was_there() {
     folder.relief(line).fine();
     assert!(std::fs::metadata(folder.path("full/ring.stl")).expect("it is there").len() > 100_000);
 }
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_what_was_there() {
+    use std::process::Stdio;
+    let folder = folder();
+    folder.write("stopped/hills.ply", b"old");
+    let line = "mesh hills.png --tile 60,60 --json -o stopped/hills.ply";
+    let mut command = folder.command();
+    command.args(line.split(' ')).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let run = command.spawn().expect("the command starts");
+    // When the file is begun, the work goes on for long.
+    let begun = || entries(&folder.path("stopped")).len() > 1;
+    for _ in 0..2000 {
+        if begun() {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    assert!(begun());
+    let killed = std::process::Command::new("kill").args(["-INT", &run.id().to_string()]).status();
+    assert!(killed.expect("kill runs").success());
+    let ran = Ran::new(line, &run.wait_with_output().expect("it ends"));
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert!(ran.stderr.contains("cancelled"), "{}", ran.stderr);
+    assert_eq!(entries(&folder.path("stopped")), ["hills.ply"]);
+    assert_eq!(std::fs::read(folder.path("stopped/hills.ply")).expect("it is there"), b"old");
+}

@@ -117,7 +117,10 @@ impl CrackTest {
 impl CrackPart {
     /// Looks at a part.
     pub fn of(triangles: impl IntoIterator<Item = [Vec3; 3]>) -> Self {
-        let mut edges: Map<Ends, Sides> = Map::default();
+        let triangles = triangles.into_iter();
+        // Of a closed surface there are half as many again as triangles.
+        let expected = triangles.size_hint().0 + triangles.size_hint().0 / 2;
+        let mut edges: Map<Ends, Sides> = Map::with_capacity_and_hasher(expected, Default::default());
         let mut sets = Sets::default();
         let mut count = 0;
         for corners in triangles {

@@ -22,11 +22,13 @@ pub enum MesherError {
     #[error("the base mesh has no triangles")]
     Empty,
     /// The mesh has more vertices than 32-bit numbers count.
-    #[error("the mesh would have {vertices} vertices and {triangles} triangles: {MOST} are possible of each")]
+    #[error(
+        "the mesh would have {vertices} vertices and {triangles} triangles, or more: {MOST} are possible of each"
+    )]
     TooLarge {
-        /// Vertices, or the most that are counted.
+        /// Vertices that were counted until there were too many.
         vertices: u64,
-        /// Triangles, or the most that are counted.
+        /// Triangles that were counted until then.
         triangles: u64,
     },
     /// Nothing of that name.
