@@ -1,6 +1,7 @@
-//! Height maps, pictures, normal maps and meshes from files, and pictures, float channels and meshes to files.
+//! Height maps, pictures, normal maps and meshes from files; pictures, float channels and meshes to files.
 //!
-//! Meshes are read by [`read_mesh`] and written by [`write_mesh`], which list their formats. Those of maps and pictures are:
+//! Meshes are read by [`read_mesh`] and written by [`write_mesh`], which list their formats. Those of maps and
+//! pictures are:
 //!
 //! | format | recognised by | samples | notes |
 //! | --- | --- | --- | --- |

@@ -23,7 +23,7 @@ pub enum MesherError {
     Empty,
     /// The mesh has more vertices than 32-bit numbers count.
     #[error(
-        "the mesh would have {vertices} vertices and {triangles} triangles, or more: {MOST} are possible of each"
+        "the mesh would have {vertices} vertices and {triangles} triangles, or more: {MOST} are possible"
     )]
     TooLarge {
         /// Vertices that were counted until there were too many.

@@ -34,6 +34,7 @@ mod error;
 mod interior;
 mod mesher;
 mod patch;
+mod plan;
 mod plane;
 mod point;
 mod settings;

@@ -1,7 +1,6 @@
 //! Displaced meshes, counted first and made block by block.
 
 use std::convert::Infallible;
-use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::{DVec3, Vec3};
@@ -10,15 +9,12 @@ use relief_core::HeightMap;
 use relief_core::mesh::{Mesh, MeshBlock, Vertex};
 
 use crate::crack::{CrackPart, CrackTest, Cracks};
-use crate::error::MOST;
+use crate::plan::{Plan, Work};
 use crate::plane::{Plane, Tile};
 use crate::smooth::{self, Normals};
 use crate::surface::Relief;
 use crate::triangles::{Numbered, Triangles};
 use crate::{Cut, Interior, MeshSettings, MesherError, Patch, PatchPoint, Shading, StreamError, check_pair};
-
-/// Vertices and triangles of a block, together, at which it ends.
-const BLOCK: u64 = 1 << 15;
 
 /// Bytes of a vertex and a triangle of a block, whichever takes more, while it is made and looked at.
 const BYTES_IN_A_BLOCK: u64 = 400;
@@ -43,19 +39,6 @@ pub struct Mesher {
 enum Base {
     Triangles(Triangles),
     Plane(Plane),
-}
-
-/// What a block holds.
-#[derive(Clone, Debug)]
-enum Work {
-    /// Vertices at corners of the base.
-    Corners(Range<u32>),
-    /// Vertices along edges of the base.
-    Edges(Range<u32>),
-    /// Steps of patches: from one patch and step to another.
-    Patches { from: [u32; 2], to: [u32; 2], first_inner: u32, first_vertex: u32 },
-    /// A tile of a plane.
-    Tile(u32),
 }
 
 /// How a mesh is handed over.
@@ -376,90 +359,5 @@ fn scale(block: &mut MeshBlock, size: f64) {
     }
     for point in block.points.as_flattened_mut() {
         *point = scaled(*point);
-    }
-}
-
-/// A plan of blocks.
-#[derive(Debug)]
-struct Plan {
-    interior: &'static Interior,
-    blocks: Vec<Work>,
-    vertices: u64,
-    triangles: u64,
-    /// Vertices and triangles of the largest block.
-    largest: u64,
-}
-
-impl Default for Plan {
-    fn default() -> Self {
-        Self { interior: &crate::INTERIORS[0], blocks: Vec::new(), vertices: 0, triangles: 0, largest: BLOCK }
-    }
-}
-
-impl Plan {
-    fn check(&self) -> Result<(), MesherError> {
-        let Self { vertices, triangles, .. } = *self;
-        if vertices.max(triangles) > MOST {
-            return Err(MesherError::TooLarge { vertices, triangles });
-        }
-        Ok(())
-    }
-
-    fn add(&mut self, work: Work, size: u64) {
-        self.largest = self.largest.max(size);
-        self.blocks.push(work);
-    }
-
-    fn triangles(&mut self, base: &Triangles) -> Result<(), MesherError> {
-        let corners = base.corner_count();
-        for first in (0..corners).step_by(BLOCK as usize) {
-            let last = corners.min(first + BLOCK as u32);
-            self.add(Work::Corners(first..last), u64::from(last - first));
-        }
-        let (mut first, mut size) = (0, 0);
-        for edge in 0..base.edge_count() {
-            size += u64::from(base.points_of_edge(edge));
-            if size >= BLOCK || edge + 1 == base.edge_count() {
-                self.add(Work::Edges(first..edge + 1), size);
-                (first, size) = (edge + 1, 0);
-            }
-        }
-        self.vertices = base.border_count();
-        let begun = |from: [u32; 2], inner: u64, vertices: u64| (from, inner as u32, vertices as u32);
-        let (mut begin, mut size) = (begun([0, 0], 0, self.vertices), 0);
-        for patch in 0..base.count() {
-            let shape = Patch::Triangle(base.parts(patch));
-            let steps = (self.interior.steps)(&shape);
-            let mut inner = 0;
-            for step in 0..steps {
-                let counts = (self.interior.counts)(&shape, step);
-                inner += counts.points;
-                self.vertices += counts.points;
-                self.triangles += counts.triangles;
-                self.check()?;
-                size += counts.points + counts.triangles;
-                let is_last = patch + 1 == base.count() && step + 1 == steps;
-                if size >= BLOCK || is_last {
-                    let (from, first_inner, first_vertex) = begin;
-                    let to = [patch, step + 1];
-                    self.add(Work::Patches { from, to, first_inner, first_vertex }, size);
-                    (begin, size) = (begun(to, inner, self.vertices), 0);
-                }
-            }
-        }
-        Ok(())
-    }
-
-    fn plane(&mut self, plane: &Plane) -> Result<(), MesherError> {
-        for number in 0..plane.tile_count() {
-            let tile = plane.tile(number);
-            let shape = Patch::Tile(plane.lines(&tile));
-            let counts = (self.interior.counts)(&shape, 0);
-            self.vertices += Plane::own_count(&tile);
-            self.triangles += counts.triangles;
-            self.check()?;
-            self.add(Work::Tile(number), counts.points + counts.triangles);
-        }
-        Ok(())
     }
 }

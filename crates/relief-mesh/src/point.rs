@@ -33,7 +33,7 @@ mod tests {
 
     #[test]
     fn points_are_the_same_from_either_end() {
-        let [a, b] = [DVec3::new(0.1, -7.3, 1e-3), DVec3::new(1e3, 0.7, -0.2)];
+        let [a, b] = [Vec3::new(0.1, -7.3, 1e-3), Vec3::new(1e3, 0.7, -0.2)].map(|end| end.as_dvec3());
         for n in [1, 2, 3, 7, 64, 1000] {
             assert_eq!([between(a, b, 0, n), between(a, b, n, n)], [a, b]);
             for k in 0..=n {

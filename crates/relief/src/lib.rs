@@ -1,5 +1,5 @@
-//! Displacement mapping: a height map and a mesh go in; a picture, baked maps, a displaced mesh or a shader that
-//! any engine can use comes out.
+//! Displacement mapping: a height map and a mesh go in; a picture, baked maps, a displaced mesh or a shader
+//! that any engine can use comes out.
 //!
 //! The root holds the core: [`HeightMap`], [`Path`], [`Hit`], in [`mesh`] what it lies on, and in [`exact`]
 //! the answer that every faster method is judged by. Every other crate of the project is a module, most of
@@ -71,13 +71,15 @@ pub use relief_core::*;
 /// Baking: from a height map to every map that displacement methods read.
 #[cfg(feature = "bake")]
 pub use relief_bake as bake;
-/// Height maps, pictures, normal maps and meshes from files, and pictures, float channels and meshes to files.
+/// Height maps, pictures, normal maps and meshes from files, and pictures, float channels and meshes to
+/// files.
 #[cfg(feature = "io")]
 pub use relief_io as io;
 /// The baked maps that methods read, provided: looked up, baked, kept.
 #[cfg(feature = "maps")]
 pub use relief_maps as maps;
-/// Displaced meshes: a height map and a mesh to triangles without cracks. ([`mesh`] holds the meshes themselves.)
+/// Displaced meshes: a height map and a mesh to triangles without cracks. ([`mesh`] holds the meshes
+/// themselves.)
 #[cfg(feature = "mesh")]
 pub use relief_mesh as displace;
 /// Scenes, and the two backends that render them.
