@@ -19,7 +19,7 @@ mod units;
 mod values;
 mod waiting;
 
-/// Displacement mapping: a height map and a mesh go in, a picture comes out.
+/// Displacement mapping: a height map and a mesh go in, pictures, maps and displaced meshes come out.
 #[derive(Parser)]
 #[command(name = "relief", version, propagate_version = true, max_term_width = 100)]
 #[command(after_help = "Start with: relief render --height data/bricks.png -o bricks.png\n\n\
@@ -71,6 +71,8 @@ enum Command {
     Bake(Box<commands::bake::Arguments>),
     /// Make a height map from a normal map, or from photographs under known lights
     Height(commands::height::Arguments),
+    /// Displace a mesh by a height map, without cracks, to triangles in a glTF, PLY, OBJ or STL file
+    Mesh(Box<commands::mesh::Arguments>),
     /// List every method, search and refinement with its parameters and guarantees
     Methods(commands::methods::Arguments),
     /// Print what shells complete, or write it into files
@@ -128,6 +130,7 @@ impl Command {
             Command::Inspect(arguments) => arguments.files(),
             Command::Bake(arguments) => arguments.files(),
             Command::Height(arguments) => arguments.files(),
+            Command::Mesh(arguments) => arguments.files(),
             Command::Methods(_) | Command::Completions(_) | Command::Man(_) => Files::default(),
         }
     }
@@ -139,6 +142,7 @@ impl Command {
             Command::Inspect(arguments) => arguments.json,
             Command::Bake(arguments) => arguments.json,
             Command::Height(arguments) => arguments.json(),
+            Command::Mesh(arguments) => arguments.json,
             Command::Methods(arguments) => arguments.json,
             Command::Scene(_) | Command::Completions(_) | Command::Man(_) => false,
         }
@@ -151,6 +155,7 @@ impl Command {
             Command::Inspect(arguments) => commands::inspect::run(arguments),
             Command::Bake(arguments) => commands::bake::run(arguments),
             Command::Height(arguments) => commands::height::run(arguments),
+            Command::Mesh(arguments) => commands::mesh::run(arguments),
             Command::Methods(arguments) => commands::methods::run(arguments),
             Command::Completions(arguments) => commands::completions::run(arguments, &Arguments::command()),
             Command::Man(arguments) => commands::man::run(arguments, &Arguments::command()),

@@ -33,6 +33,17 @@ pub fn length(text: &str) -> Result<f64, String> {
     }
 }
 
+/// Millimetres: a number of them, or a length with its unit, as in `10cm`.
+pub fn millimetres(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        Ok(_) => Err("it must be finite".to_owned()),
+        Err(_) => length(text)
+            .map(|metres| 1000.0 * metres)
+            .map_err(|error| error.replace("a number of metres", "a number of millimetres")),
+    }
+}
+
 /// A length, or `inf` for one that is longer than all others.
 pub fn length_or_infinity(text: &str) -> Result<f64, String> {
     if text.trim().eq_ignore_ascii_case("inf") { Ok(f64::INFINITY) } else { length(text) }
@@ -80,6 +91,8 @@ mod tests {
             assert!(length(bad).is_err(), "{bad}");
         }
         assert!(length("5fe").is_err_and(|error| error.contains("did you mean")));
+        assert_eq!([millimetres("120"), millimetres("12cm")], [Ok(120.0), Ok(120.0)]);
+        assert!(["", "inf", "wide", "mm"].iter().all(|bad| millimetres(bad).is_err()));
         assert_eq!(two_lengths("1ft, 2"), Ok([0.3048, 2.0]));
         assert_eq!((one_or_two_lengths("5cm"), one_or_two_lengths("1,2")), (Ok([0.05; 2]), Ok([1.0, 2.0])));
         assert!(["", "1", "1,2,3", "1,x"].iter().all(|bad| two_lengths(bad).is_err()));

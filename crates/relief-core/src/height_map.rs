@@ -451,14 +451,43 @@ impl HeightMap {
 
     /// The bilinear surface at texture coordinates `(u, v)`, in `[0, 1]`.
     pub fn height_at(&self, u: f64, v: f64) -> f64 {
-        let x = u * f64::from(self.width) - 0.5;
-        let y = v * f64::from(self.height) - 0.5;
+        self.height_at_place(u * f64::from(self.width) - 0.5, v * f64::from(self.height) - 0.5)
+    }
+
+    /// The bilinear surface at a place counted in texels, in `[0, 1]`: whole numbers are the centres of
+    /// texels, so that `(0, 0)` is the centre of the first one.
+    pub fn height_at_place(&self, x: f64, y: f64) -> f64 {
         let (i, j) = (x.floor(), y.floor());
         let [h00, h10, h01, h11] = self.cell(i as i64, j as i64).map(f64::from);
         let (fx, fy) = (x - i, y - j);
         let top = h00 + (h10 - h00) * fx;
         let bottom = h01 + (h11 - h01) * fx;
         top + (bottom - top) * fy
+    }
+
+    /// The derivatives of the bilinear surface along `x` and `y` at such a place, in heights for each texel.
+    /// On a line between dual cells, to 2⁻¹² of a texel, where the surface has a crease, the derivative
+    /// across is the mean of both sides'. So at the centre of a texel it is the central difference.
+    pub fn slope_at_place(&self, x: f64, y: f64) -> [f64; 2] {
+        const ON_A_LINE: f64 = 1.0 / 4096.0;
+        // The cells on both sides of a place, and how far the place is in each.
+        let sides = |at: f64| {
+            let line = at.round();
+            if (at - line).abs() <= ON_A_LINE {
+                [(line as i64 - 1, 1.0), (line as i64, 0.0)]
+            } else {
+                [(at.floor() as i64, at - at.floor()); 2]
+            }
+        };
+        let mut sum = [0.0; 2];
+        for (i, fx) in sides(x) {
+            for (j, fy) in sides(y) {
+                let [h00, h10, h01, h11] = self.cell(i, j).map(f64::from);
+                sum[0] += (h10 - h00) * (1.0 - fy) + (h11 - h01) * fy;
+                sum[1] += (h01 - h00) * (1.0 - fx) + (h11 - h10) * fx;
+            }
+        }
+        sum.map(|of_four| of_four / 4.0)
     }
 
     /// The displacement of a texel value, in metres (eq. 8).
@@ -487,6 +516,29 @@ mod tests {
         // A repeated map interpolates between the last and the first column there: (0.375 + 0) / 2.
         assert_eq!(ramp(Wrap::Repeat).height_at(0.0, 0.25), 0.1875);
         assert_eq!(ramp(Wrap::Mirror).height_at(0.0, 0.25), 0.0);
+    }
+
+    #[test]
+    fn slopes_are_those_of_the_surface_and_the_mean_of_both_sides_on_its_creases() {
+        for wrap in Wrap::ALL {
+            let map = HeightMap::from_fn(5, 3, wrap, |i, j| ((7 * i + 3 * j) % 11) as f32 / 11.0);
+            let map = map.expect("a valid map");
+            for step in 0..300 {
+                // Every third place lies on a line between cells.
+                let x = if step % 3 == 0 { f64::from(step / 3 - 50) } else { f64::from(step) * 0.0437 - 4.0 };
+                let y = 5.3 - f64::from(step) * 0.0371;
+                // Beside a line but not on it differences do not see the crease.
+                if [x, y].iter().any(|at| (1e-9..1.0 / 2048.0).contains(&(at - at.round()).abs())) {
+                    continue;
+                }
+                let small = 1e-5;
+                let [ahead, behind] = [small, -small].map(|by| map.height_at_place(x + by, y));
+                let [below, above] = [small, -small].map(|by| map.height_at_place(x, y + by));
+                let slope = map.slope_at_place(x, y);
+                let found = [(ahead - behind) / (2.0 * small), (below - above) / (2.0 * small)];
+                assert!((0..2).all(|axis| (slope[axis] - found[axis]).abs() < 1e-9), "{wrap} {x} {y}");
+            }
+        }
     }
 
     #[test]

@@ -1,6 +1,7 @@
-//! Height maps, pictures, normal maps and meshes from files, and pictures and float channels to files.
+//! Height maps, pictures, normal maps and meshes from files; pictures, float channels and meshes to files.
 //!
-//! Meshes are read by [`read_mesh`], which lists their formats. Those of maps and pictures are:
+//! Meshes are read by [`read_mesh`] and written by [`write_mesh`], which list their formats. Those of maps and
+//! pictures are:
 //!
 //! | format | recognised by | samples | notes |
 //! | --- | --- | --- | --- |
@@ -67,7 +68,10 @@ pub use height::{Convention, DEFAULT_MAX_BYTES, Fill, HeightOptions, read_height
 pub use height_note::HeightNote;
 pub use inspect::{HISTOGRAM_BINS, SEAM_LIMIT, SourceInfo, Tiling, Values, inspect};
 pub use layout::{Channel, Format, SampleKind, SampleType};
-pub use mesh::{MeshColors, MeshFile, MeshFormat, MeshOptions, beside_mesh, read_mesh, read_mesh_extras};
+pub use mesh::{
+    MeshColors, MeshCounts, MeshFile, MeshFormat, MeshOptions, MeshSink, beside_mesh, read_mesh,
+    read_mesh_extras, write_mesh,
+};
 pub use normal_map::{GreenSign, NormalMap, NormalVectors, SHORTEST, read_normal_map, read_normal_vectors};
 pub use picture::{Curve, Picture, linear_to_srgb, read_picture, read_picture_as};
 pub use picture_file::{PictureFormat, PictureSink, write_picture};

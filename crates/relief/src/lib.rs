@@ -1,5 +1,5 @@
-//! Displacement mapping: a height map and a mesh go in; a picture, baked maps or a shader that any engine can
-//! use comes out.
+//! Displacement mapping: a height map and a mesh go in; a picture, baked maps, a displaced mesh or a shader
+//! that any engine can use comes out.
 //!
 //! The root holds the core: [`HeightMap`], [`Path`], [`Hit`], in [`mesh`] what it lies on, and in [`exact`]
 //! the answer that every faster method is judged by. Every other crate of the project is a module, most of
@@ -9,8 +9,9 @@
 //! | --- | --- | --- |
 //! | [`shaders`] | | methods, their shaders as WGSL, and rays through them on the CPU |
 //! | [`bake`] | `bake` | the auxiliary maps that methods read |
-//! | [`io`] | `io` | height maps, pictures and normal maps from and to files and bytes, meshes from them |
+//! | [`io`] | `io` | height maps, pictures, normal maps and meshes from and to files, and from bytes |
 //! | [`maps`] | `maps` (and `bake`) | baked maps looked up, baked and kept |
+//! | [`displace`] | `mesh` | displaced meshes without cracks, streamed |
 //! | [`render`] | `render` (and `maps`, `io`) | scenes, and pictures of them on the CPU |
 //! | [`render::gpu`] | `gpu` (and `render`) | the same pictures on a GPU |
 //!
@@ -30,6 +31,12 @@
 //!
 //! ```
 #![cfg_attr(feature = "maps", doc = include_str!("../examples/rays.rs"))]
+//! ```
+//!
+//! # Displace a mesh into a file
+//!
+//! ```
+#![cfg_attr(all(feature = "mesh", feature = "io"), doc = include_str!("../examples/mesh.rs"))]
 //! ```
 //!
 //! # Render into memory
@@ -64,12 +71,17 @@ pub use relief_core::*;
 /// Baking: from a height map to every map that displacement methods read.
 #[cfg(feature = "bake")]
 pub use relief_bake as bake;
-/// Height maps, pictures, normal maps and meshes from files, and pictures and float channels to files.
+/// Height maps, pictures, normal maps and meshes from files, and pictures, float channels and meshes to
+/// files.
 #[cfg(feature = "io")]
 pub use relief_io as io;
 /// The baked maps that methods read, provided: looked up, baked, kept.
 #[cfg(feature = "maps")]
 pub use relief_maps as maps;
+/// Displaced meshes: a height map and a mesh to triangles without cracks. ([`mesh`] holds the meshes
+/// themselves.)
+#[cfg(feature = "mesh")]
+pub use relief_mesh as displace;
 /// Scenes, and the two backends that render them.
 #[cfg(feature = "render")]
 pub use relief_render as render;

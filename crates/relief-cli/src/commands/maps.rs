@@ -1,10 +1,12 @@
 //! How a height map is to be read: the flags that commands share.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use clap::Args;
 use relief_core::{ByteSize, HeightMap, Wrap};
 use relief_io::{Convention, DEFAULT_MAX_BYTES, Fill, HeightOptions, RawLayout, guess_by_name};
+use relief_render::scene::{Scene, SceneSpec};
 
 use crate::values;
 
@@ -93,4 +95,25 @@ pub fn inside_out(path: &Path) -> Option<String> {
          is inside out, give --depth",
         path.display()
     ))
+}
+
+/// Of each height map how it was read where that was not asked for, once.
+pub fn of_reading(spec: &SceneSpec, scene: &Scene) -> BTreeSet<String> {
+    let surfaces = spec.each_surface().into_iter().zip(scene.surfaces());
+    let notes = surfaces.flat_map(|(described, surface)| {
+        let path = described.height.unwrap_or_default();
+        let turned = inside_out(&path).filter(|_| described.depth.is_none());
+        let name = path.display().to_string();
+        let count = surface.height_map().filled_texels();
+        let filled = match (surface.has_holes(), described.fill.is_none(), count) {
+            (true, _, 0) => Some(format!("{name}: every texel has a value: there are no holes to be seen")),
+            (true, _, _) => Some(format!("{name}: {count} of its texels have no value; they are holes")),
+            (false, true, 1..) => Some(format!(
+                "{name}: {count} of its texels have no value; they are filled from their surroundings"
+            )),
+            _ => None,
+        };
+        filled.into_iter().chain(nearly_grey(&name, surface.height_map())).chain(turned)
+    });
+    notes.collect()
 }

@@ -12,6 +12,7 @@ use relief_render::{RenderError, Renderer};
 
 use self::baked_maps::CacheArguments;
 use self::output::{Bits, Outputs, StreamFormat};
+use super::maps;
 use super::scene_arguments::{SceneArguments, of_scene};
 use crate::failure::Failure;
 use crate::progress::{Progress, TaskProgress};
@@ -64,7 +65,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let _reading = Progress::spinner("reading", arguments.json);
         spec.load().map_err(of_scene)?
     };
-    let (mut maps, no_cache) = arguments.cache.maps();
+    let (mut kept, no_cache) = arguments.cache.maps();
     let renderer = Renderer::new(scene.backend(), scene.sampling());
     let mut renderer = renderer.map_err(|error| arguments.of_render(error))?;
     // Until here nothing exists that an interrupted program would leave behind.
@@ -72,7 +73,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let progress = TaskProgress::new(arguments.json);
     let told = |task, part| progress.show(task, part);
     let written = outputs.write(&scene, cancel, arguments.json, &mut |numbers, sink| {
-        renderer.render_bands(&scene, &mut maps, numbers, &told, cancel, sink)
+        renderer.render_bands(&scene, &mut kept, numbers, &told, cancel, sink)
     });
     let (counts, made) = written.map_err(|error| match error {
         output::Error::Render(error) => arguments.of_render(error),
@@ -82,7 +83,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     // Where no map was baked nobody misses a place to keep it.
     let no_cache = no_cache.filter(|_| !made.maps.is_empty());
     if !arguments.json {
-        let notes = report::of_reading(&spec, &scene).into_iter().chain(no_cache);
+        let notes = maps::of_reading(&spec, &scene).into_iter().chain(no_cache);
         for note in notes.chain(made.maps.iter().filter_map(baked_maps::note)) {
             say::note(note);
         }

@@ -8,13 +8,14 @@ use relief_core::ByteSize;
 use relief_io::GreenSign;
 use relief_render::depth_buffer::Clip;
 use relief_render::scene::{
-    BackendChoice, LightSpec, MaterialSpec, MeshChoice, ProjectionChoice, Sampling, SceneError, SceneSpec,
-    SurfaceSpec, UvProjection, ValueError, ValueProblem, View, parse_scene, read_scene,
+    BackendChoice, LightSpec, MaterialSpec, ProjectionChoice, Sampling, SceneError, SceneSpec, SurfaceSpec,
+    ValueError, ValueProblem, View, parse_scene, read_scene,
 };
 use relief_render::tone::Tone;
 use relief_shaders::METHODS;
 
 use super::maps::HeightArguments;
+use super::placed::PlacedArguments;
 use super::stages::StageArguments;
 use crate::failure::Failure;
 use crate::streams::{INPUT, is_input};
@@ -74,53 +75,8 @@ pub struct SceneArguments {
     /// once, and not smear them
     #[arg(long, help_heading = "Maps and mesh", hide_short_help = true)]
     creases: bool,
-    /// Base mesh: plane (in the proportions of the height map), square, cube, cylinder, sphere or torus, or a
-    /// glTF, GLB, OBJ, PLY or STL file, in metres with y up [default: plane]
-    #[arg(long, value_name = "NAME|FILE", help_heading = "Maps and mesh")]
-    mesh: Option<MeshChoice>,
-    /// Make texture coordinates for the mesh of a file, in place of its own: box (from six sides), cylinder
-    /// (around y, with flat caps) or sphere (as a map of the world)
-    #[arg(long, value_name = "box|cylinder|sphere", help_heading = "Maps and mesh", hide_short_help = true)]
-    project: Option<UvProjection>,
-    /// Metres of displacement between heights 0 and 1, or with a unit, as in 5cm [default: true to the tile
-    /// where the height map's file states metres, else 0.05]
-    #[arg(
-        long,
-        value_name = "M",
-        value_parser = units::length,
-        allow_hyphen_values = true,
-        help_heading = "Maps and mesh",
-    )]
-    scale: Option<f64>,
-    /// Displacement of height 0 in metres [default: -scale, carved into the surface]
-    #[arg(
-        long,
-        value_name = "M",
-        value_parser = units::length,
-        allow_hyphen_values = true,
-        help_heading = "Maps and mesh",
-        hide_short_help = true,
-    )]
-    bias: Option<f64>,
-    /// Tiles along u and v [default: 1,1]
-    #[arg(
-        long,
-        value_name = "U,V",
-        value_parser = values::pair,
-        allow_hyphen_values = true,
-        help_heading = "Maps and mesh",
-    )]
-    tile: Option<[f64; 2]>,
-    /// Metres of a tile along u and v [default: as the height map's file states, else its texels are square]
-    #[arg(
-        long,
-        value_name = "U,V",
-        value_parser = units::two_lengths,
-        allow_hyphen_values = true,
-        help_heading = "Maps and mesh",
-        hide_short_help = true,
-    )]
-    tile_size: Option<[f64; 2]>,
+    #[command(flatten)]
+    placed: PlacedArguments,
     /// Part of the material, as in diffuse=0.5,0.3,0.2 or specular=0,0,0 (linear, 0 to 1), or shininess=50 (1
     /// to 1024); may be repeated [default: diffuse 0.4, 0.8 under a colour map; specular 0.1; shininess 32]
     #[arg(
@@ -354,23 +310,11 @@ impl SceneArguments {
         let given = |flag: bool| flag.then_some(true);
         let surface = SurfaceSpec {
             height: self.height.clone(),
-            channel: self.reading.file.channel.clone(),
-            depth: given(self.reading.depth),
-            range: self.reading.range,
-            raw: self.reading.file.raw,
-            fill: given(self.reading.file.fill),
             holes: given(self.holes),
-            wrap: self.reading.wrap,
-            scale: self.scale,
-            bias: self.bias,
             creases: given(self.creases),
             color: self.color.clone(),
             normal: self.normal.clone(),
             green: self.green,
-            mesh: self.mesh.clone(),
-            project: self.project,
-            tile: self.tile.map(|tile| tile.map(|count| count as f32)),
-            tile_size: self.tile_size,
             method: self.method.clone(),
             stages,
             set: BTreeMap::from_iter(self.set.iter().cloned()),
@@ -382,7 +326,7 @@ impl SceneArguments {
             transmission: self.transmission,
             ior: self.ior,
             two_sided: given(self.two_sided),
-            ..SurfaceSpec::default()
+            ..self.placed.surface(&self.reading)
         };
         let directional =
             self.light.map(|direction| LightSpec { direction: Some(direction), ..LightSpec::default() });

@@ -4,6 +4,8 @@
 //! and `y` is up: the built-in shapes stand on the plane of `x` and `z`, and show the middle of their texture
 //! to whoever looks along `-z`.
 
+mod base_point;
+mod block;
 mod builtin;
 mod chart_texels;
 mod cube;
@@ -25,6 +27,8 @@ mod torus;
 
 use glam::{Vec2, Vec3};
 
+pub use base_point::BasePoint;
+pub use block::MeshBlock;
 pub use builtin::Builtin;
 pub use chart_texels::{ChartError, ChartTexels};
 pub use cube::cube;

@@ -1,4 +1,4 @@
-//! Base meshes from files: glTF, OBJ, PLY and STL.
+//! Meshes from and to files: glTF, OBJ, PLY and STL.
 
 mod builder;
 mod folder;
@@ -8,11 +8,14 @@ mod ply;
 mod polygon;
 mod stl;
 mod text;
+mod write;
 
 use std::fmt;
 use std::path::{Path, PathBuf};
 
 use relief_core::mesh::{Framed, Mesh, UvProjection};
+
+pub use self::write::{MeshCounts, MeshSink, write_mesh};
 
 use self::builder::Builder;
 use crate::{DEFAULT_MAX_BYTES, Picture, ReadError, ReadProblem, Source};

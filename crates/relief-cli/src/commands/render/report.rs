@@ -1,6 +1,5 @@
 //! What is said of a rendering.
 
-use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::Path;
 
@@ -10,30 +9,8 @@ use serde_json::json;
 
 use super::output::Counts;
 use super::{Arguments, baked_maps};
-use crate::commands::maps::{inside_out, nearly_grey};
 use crate::failure::Failure;
 use crate::{advice, values};
-
-/// Of each height map how it was read where that was not asked for, once.
-pub fn of_reading(spec: &SceneSpec, scene: &Scene) -> BTreeSet<String> {
-    let surfaces = spec.each_surface().into_iter().zip(scene.surfaces());
-    let notes = surfaces.flat_map(|(described, surface)| {
-        let path = described.height.unwrap_or_default();
-        let turned = inside_out(&path).filter(|_| described.depth.is_none());
-        let name = path.display().to_string();
-        let count = surface.height_map().filled_texels();
-        let filled = match (surface.has_holes(), described.fill.is_none(), count) {
-            (true, _, 0) => Some(format!("{name}: every texel has a value: there are no holes to be seen")),
-            (true, _, _) => Some(format!("{name}: {count} of its texels have no value; they are holes")),
-            (false, true, 1..) => Some(format!(
-                "{name}: {count} of its texels have no value; they are filled from their surroundings"
-            )),
-            _ => None,
-        };
-        filled.into_iter().chain(nearly_grey(&name, surface.height_map())).chain(turned)
-    });
-    notes.collect()
-}
 
 /// What is counted as reads: those of the method's own shader, or where the CPU answers `exact` by the exact
 /// tracer, which is not that shader, the nodes and cells that the tracer looks at.

@@ -12,11 +12,9 @@ mod relief;
 mod search;
 mod shell;
 
-use glam::{DVec2, DVec3};
-
 use crate::HeightMap;
 use crate::exact::MAX_START;
-use crate::mesh::{Mesh, Vertex};
+use crate::mesh::{BasePoint, Mesh, Vertex};
 use hierarchy::{Bounds, Hierarchy};
 use ray_space::RaySpace;
 use relief::Relief;
@@ -248,30 +246,19 @@ impl DisplacedMesh {
     fn hit(&self, crossing: &Crossing, ray: &RaySpace) -> DisplacedHit {
         let Crossing { depth, triangle, weights, height, side, folded, grazing } = *crossing;
         let corners = self.mesh.corners(triangle);
-        let position: DVec3 = sum(corners, weights, |vertex| vertex.position.as_dvec3());
-        let normal: DVec3 = sum(corners, weights, |vertex| vertex.normal.as_dvec3());
-        let uv: DVec2 = sum(corners, weights, |vertex| vertex.uv.as_dvec2());
+        let base = BasePoint::weighted(corners.map(BasePoint::from), weights.to_array());
         DisplacedHit {
             t: depth / ray.length,
             triangle,
             weights: weights.to_array(),
-            uv: uv.to_array(),
+            uv: base.uv.to_array(),
             height: height.clamp(0.0, 1.0),
-            position: (position + self.relief.metres(height) * normal).to_array(),
+            position: base.displaced(self.relief.metres(height)).to_array(),
             side,
             folded,
             grazing,
         }
     }
-}
-
-/// What the corners have, weighted.
-fn sum<T>(corners: [&Vertex; 3], weights: DVec3, of: impl Fn(&Vertex) -> T) -> T
-where
-    T: std::ops::Mul<f64, Output = T> + std::ops::Add<Output = T>,
-{
-    let [a, b, c] = corners.map(of);
-    a * weights.x + b * weights.y + c * weights.z
 }
 
 /// The box around the shell of one triangle.
@@ -286,8 +273,8 @@ fn shell_box(relief: &Relief, triangle: u32, vertices: [&Vertex; 3]) -> Result<B
     let [columns, rows] = [0, 1].map(|axis| relief.cells(axis, least[axis], greatest[axis]));
     let bounds = relief.bounds([columns[0], rows[0]], [columns[1], rows[1]]);
     let points = vertices.into_iter().flat_map(|vertex| {
-        let (position, normal) = (vertex.position.as_dvec3(), vertex.normal.as_dvec3());
-        bounds.map(|metres| position + metres * normal)
+        let base = BasePoint::from(vertex);
+        bounds.map(|metres| base.displaced(metres))
     });
     Ok(Bounds::around(points))
 }

@@ -1,0 +1,81 @@
+//! How a height map lies on a mesh: the flags that commands share.
+
+use clap::Args;
+use relief_render::scene::{MeshChoice, SurfaceSpec, UvProjection};
+
+use super::maps::HeightArguments;
+use crate::{units, values};
+
+/// The mesh, and how the height map lies on it.
+#[derive(Args)]
+pub struct PlacedArguments {
+    /// Base mesh: plane (in the proportions of the height map), square, cube, cylinder, sphere or torus, or a
+    /// glTF, GLB, OBJ, PLY or STL file, in metres with y up [default: plane]
+    #[arg(long, value_name = "NAME|FILE", help_heading = "Maps and mesh")]
+    pub mesh: Option<MeshChoice>,
+    /// Make texture coordinates for the mesh of a file, in place of its own: box (from six sides), cylinder
+    /// (around y, with flat caps) or sphere (as a map of the world)
+    #[arg(long, value_name = "box|cylinder|sphere", help_heading = "Maps and mesh", hide_short_help = true)]
+    pub project: Option<UvProjection>,
+    /// Metres of displacement between heights 0 and 1, or with a unit, as in 5cm [default: true to the tile
+    /// where the height map's file states metres, else 0.05]
+    #[arg(
+        long,
+        value_name = "M",
+        value_parser = units::length,
+        allow_hyphen_values = true,
+        help_heading = "Maps and mesh",
+    )]
+    pub scale: Option<f64>,
+    /// Displacement of height 0 in metres [default: -scale, carved into the surface]
+    #[arg(
+        long,
+        value_name = "M",
+        value_parser = units::length,
+        allow_hyphen_values = true,
+        help_heading = "Maps and mesh",
+        hide_short_help = true,
+    )]
+    pub bias: Option<f64>,
+    /// Tiles along u and v [default: 1,1]
+    #[arg(
+        long,
+        value_name = "U,V",
+        value_parser = values::pair,
+        allow_hyphen_values = true,
+        help_heading = "Maps and mesh",
+    )]
+    pub tile: Option<[f64; 2]>,
+    /// Metres of a tile along u and v [default: as the height map's file states, else its texels are square]
+    #[arg(
+        long,
+        value_name = "U,V",
+        value_parser = units::two_lengths,
+        allow_hyphen_values = true,
+        help_heading = "Maps and mesh",
+        hide_short_help = true,
+    )]
+    pub tile_size: Option<[f64; 2]>,
+}
+
+impl PlacedArguments {
+    /// A surface of what these flags say, and those on reading its height map.
+    pub fn surface(&self, reading: &HeightArguments) -> SurfaceSpec {
+        let given = |flag: bool| flag.then_some(true);
+        SurfaceSpec {
+            channel: reading.file.channel.clone(),
+            depth: given(reading.depth),
+            range: reading.range,
+            raw: reading.file.raw,
+            fill: given(reading.file.fill),
+            wrap: reading.wrap,
+            scale: self.scale,
+            bias: self.bias,
+            mesh: self.mesh.clone(),
+            project: self.project,
+            tile: self.tile.map(|tile| tile.map(|count| count as f32)),
+            tile_size: self.tile_size,
+            ..SurfaceSpec::default()
+        }
+    }
+}

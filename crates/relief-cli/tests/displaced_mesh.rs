@@ -1,0 +1,233 @@
+//! `relief mesh`: what it writes is the relief that is rendered, in every format, whole or not at all.
+
+mod common;
+
+use common::aov::Aov;
+use common::command::{Folder, Ran};
+use common::files::exr;
+use common::maps::Map;
+use common::refused::{assert_refused, entries, with_out};
+use relief_core::mesh::{Mesh, torus};
+use serde_json::Value;
+
+fn obj(mesh: &Mesh) -> String {
+    let mut text = String::new();
+    for vertex in mesh.vertices() {
+        let [[x, y, z], [nx, ny, nz]] = [vertex.position, vertex.normal].map(|vector| vector.to_array());
+        text += &format!("v {x} {y} {z}\nvn {nx} {ny} {nz}\n");
+        text += &format!("vt {} {}\n", vertex.uv.x, 1.0 - f64::from(vertex.uv.y));
+    }
+    for [a, b, c] in mesh.triangles().iter().map(|corners| corners.map(|index| index + 1)) {
+        text += &format!("f {a}/{a}/{a} {b}/{b}/{b} {c}/{c}/{c}\n");
+    }
+    text
+}
+
+/// A folder with a map of hills, a level one, and a torus.
+fn folder() -> Folder {
+    let folder = with_out();
+    let hills = Map::new(256, 128, |x, y| {
+        let [u, v] = [f64::from(x) / 256.0, f64::from(y) / 128.0].map(|part| part * std::f64::consts::TAU);
+        ((0.5 + 0.25 * ((6.0 * u).sin() * (4.0 * v).cos() + (3.0 * v + 5.0 * u).sin())) * 65535.0) as u16
+    });
+    folder.write("hills.png", hills.png());
+    folder.write("level.png", Map::constant(0.0).png());
+    folder.write("ring.obj", obj(&torus(32, 16).expect("a mesh")));
+    folder
+}
+
+fn json_of(ran: &Ran) -> Value {
+    serde_json::from_str(&ran.stdout).expect("JSON")
+}
+
+#[test]
+fn every_format_holds_the_mesh_that_is_answered() {
+    let folder = folder();
+    for (ending, format) in [("glb", "glTF"), ("ply", "PLY"), ("obj", "OBJ"), ("stl", "STL")] {
+        let output = format!("out/ring.{ending}");
+        let line = format!("mesh hills.png --mesh ring.obj --scale 3cm --bias 0 --texels 3 -o {output}");
+        let about = json_of(&folder.relief(&format!("{line} --json")).fine());
+        let number = |name: &str| about[name].as_u64().unwrap_or_else(|| panic!("{name}: {about}"));
+        assert_eq!((number("open_edges"), number("branching_edges"), number("pieces")), (0, 0, 1));
+        assert_eq!(about["format"], format);
+        assert_eq!((about["scale_m"].as_f64(), about["bias_m"].as_f64()), (Some(0.03), Some(0.0)));
+        let written = std::fs::metadata(folder.path(&output)).expect("it was written").len();
+        assert_eq!(number("bytes"), written);
+        let project = if ending == "stl" { "--project box" } else { "" };
+        let found = json_of(&folder.relief(&format!("inspect {output} {project} --json")).fine());
+        assert_eq!(found["triangles"].as_u64(), Some(number("triangles")), "{found}");
+        assert_eq!(found["open_edges"].as_u64(), Some(0), "{found}");
+        // In words, too.
+        let text = folder.relief(&line).fine().stdout;
+        assert!(text.contains("closed") && text.contains(&output), "{text}");
+        assert!(text.contains(if ending == "stl" { " mm" } else { " m\n" }), "{text}");
+    }
+    assert_eq!(entries(&folder.path("out")).len(), 4);
+}
+
+#[test]
+fn the_mesh_is_where_the_relief_is_rendered() {
+    let folder = folder();
+    let look = "--eye 0.5,0.8,1 --target 0,0,0 --size 200x150 --samples 1 --backend cpu -o p.png";
+    for (mesh, base) in [("ring.obj", "flat"), ("ring.obj", "lift"), ("plane", "flat")] {
+        let place = format!("--mesh {mesh} --scale 0.04 --bias -0.01");
+        let lift = if base == "lift" { "--set surface.lift=1" } else { "" };
+        folder
+            .relief(&format!("render --height hills.png {place} --surface prism {lift} {look} --aov a.exr"))
+            .fine();
+        folder.relief(&format!("mesh hills.png {place} --base {base} -o out/made.glb")).fine();
+        let made = "--height level.png --mesh out/made.glb --scale 0 --bias 0 --method bump --two-sided";
+        folder.relief(&format!("render {made} {look} --aov b.exr")).fine();
+        let [truth, found] = ["a.exr", "b.exr"].map(|name| Aov::read(&folder.path(name)));
+        let pairs = || truth.pixels().zip(found.pixels());
+        let both = pairs().filter(|((_, _, a), (_, _, b))| a.hit == 1.0 && b.hit == 1.0);
+        let (mut distances, mut angles) = (Vec::new(), Vec::new());
+        for ((_, _, a), (_, _, b)) in both {
+            distances.push((a.position - b.position).length());
+            angles.push(a.normal.angle_between(b.normal).to_degrees());
+        }
+        let other = pairs().filter(|((_, _, a), (_, _, b))| a.hit != b.hit).count();
+        [&mut distances, &mut angles].into_iter().for_each(|all| all.sort_by(f64::total_cmp));
+        let at = distances.len() * 9 / 10;
+        println!(
+            "{mesh} {base}: {} m, {} degrees, {other} of {}",
+            distances[at],
+            angles[at],
+            distances.len()
+        );
+        assert!(distances.len() > 2000 && other * 50 < distances.len(), "{mesh} {base}: {other}");
+        assert!(distances[at] < 1e-3 && angles[at] < 4.0, "{mesh} {base}: {} {}", distances[at], angles[at]);
+    }
+}
+
+#[test]
+fn sizes_inversion_and_threads() {
+    let folder = folder();
+    let bytes = |name: &str| std::fs::read(folder.path(name)).expect("it was written");
+    let made = |flags: &str, name: &str| {
+        json_of(&folder.relief(&format!("mesh hills.png --texels 2 {flags} --json -o {name}")).fine())
+    };
+    let printed = made("--mesh ring.obj --print-size 120", "out/a.stl");
+    let longest = printed["size_m"].as_array().expect("three").iter().filter_map(Value::as_f64);
+    assert!((longest.fold(0.0, f64::max) - 0.12).abs() < 1e-6, "{printed}");
+    made("--mesh ring.obj --print-size 12cm --threads 1", "out/b.stl");
+    assert_eq!(bytes("out/a.stl"), bytes("out/b.stl"));
+    made("--invert", "out/a.ply");
+    made("--depth", "out/b.ply");
+    made("", "out/c.ply");
+    assert_eq!(bytes("out/a.ply"), bytes("out/b.ply"));
+    assert_ne!(bytes("out/a.ply"), bytes("out/c.ply"));
+    made("--shading mesh", "out/d.ply");
+    assert_ne!(bytes("out/c.ply"), bytes("out/d.ply"));
+    // Elevation models need no more words: a sheet with the border of a sheet.
+    let sheet = made("", "out/e.glb");
+    assert_eq!(sheet["open_edges"].as_u64(), Some(2 * (129 + 65)), "{sheet}");
+    // Through a pipe.
+    let mut command = folder.command();
+    command.args(["mesh", "hills.png", "--texels", "2", "-o", "-", "--format", "ply"]);
+    assert_eq!(command.output().expect("the command starts").stdout, bytes("out/c.ply"));
+}
+
+#[test]
+fn what_cannot_be_made_is_refused() {
+    let folder = folder();
+    folder.write("bare.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nf 1 2 3\n");
+    folder.write("flat.obj", "v 0 0 0\nv 0 0 1\nv 0 0 2\nvt 0 0\nvt 0 1\nvt 1 0\nf 1/1 2/2 3/3\n");
+    folder.write("nan.obj", "v 0 0 nan\nv 0 0 1\nv 1 0 0\nvt 0 0\nvt 0 1\nvt 1 0\nf 1/1 2/2 3/3\n");
+    folder.write("point.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nvt 0 0\nvt 0 0\nvt 0 0\nf 1/1 2/2 3/3\n");
+    folder.write("nan.exr", exr([2, 1], &[("Y", vec![f32::NAN, 1.0])]));
+    folder.write("broken.png", b"\x89PNG\r\n\x1a\nno more");
+    for (line, code, words) in [
+        ("hills.png --texels 0 -o out/a.glb", 2, ["--texels", "0"]),
+        ("hills.png --texels -1 -o out/a.glb", 2, ["--texels", "-1"]),
+        ("hills.png --texels two -o out/a.glb", 2, ["--texels", "two"]),
+        ("hills.png --edges texel -o out/a.glb", 2, ["texel", "texels"]),
+        ("hills.png --interior dise -o out/a.glb", 2, ["dise", "dice"]),
+        ("hills.png --base lft -o out/a.glb", 2, ["lft", "lift"]),
+        ("hills.png --directions rw -o out/a.glb", 2, ["rw", "raw"]),
+        ("hills.png --seams wedl -o out/a.glb", 2, ["wedl", "weld"]),
+        ("hills.png --shading exat -o out/a.glb", 2, ["exat", "exact"]),
+        ("hills.png --mesh rung -o out/a.glb", 2, ["rung", "torus"]),
+        ("hills.png --project box -o out/a.glb", 2, ["--project", "--mesh"]),
+        ("hills.png --scale -1 -o out/a.glb", 2, ["--scale", "-1"]),
+        ("hills.png --scale inf -o out/a.glb", 2, ["--scale", "inf"]),
+        ("hills.png --tile 0,1 -o out/a.glb", 2, ["--tile", "0"]),
+        ("hills.png --tile-size 0,1 -o out/a.glb", 2, ["--tile-size", "0"]),
+        ("hills.png --print-size 0 -o out/a.stl", 2, ["--print-size", "0"]),
+        ("hills.png --print-size wide -o out/a.stl", 2, ["--print-size", "wide"]),
+        ("hills.png --wrap repaet -o out/a.glb", 2, ["repaet", "repeat"]),
+        ("hills.png -o out/a.step", 2, ["step", "stl"]),
+        ("hills.png -o out/a", 2, [".glb", ".stl"]),
+        ("hills.png --mesh ring.obj -o ring.obj", 2, ["ring.obj", "read"]),
+        ("hills.png -o -", 2, ["--format", "-"]),
+        ("hills.png -o out/none/a.glb", 1, ["out/none", "folder"]),
+        ("hills.png -o out", 2, ["out", ".glb"]),
+        ("none.png -o out/a.glb", 1, ["none.png", ""]),
+        ("broken.png -o out/a.glb", 1, ["broken.png", ""]),
+        ("nan.exr -o out/a.glb", 1, ["nan.exr", "--fill"]),
+        ("hills.png --mesh none.obj -o out/a.glb", 1, ["none.obj", ""]),
+        ("hills.png --mesh bare.obj -o out/a.glb", 1, ["bare.obj", "--project"]),
+        ("hills.png --mesh flat.obj -o out/a.glb", 1, ["flat.obj", "area"]),
+        ("hills.png --mesh point.obj -o out/a.glb", 1, ["point.obj", "--project"]),
+        ("hills.png --mesh nan.obj -o out/a.glb", 1, ["nan.obj", ""]),
+        ("hills.png --tile 1e6,1e6 -o out/a.glb", 1, ["vertices", "--texels"]),
+        ("hills.png --mesh cube --tile 1e6,1e6 -o out/a.stl", 1, ["vertices", "--texels"]),
+        ("hills.png --tile 48,48 -o out/a.glb", 1, ["4 GiB", "PLY"]),
+        ("hills.png --max-memory 1MiB -o out/a.glb", 1, ["--max-memory", ""]),
+        (
+            "hills.png --tile 20,20 --shading mesh --max-memory 96MiB -o out/a.ply",
+            1,
+            ["--max-memory", "--texels"],
+        ),
+    ] {
+        let ran = folder.relief(&format!("mesh {line}"));
+        assert_refused(&folder, &ran, code, &words);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn no_room_on_the_disk_leaves_what_was_there() {
+    let folder = folder();
+    folder.write("full/ring.stl", b"old");
+    folder.write("full/.relief-0123456789abcdef/ring.stl", b"left by a killed process");
+    let line = "mesh hills.png --mesh ring.obj -o full/ring.stl";
+    let script = format!("trap '' XFSZ; ulimit -f 64; exec {} {line}", env!("CARGO_BIN_EXE_relief"));
+    let output = std::process::Command::new("sh").args(["-c", &script]).current_dir(folder.path("")).output();
+    let ran = Ran::new(line, &output.expect("a shell runs"));
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert!(ran.stderr.contains("full/ring.stl") && ran.stderr.contains("disk"), "{}", ran.stderr);
+    assert_eq!(std::fs::read(folder.path("full/ring.stl")).expect("it is there"), b"old");
+    assert_eq!(entries(&folder.path("full")).iter().filter(|name| !name.starts_with('.')).count(), 1);
+    // With room it is replaced.
+    folder.relief(line).fine();
+    assert!(std::fs::metadata(folder.path("full/ring.stl")).expect("it is there").len() > 100_000);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_what_was_there() {
+    use std::process::Stdio;
+    let folder = folder();
+    folder.write("stopped/hills.ply", b"old");
+    let line = "mesh hills.png --tile 60,60 --json -o stopped/hills.ply";
+    let mut command = folder.command();
+    command.args(line.split(' ')).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let run = command.spawn().expect("the command starts");
+    // When the file is begun, the work goes on for long.
+    let begun = || entries(&folder.path("stopped")).len() > 1;
+    for _ in 0..2000 {
+        if begun() {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    assert!(begun());
+    let killed = std::process::Command::new("kill").args(["-INT", &run.id().to_string()]).status();
+    assert!(killed.expect("kill runs").success());
+    let ran = Ran::new(line, &run.wait_with_output().expect("it ends"));
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert!(ran.stderr.contains("cancelled"), "{}", ran.stderr);
+    assert_eq!(entries(&folder.path("stopped")), ["hills.ply"]);
+    assert_eq!(std::fs::read(folder.path("stopped/hills.ply")).expect("it is there"), b"old");
+}

@@ -1,0 +1,19 @@
+//! Parts of meshes that are too large to be held.
+
+use super::Vertex;
+use glam::Vec3;
+
+/// A part of a mesh that is handed over part by part.
+///
+/// Vertices and triangles are numbered in the order in which they are handed over, and triangles name no
+/// vertex of a later part.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MeshBlock {
+    /// The vertices that follow those of the part before.
+    pub vertices: Vec<Vertex>,
+    /// The corners of the triangles that follow those of the part before, by the vertices' numbers,
+    /// counter-clockwise seen from the front.
+    pub triangles: Vec<[u32; 3]>,
+    /// The positions of these triangles' corners, in metres, the same bits as those of the vertices.
+    pub points: Vec<[Vec3; 3]>,
+}

@@ -1,0 +1,205 @@
+//! Meshes to files, block by block, one file a format.
+
+mod glb;
+mod obj;
+mod ply;
+mod stl;
+
+use std::fs::File;
+use std::io::{self, BufWriter, Seek, SeekFrom, Write};
+use std::path::Path;
+
+use relief_core::mesh::MeshBlock;
+
+use super::MeshFormat;
+use crate::write_whole::write_file;
+use crate::{WriteError, WriteProblem};
+
+/// How large a mesh is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MeshCounts {
+    /// Vertices.
+    pub vertices: u64,
+    /// Triangles.
+    pub triangles: u64,
+}
+
+/// Takes the next block of a mesh.
+pub type MeshSink<'a> = dyn FnMut(&MeshBlock) -> io::Result<()> + 'a;
+
+/// What a writer does with each block.
+type Encode<'a> = dyn FnMut(&MeshBlock, &mut Regions<'_, '_>) -> io::Result<()> + 'a;
+
+impl MeshFormat {
+    /// The bytes of a mesh's file in this format: exactly, but of OBJ, which is text, at least.
+    pub fn bytes(self, counts: MeshCounts) -> u64 {
+        match self {
+            MeshFormat::Gltf => glb::bytes(counts),
+            MeshFormat::Obj => obj::least_bytes(counts),
+            MeshFormat::Ply => ply::bytes(counts),
+            MeshFormat::Stl => stl::bytes(counts),
+        }
+    }
+
+    /// Whether this format can hold so large a mesh.
+    ///
+    /// # Errors
+    ///
+    /// When it cannot, with what holds it.
+    pub fn check(self, counts: MeshCounts) -> Result<(), WriteProblem> {
+        let MeshCounts { vertices, triangles } = counts;
+        let cannot = |what: String| {
+            let of = format!("a mesh of {vertices} vertices and {triangles} triangles");
+            Err(WriteProblem::NotStorable(format!("{of} {what}")))
+        };
+        if vertices == 0 || triangles == 0 {
+            return cannot("shows nothing".to_owned());
+        }
+        if vertices >= u64::from(u32::MAX) || triangles > u64::from(u32::MAX) {
+            return cannot("has more than 32-bit numbers count: make it coarser".to_owned());
+        }
+        let bytes = self.bytes(counts);
+        if self == MeshFormat::Gltf && bytes > u64::from(u32::MAX) {
+            let what = "takes {} bytes as GLB, which ends at 4 GiB: write a PLY, or make it coarser";
+            return cannot(what.replace("{}", &bytes.to_string()));
+        }
+        Ok(())
+    }
+}
+
+/// Writes a mesh whose blocks `blocks` hands over: as binary glTF (GLB), as binary PLY, as OBJ, or as binary
+/// STL.
+///
+/// | format | lengths | what is written |
+/// | --- | --- | --- |
+/// | GLB | metres | positions, normals, tangents, texture coordinates |
+/// | PLY | metres | positions, normals, texture coordinates `s` and `t`, `t` upward |
+/// | OBJ | metres | the same; a block's faces follow its vertices |
+/// | STL | millimetres | triangles with their normals |
+///
+/// A tangent's `w` is such that the green of glTF's normal maps points up in the picture. Nothing but a block
+/// is held. The same blocks give the same bytes.
+///
+/// ```
+/// use relief_core::mesh::{MeshBlock, cube};
+/// use relief_io::{MeshCounts, MeshFormat, MeshOptions, Source, read_mesh, write_mesh};
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// # let folder = tempfile::tempdir()?;
+/// # let path = folder.path().join("cube.ply");
+/// let mesh = cube(2)?;
+/// let [vertices, triangles] = [mesh.vertices().len(), mesh.triangles().len()].map(|count| count as u64);
+/// let counts = MeshCounts { vertices, triangles };
+/// let position = |corner: u32| mesh.vertices()[corner as usize].position;
+/// let points = mesh.triangles().iter().map(|corners| corners.map(position)).collect();
+/// let (vertices, triangles) = (mesh.vertices().to_vec(), mesh.triangles().to_vec());
+/// let block = MeshBlock { vertices, triangles, points };
+/// write_mesh(&path, MeshFormat::Ply, counts, |sink| sink(&block))?;
+/// assert_eq!(read_mesh(path.as_path(), &MeshOptions::default())?.mesh.triangles().len(), 48);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Errors
+///
+/// When the format [cannot hold](MeshFormat::check) the mesh, when `blocks` fails or hands over other counts
+/// than it promised, or when the file cannot be written. Nothing is left behind then.
+pub fn write_mesh(
+    path: &Path,
+    format: MeshFormat,
+    counts: MeshCounts,
+    blocks: impl FnOnce(&mut MeshSink) -> io::Result<()>,
+) -> Result<(), WriteError> {
+    format.check(counts).map_err(|problem| problem.at(path))?;
+    write_file(path, |out| {
+        let mut regions = Regions::new(out);
+        match format {
+            MeshFormat::Gltf => {
+                let mut glb = glb::Glb::begin(counts, &mut regions)?;
+                counted(counts, &mut regions, &mut |block, regions| glb.block(block, regions), blocks)?;
+                glb.finish(&mut regions)?;
+            }
+            MeshFormat::Ply => {
+                ply::begin(counts, &mut regions)?;
+                counted(counts, &mut regions, &mut ply::block, blocks)?;
+            }
+            MeshFormat::Obj => {
+                regions.write(0, b"# Relief: a displaced mesh, in metres, y up\n")?;
+                counted(counts, &mut regions, &mut obj::block, blocks)?;
+            }
+            MeshFormat::Stl => {
+                stl::begin(counts, &mut regions)?;
+                counted(counts, &mut regions, &mut stl::block, blocks)?;
+            }
+        }
+        Ok(())
+    })
+}
+
+/// Hands blocks on, and finds out whether they are as many as was promised.
+fn counted(
+    counts: MeshCounts,
+    regions: &mut Regions<'_, '_>,
+    encode: &mut Encode<'_>,
+    blocks: impl FnOnce(&mut MeshSink) -> io::Result<()>,
+) -> Result<(), WriteProblem> {
+    let mut found = MeshCounts { vertices: 0, triangles: 0 };
+    blocks(&mut |block| {
+        found.vertices += block.vertices.len() as u64;
+        found.triangles += block.triangles.len() as u64;
+        if found.vertices > counts.vertices || found.triangles > counts.triangles {
+            return Err(io::Error::other("there is more of the mesh than was promised"));
+        }
+        encode(block, regions)
+    })?;
+    if found == counts {
+        return Ok(());
+    }
+    let MeshCounts { vertices, triangles } = counts;
+    let what = format!(
+        "the mesh has {} vertices and {} triangles where {vertices} and {triangles} were promised",
+        found.vertices, found.triangles
+    );
+    Err(WriteProblem::NotStorable(what))
+}
+
+/// A file that is written in two places: vertices, and what follows all of them.
+struct Regions<'a, 'b> {
+    out: &'a mut BufWriter<&'b File>,
+    /// Where each goes on.
+    next: [u64; 2],
+    /// Where the file is written.
+    at: u64,
+}
+
+impl<'a, 'b> Regions<'a, 'b> {
+    fn new(out: &'a mut BufWriter<&'b File>) -> Self {
+        Self { out, next: [0; 2], at: 0 }
+    }
+
+    /// Goes on with a region.
+    fn write(&mut self, region: usize, bytes: &[u8]) -> io::Result<()> {
+        self.write_at(self.next[region], bytes)?;
+        self.next[region] += bytes.len() as u64;
+        Ok(())
+    }
+
+    fn write_at(&mut self, place: u64, bytes: &[u8]) -> io::Result<()> {
+        if place != self.at {
+            self.out.seek(SeekFrom::Start(place))?;
+        }
+        self.out.write_all(bytes)?;
+        self.at = place + bytes.len() as u64;
+        Ok(())
+    }
+}
+
+/// The bytes of floats, the least first.
+fn floats(bytes: &mut Vec<u8>, numbers: impl IntoIterator<Item = f32>) {
+    bytes.extend(numbers.into_iter().flat_map(f32::to_le_bytes));
+}
+
+/// `v` as it is stored where it runs up.
+fn turned_over(v: f32) -> f32 {
+    (1.0 - f64::from(v)) as f32
+}

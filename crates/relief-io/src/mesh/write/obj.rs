@@ -1,0 +1,31 @@
+//! OBJ.
+
+use std::fmt::Write;
+use std::io;
+
+use relief_core::mesh::MeshBlock;
+
+use super::{MeshCounts, Regions, turned_over};
+
+/// Bytes that a vertex and a face take at least: `v 0 0 0`, `vt 0 0`, `vn 0 0 0`, and `f 1/1/1 2/2/2 3/3/3`.
+const LEAST: [u64; 2] = [24, 20];
+
+pub fn least_bytes(MeshCounts { vertices, triangles }: MeshCounts) -> u64 {
+    LEAST[0] * vertices + LEAST[1] * triangles
+}
+
+pub fn block(block: &MeshBlock, regions: &mut Regions<'_, '_>) -> io::Result<()> {
+    let mut text = String::with_capacity(96 * block.vertices.len() + 48 * block.triangles.len());
+    // Writing into memory does not fail.
+    for vertex in &block.vertices {
+        let [[x, y, z], [nx, ny, nz]] = [vertex.position, vertex.normal].map(|vector| vector.to_array());
+        let _ = writeln!(text, "v {x} {y} {z}");
+        let _ = writeln!(text, "vt {} {}", vertex.uv.x, turned_over(vertex.uv.y));
+        let _ = writeln!(text, "vn {nx} {ny} {nz}");
+    }
+    for corners in &block.triangles {
+        let [a, b, c] = corners.map(|corner| u64::from(corner) + 1);
+        let _ = writeln!(text, "f {a}/{a}/{a} {b}/{b}/{b} {c}/{c}/{c}");
+    }
+    regions.write(0, text.as_bytes())
+}

@@ -1,0 +1,49 @@
+//! Binary PLY, the least byte of a number first.
+
+use std::io;
+
+use relief_core::mesh::MeshBlock;
+
+use super::{MeshCounts, Regions, floats, turned_over};
+
+/// Bytes of a vertex: position, normal, `s` and `t`.
+const VERTEX: u64 = 32;
+
+/// Bytes of a face: how many corners, and which.
+const FACE: u64 = 13;
+
+fn header(MeshCounts { vertices, triangles }: MeshCounts) -> String {
+    let properties =
+        ["x", "y", "z", "nx", "ny", "nz", "s", "t"].map(|name| format!("property float {name}\n")).concat();
+    format!(
+        "ply\nformat binary_little_endian 1.0\ncomment Relief: a displaced mesh, in metres, y up\n\
+         element vertex {vertices}\n{properties}element face {triangles}\n\
+         property list uchar uint vertex_indices\nend_header\n"
+    )
+}
+
+pub fn bytes(counts: MeshCounts) -> u64 {
+    header(counts).len() as u64 + VERTEX * counts.vertices + FACE * counts.triangles
+}
+
+pub fn begin(counts: MeshCounts, regions: &mut Regions<'_, '_>) -> io::Result<()> {
+    regions.write(0, header(counts).as_bytes())?;
+    regions.next[1] = regions.next[0] + VERTEX * counts.vertices;
+    Ok(())
+}
+
+pub fn block(block: &MeshBlock, regions: &mut Regions<'_, '_>) -> io::Result<()> {
+    let mut bytes = Vec::with_capacity(VERTEX as usize * block.vertices.len());
+    for vertex in &block.vertices {
+        floats(&mut bytes, vertex.position.to_array());
+        floats(&mut bytes, vertex.normal.to_array());
+        floats(&mut bytes, [vertex.uv.x, turned_over(vertex.uv.y)]);
+    }
+    regions.write(0, &bytes)?;
+    bytes.clear();
+    for corners in &block.triangles {
+        bytes.push(3);
+        bytes.extend(corners.iter().flat_map(|corner| corner.to_le_bytes()));
+    }
+    regions.write(1, &bytes)
+}

@@ -1,0 +1,42 @@
+//! Binary STL, in millimetres, as printers take it.
+
+use std::io;
+
+use glam::DVec3;
+use relief_core::mesh::MeshBlock;
+
+use super::{MeshCounts, Regions, floats};
+
+/// The first 80 bytes. They may not begin with the word that marks texts.
+const TITLE: &[u8] = b"Relief: a displaced mesh, in millimetres, y up";
+
+const HEADER: usize = 80;
+
+/// Bytes of a triangle: its normal, three corners, and two more.
+const TRIANGLE: u64 = 50;
+
+const MILLIMETRES: f64 = 1000.0;
+
+pub fn bytes(counts: MeshCounts) -> u64 {
+    HEADER as u64 + 4 + TRIANGLE * counts.triangles
+}
+
+pub fn begin(counts: MeshCounts, regions: &mut Regions<'_, '_>) -> io::Result<()> {
+    let mut header = TITLE.to_vec();
+    header.resize(HEADER, 0);
+    // It was checked that they are as few.
+    header.extend((counts.triangles as u32).to_le_bytes());
+    regions.write(0, &header)
+}
+
+pub fn block(block: &MeshBlock, regions: &mut Regions<'_, '_>) -> io::Result<()> {
+    let mut bytes = Vec::with_capacity(TRIANGLE as usize * block.points.len());
+    for points in &block.points {
+        let points = points.map(|point| (point.as_dvec3() * DVec3::splat(MILLIMETRES)).as_vec3());
+        let [a, b, c] = points.map(|point| point.as_dvec3());
+        floats(&mut bytes, (b - a).cross(c - a).normalize_or_zero().as_vec3().to_array());
+        points.iter().for_each(|point| floats(&mut bytes, point.to_array()));
+        bytes.extend([0; 2]);
+    }
+    regions.write(0, &bytes)
+}

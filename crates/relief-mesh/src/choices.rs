@@ -1,0 +1,102 @@
+//! Choices that have a few names each.
+
+use std::fmt;
+use std::str::FromStr;
+
+use relief_core::registry::UnknownName;
+
+/// An enumeration whose variants have names on the command line, and errors that name the nearest.
+macro_rules! choice {
+    ($(#[$about:meta])* $name:ident, $kind:literal: $($(#[$of:meta])* $variant:ident = $text:literal,)+) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+        pub enum $name {
+            $($(#[$of])* $variant,)+
+        }
+
+        impl $name {
+            /// All of them, in the order in which help lists them.
+            pub const ALL: &[Self] = &[$(Self::$variant),+];
+
+            /// The name on the command line.
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => $text),+ }
+            }
+        }
+
+        impl fmt::Display for $name {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(self.name())
+            }
+        }
+
+        impl FromStr for $name {
+            type Err = UnknownName;
+
+            fn from_str(name: &str) -> Result<Self, UnknownName> {
+                let known = || Self::ALL.iter().copied();
+                known()
+                    .find(|choice| choice.name() == name)
+                    .ok_or_else(|| UnknownName::new($kind, name, known().map(Self::name)))
+            }
+        }
+    };
+}
+
+choice! {
+    /// The surface that is displaced.
+    BaseSurface, "base surface":
+    /// The triangles as they are.
+    #[default]
+    Flat = "flat",
+    /// The smooth surface that the mesh's normals promise: see
+    /// [`Mesh::lifts`](relief_core::mesh::Mesh::lifts).
+    Lift = "lift",
+}
+
+choice! {
+    /// Along what a point of a triangle is displaced.
+    Directions, "directions":
+    /// The interpolated normal, not normalised, as the exact tracer of displaced meshes and the surface
+    /// `prism` have it.
+    #[default]
+    Raw = "raw",
+    /// The interpolated normal, normalised: displacement goes as far as it says everywhere.
+    Unit = "unit",
+}
+
+choice! {
+    /// The normals of the vertices.
+    Shading, "shading normals":
+    /// Of the bilinear surface and the base's frame, where the vertex lies, however coarse the mesh is.
+    #[default]
+    Exact = "exact",
+    /// Of the triangles that are made: the mean over those at a vertex, weighted by their angles there.
+    Mesh = "mesh",
+}
+
+choice! {
+    /// What becomes of edges along which the base's normals or texture coordinates differ.
+    Seams, "seams":
+    /// A position has one direction of displacement and one place on the map, so that the mesh is closed
+    /// where its base is.
+    #[default]
+    Weld = "weld",
+    /// Every side has its own, and gapes where they differ.
+    Keep = "keep",
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_lead_back_and_unknown_ones_to_the_nearest() {
+        for seams in Seams::ALL {
+            assert_eq!(seams.name().parse(), Ok(*seams));
+        }
+        assert_eq!(Directions::Unit.to_string().parse(), Ok(Directions::Unit));
+        let unknown = "lft".parse::<BaseSurface>().expect_err("no such base");
+        assert!(unknown.to_string().contains("lift"), "{unknown}");
+    }
+}

@@ -1,0 +1,288 @@
+//! Whether a mesh has cracks.
+
+use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
+
+use glam::Vec3;
+use relief_core::mesh::Mesh;
+
+use crate::point;
+
+/// What was found of a mesh.
+///
+/// An edge has two ends by the bits of their positions, and a triangle runs along each of its sides one way
+/// or the other. Where a surface goes on, the edge has two sides, which run opposite ways. Sides whose ends
+/// are at one position count for nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cracks {
+    /// Triangles that were looked at.
+    pub triangles: u64,
+    /// Edges with one side: the border of a sheet, or a crack.
+    pub open: u64,
+    /// Edges with more than two sides, or with two that run the same way.
+    pub branching: u64,
+    /// Pieces that hang together by their edges.
+    pub pieces: u64,
+}
+
+impl Cracks {
+    /// Whether each side of a triangle has an opposite, so that there is an inside and an outside.
+    pub fn is_closed(&self) -> bool {
+        self.open == 0 && self.branching == 0
+    }
+}
+
+/// An edge by the bits of its ends, the lesser first.
+type Ends = [[u32; 3]; 2];
+
+/// The sides of an edge, running forth and back, and a piece of the mesh at it.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sides {
+    ways: [u32; 2],
+    piece: u32,
+}
+
+impl Sides {
+    fn is_whole(&self) -> bool {
+        self.ways == [1, 1]
+    }
+}
+
+/// Looks for cracks in triangles that are handed over part by part.
+///
+/// What has both its sides in one part is done with; what has not is kept until the other side comes, so that
+/// the memory is that of the borders between parts. A mesh that is handed over at once is therefore looked at
+/// whole; in one that is not, an edge with further sides in a later part is not seen to branch where it was
+/// done with, and the later sides are taken for an edge of their own.
+#[derive(Clone, Debug, Default)]
+pub struct CrackTest {
+    edges: Map<Ends, Sides>,
+    pieces: Sets,
+    /// Pieces that are done with.
+    whole: u64,
+    triangles: u64,
+}
+
+/// A part of a mesh, looked at by itself: [`CrackTest::add`] puts parts together.
+#[derive(Clone, Debug, Default)]
+pub struct CrackPart {
+    /// Edges that are not done with.
+    edges: Vec<(Ends, Sides)>,
+    /// Pieces that these belong to.
+    pieces: u32,
+    whole: u64,
+    triangles: u64,
+}
+
+impl CrackTest {
+    /// What there is of cracks in a whole mesh.
+    pub fn of_mesh(mesh: &Mesh) -> Cracks {
+        let vertices = mesh.vertices();
+        let positions = |corners: &[u32; 3]| corners.map(|corner| vertices[corner as usize].position);
+        Self::of_triangles(mesh.triangles().iter().map(positions))
+    }
+
+    /// What there is of cracks in triangles, by the positions of their corners.
+    pub fn of_triangles(triangles: impl IntoIterator<Item = [Vec3; 3]>) -> Cracks {
+        let mut test = Self::default();
+        test.add(CrackPart::of(triangles));
+        test.finish()
+    }
+
+    /// Adds a part.
+    pub fn add(&mut self, part: CrackPart) {
+        self.triangles += part.triangles;
+        self.whole += part.whole;
+        let first = self.pieces.add(part.pieces);
+        for (ends, sides) in part.edges {
+            let here = Sides { piece: first + sides.piece, ..sides };
+            let known = self.edges.entry(ends).or_insert(Sides { ways: [0; 2], piece: here.piece });
+            known.ways = [known.ways[0] + here.ways[0], known.ways[1] + here.ways[1]];
+            self.pieces.join(known.piece, here.piece);
+            if known.is_whole() {
+                self.edges.remove(&ends);
+            }
+        }
+    }
+
+    /// What was found, when all parts are there.
+    pub fn finish(mut self) -> Cracks {
+        let open = self.edges.values().filter(|sides| sides.ways[0] + sides.ways[1] == 1).count() as u64;
+        let branching = self.edges.len() as u64 - open;
+        let pieces = self.whole + self.pieces.count();
+        Cracks { triangles: self.triangles, open, branching, pieces }
+    }
+}
+
+impl CrackPart {
+    /// Looks at a part.
+    pub fn of(triangles: impl IntoIterator<Item = [Vec3; 3]>) -> Self {
+        let triangles = triangles.into_iter();
+        // Of a closed surface there are half as many again as triangles.
+        let expected = triangles.size_hint().0 + triangles.size_hint().0 / 2;
+        let mut edges: Map<Ends, Sides> = Map::with_capacity_and_hasher(expected, Default::default());
+        let mut sets = Sets::default();
+        let mut count = 0;
+        for corners in triangles {
+            count += 1;
+            let own = sets.add(1);
+            let corners = corners.map(point::bits);
+            for k in 0..3 {
+                let (from, to) = (corners[k], corners[(k + 1) % 3]);
+                if from == to {
+                    continue;
+                }
+                let (ends, way) = if from < to { ([from, to], 0) } else { ([to, from], 1) };
+                let sides = edges.entry(ends).or_insert(Sides { ways: [0; 2], piece: own });
+                sides.ways[way] += 1;
+                sets.join(sides.piece, own);
+            }
+        }
+        let all = sets.count();
+        let mut left: Vec<(Ends, Sides)> = edges.into_iter().filter(|(_, sides)| !sides.is_whole()).collect();
+        // Whatever order the edges were kept in.
+        left.sort_unstable_by_key(|(ends, _)| *ends);
+        let mut numbers: HashMap<u32, u32> = HashMap::new();
+        for (_, sides) in &mut left {
+            let next = numbers.len() as u32;
+            sides.piece = *numbers.entry(sets.least(sides.piece)).or_insert(next);
+        }
+        let pieces = numbers.len() as u32;
+        Self { edges: left, pieces, whole: all - u64::from(pieces), triangles: count }
+    }
+}
+
+/// Sets of numbers, of which any two can be made one.
+#[derive(Clone, Debug, Default)]
+struct Sets(Vec<u32>);
+
+impl Sets {
+    /// Adds so many sets of one number each, and gives the first number.
+    fn add(&mut self, count: u32) -> u32 {
+        let first = self.0.len() as u32;
+        self.0.extend(first..first + count);
+        first
+    }
+
+    fn least(&mut self, number: u32) -> u32 {
+        let mut at = number;
+        while self.0[at as usize] != at {
+            let above = self.0[at as usize];
+            self.0[at as usize] = self.0[above as usize];
+            at = above;
+        }
+        at
+    }
+
+    fn join(&mut self, a: u32, b: u32) {
+        let (a, b) = (self.least(a), self.least(b));
+        self.0[a.max(b) as usize] = a.min(b);
+    }
+
+    fn count(&mut self) -> u64 {
+        self.0.iter().enumerate().filter(|(at, least)| *at as u32 == **least).count() as u64
+    }
+}
+
+type Map<K, V> = HashMap<K, V, BuildHasherDefault<Mixing>>;
+
+/// A hasher for bits of positions, which are many and not chosen by anybody to collide.
+#[derive(Clone, Copy, Debug, Default)]
+struct Mixing(u64);
+
+impl Hasher for Mixing {
+    fn finish(&self) -> u64 {
+        // The low bits choose the place in a map.
+        self.0 ^ (self.0 >> 32)
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        for chunk in bytes.chunks(8) {
+            let mut word = [0; 8];
+            word[..chunk.len()].copy_from_slice(chunk);
+            self.write_u64(u64::from_le_bytes(word));
+        }
+    }
+
+    fn write_u32(&mut self, word: u32) {
+        self.write_u64(word.into());
+    }
+
+    fn write_u64(&mut self, word: u64) {
+        const ODD: u64 = 0x9e37_79b9_7f4a_7c15;
+        self.0 = (self.0.rotate_left(29) ^ word).wrapping_mul(ODD);
+    }
+
+    fn write_usize(&mut self, word: usize) {
+        self.write_u64(word as u64);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use relief_core::mesh::{cube, square};
+
+    fn points(mesh: &Mesh) -> Vec<[Vec3; 3]> {
+        let position = |corner: u32| mesh.vertices()[corner as usize].position;
+        mesh.triangles().iter().map(|corners| corners.map(position)).collect()
+    }
+
+    #[test]
+    fn closed_open_and_branching_meshes_are_told_apart() {
+        let closed = CrackTest::of_mesh(&cube(3).expect("a mesh"));
+        assert_eq!(closed, Cracks { triangles: 108, open: 0, branching: 0, pieces: 1 });
+        assert!(closed.is_closed());
+        let sheet = CrackTest::of_mesh(&square(4).expect("a mesh"));
+        assert_eq!((sheet.open, sheet.branching, sheet.pieces, sheet.is_closed()), (16, 0, 1, false));
+        let cube = points(&cube(1).expect("a mesh"));
+        let mut turned = cube.clone();
+        turned[0].swap(0, 1);
+        assert_eq!(CrackTest::of_triangles(turned).branching, 3);
+        let twice: Vec<_> = cube.iter().chain(&cube).copied().collect();
+        assert_eq!(CrackTest::of_triangles(twice).branching, 18);
+        let beside: Vec<_> = cube.iter().map(|corners| corners.map(|point| point + 3.0 * Vec3::X)).collect();
+        let two = CrackTest::of_triangles(cube.iter().chain(&beside).copied());
+        assert_eq!((two.pieces, two.is_closed()), (2, true));
+        assert_eq!(CrackTest::of_triangles([]), Cracks::default());
+    }
+
+    #[test]
+    fn a_vertex_moved_by_one_ulp_is_a_crack() {
+        let mesh = points(&cube(4).expect("a mesh"));
+        for triangle in [0, 17, 100] {
+            for corner in 0..3 {
+                let mut moved = mesh.clone();
+                let point = &mut moved[triangle][corner];
+                point.y = f32::from_bits(point.y.to_bits() + 1);
+                assert_eq!(CrackTest::of_triangles(moved).open, 4, "{triangle} {corner}");
+            }
+        }
+    }
+
+    #[test]
+    fn parts_make_what_the_whole_does() {
+        for mesh in [cube(5).expect("a mesh"), square(7).expect("a mesh")] {
+            let all = points(&mesh);
+            let whole = CrackTest::of_triangles(all.iter().copied());
+            for size in [1, 3, 50] {
+                let mut test = CrackTest::default();
+                for part in all.chunks(size) {
+                    test.add(CrackPart::of(part.iter().copied()));
+                }
+                assert_eq!(test.finish(), whole, "{size}");
+            }
+        }
+    }
+
+    #[test]
+    fn triangles_without_an_area_are_no_cracks() {
+        let [a, b, c, d] = [Vec3::ZERO, Vec3::X, Vec3::Y, 0.5 * Vec3::X];
+        // A flat triangle between two halves: without it there are cracks.
+        let parts = [[a, d, c], [d, b, c], [a, b, d]];
+        let rest = [[b, a, c]];
+        assert!(CrackTest::of_triangles(parts.into_iter().chain(rest)).is_closed());
+        assert!(!CrackTest::of_triangles(parts[..2].iter().chain(&rest).copied()).is_closed());
+        assert!(CrackTest::of_triangles(parts.into_iter().chain(rest).chain([[a, a, b]])).open == 0);
+    }
+}

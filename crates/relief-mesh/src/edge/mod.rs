@@ -1,0 +1,52 @@
+//! The edge rules, one file each. A new one is a file here and its name in the list below.
+
+mod texels;
+
+use relief_core::registry::{Publication, UnknownName};
+
+use crate::MeshSettings;
+
+/// How the points of a side lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spacing {
+    /// At equal distances.
+    Even,
+    /// Where they are needed.
+    Uneven,
+}
+
+/// Where the sides of patches are divided. What it says of a side follows from the side's two ends alone.
+#[derive(Clone, Copy, Debug)]
+pub struct EdgeRule {
+    /// The name on the command line.
+    pub name: &'static str,
+    /// One line on what it does.
+    pub summary: &'static str,
+    /// Where it was published.
+    pub publication: Publication,
+    /// How its points lie.
+    pub spacing: Spacing,
+    /// In how many parts, at least 1, a side of a base triangle is divided that has so many texels from end
+    /// to end along `u` and along `v`.
+    pub parts: fn(texels: [f64; 2], &MeshSettings) -> u64,
+    /// The least distance of the lines of a plane, in texels: an upper bound of their number follows from it.
+    pub step: fn(&MeshSettings) -> f64,
+    /// The lines across an axis of a plane that goes from one place to another, counted in texels so that
+    /// `i + ½` is the centre of texel `i`: rising, with both ends.
+    pub lines: fn(from: f64, to: f64, &MeshSettings) -> Vec<f64>,
+}
+
+/// All edge rules.
+pub const EDGE_RULES: &[EdgeRule] = &[texels::RULE];
+
+/// The edge rule of that name.
+///
+/// # Errors
+///
+/// When none has that name; the error names the nearest.
+pub fn edge_rule(name: &str) -> Result<&'static EdgeRule, UnknownName> {
+    EDGE_RULES
+        .iter()
+        .find(|rule| rule.name == name)
+        .ok_or_else(|| UnknownName::new("edge rule", name, EDGE_RULES.iter().map(|rule| rule.name)))
+}

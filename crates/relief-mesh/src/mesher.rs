@@ -1,0 +1,363 @@
+//! Displaced meshes, counted first and made block by block.
+
+use std::convert::Infallible;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use glam::{DVec3, Vec3};
+use rayon::prelude::*;
+use relief_core::HeightMap;
+use relief_core::mesh::{Mesh, MeshBlock, Vertex};
+
+use crate::crack::{CrackPart, CrackTest, Cracks};
+use crate::plan::{Plan, Work};
+use crate::plane::{Plane, Tile};
+use crate::smooth::{self, Normals};
+use crate::surface::Relief;
+use crate::triangles::{Numbered, Triangles};
+use crate::{Cut, Interior, MeshSettings, MesherError, Patch, PatchPoint, Shading, StreamError, check_pair};
+
+/// Bytes of a vertex and a triangle of a block, whichever takes more, while it is made and looked at.
+const BYTES_IN_A_BLOCK: u64 = 400;
+
+/// Blocks that a thread has at hand.
+const BLOCKS_PER_THREAD: usize = 2;
+
+/// A displaced mesh that is known to the last vertex, and not made yet.
+#[derive(Debug)]
+pub struct Mesher {
+    base: Base,
+    relief: Relief,
+    interior: &'static Interior,
+    shading: Shading,
+    blocks: Vec<Work>,
+    vertices: u64,
+    triangles: u64,
+    bytes: u64,
+}
+
+#[derive(Debug)]
+enum Base {
+    Triangles(Triangles),
+    Plane(Plane),
+}
+
+/// How a mesh is handed over.
+#[derive(Clone, Copy)]
+pub struct Stream<'a> {
+    /// Factor on all positions.
+    pub size: f64,
+    /// Whether the mesh is looked at for cracks.
+    pub check: bool,
+    /// Is told which part is done, from 0 to 1.
+    pub tell: &'a (dyn Fn(f32) + Sync),
+    /// Set, it ends the work.
+    pub cancel: &'a AtomicBool,
+}
+
+/// What is known of a mesh that was handed over.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Streamed {
+    /// The least and the greatest corner of a box around it, in metres.
+    pub bounds_m: [Vec3; 2],
+    /// What there is of cracks, if it was looked at.
+    pub cracks: Option<Cracks>,
+}
+
+/// A block that was made.
+struct Made {
+    block: MeshBlock,
+    part: Option<CrackPart>,
+    /// The smooth numbers of the triangles' corners.
+    smooth: Vec<[u32; 3]>,
+    bounds_m: [Vec3; 2],
+}
+
+/// No box around nothing.
+const EMPTY: [Vec3; 2] = [Vec3::INFINITY, Vec3::NEG_INFINITY];
+
+impl Mesher {
+    /// Counts the displaced mesh of a base and a height map: a base point is displaced by the map's
+    /// [`displacement_m`](HeightMap::displacement_m) of the bilinear height at its texture coordinates, along
+    /// its normal, by the formula of [`BasePoint`](relief_core::mesh::BasePoint).
+    ///
+    /// A mesh of two triangles that make a rectangle with straight texture is a plane, and cut along the
+    /// lines of texels: its vertices are where the lines of the edge rule meet, with the border.
+    ///
+    /// The same input gives the same bits, whatever the number of threads.
+    ///
+    /// # Errors
+    ///
+    /// When edge rule and interior make no mesh together, the base has no triangles, or the mesh would have
+    /// more vertices or triangles than 32-bit numbers count.
+    pub fn new(mesh: &Mesh, map: &HeightMap, settings: &MeshSettings) -> Result<Self, MesherError> {
+        check_pair(settings.edges, settings.interior)?;
+        if settings.texels == 0 {
+            return Err(MesherError::NoTexels);
+        }
+        if mesh.triangles().is_empty() {
+            return Err(MesherError::Empty);
+        }
+        let relief = Relief::new(map, settings.directions);
+        let base = match Plane::of_mesh(mesh, &relief, settings)? {
+            Some(plane) => Base::Plane(plane),
+            None => Base::Triangles(Triangles::new(mesh, map, settings)?),
+        };
+        let mut plan = Plan { interior: settings.interior, ..Plan::default() };
+        match &base {
+            Base::Triangles(triangles) => plan.triangles(triangles)?,
+            Base::Plane(plane) => plan.plane(plane)?,
+        }
+        let Plan { blocks, vertices, triangles, largest, .. } = plan;
+        let at_hand = rayon::current_num_threads() * BLOCKS_PER_THREAD;
+        let of_normals =
+            if settings.shading == Shading::Mesh { vertices * smooth::BYTES_PER_VERTEX } else { 0 };
+        let bytes = mesh.triangles().len() as u64 * Self::BYTES_PER_TRIANGLE
+            + (blocks.len() * size_of::<Work>()) as u64
+            + of_normals
+            + at_hand as u64 * largest * BYTES_IN_A_BLOCK;
+        let (interior, shading) = (settings.interior, settings.shading);
+        Ok(Self { base, relief, interior, shading, blocks, vertices, triangles, bytes })
+    }
+
+    /// The most memory that a triangle of the base takes, in bytes.
+    pub const BYTES_PER_TRIANGLE: u64 = 480;
+
+    /// Vertices of the mesh.
+    pub fn vertices(&self) -> u64 {
+        self.vertices
+    }
+
+    /// Triangles of the mesh.
+    pub fn triangles(&self) -> u64 {
+        self.triangles
+    }
+
+    /// The most memory that it takes to hand the mesh over, in bytes, besides the height map and whatever the
+    /// blocks are made into. Looking for cracks takes some more, for the borders between blocks.
+    pub fn bytes(&self) -> u64 {
+        self.bytes
+    }
+
+    /// Hands the mesh over, block by block, in an order of its own that is always the same.
+    ///
+    /// # Errors
+    ///
+    /// When the sink fails, it is cancelled, or a vertex lies beyond what `f32` holds. What was handed over
+    /// until then is worth nothing.
+    pub fn stream<E>(
+        &self,
+        how: &Stream,
+        mut sink: impl FnMut(&MeshBlock) -> Result<(), E>,
+    ) -> Result<Streamed, StreamError<E>> {
+        let mut normals = None;
+        // With normals of triangles the mesh is made twice.
+        let mut rounds = 1.0;
+        if self.shading == Shading::Mesh {
+            rounds = 2.0;
+            let mut sums = Normals::new(self.vertices);
+            let plain = Stream { check: false, ..*how };
+            self.each_block(&plain, None, &|part| (how.tell)(part / 2.0), |made| {
+                sums.add(&made.block.points, &made.smooth);
+                Ok(())
+            })?;
+            normals = Some(sums);
+        }
+        let mut test = how.check.then(CrackTest::default);
+        let mut bounds_m = EMPTY;
+        let tell = |part: f32| (how.tell)(1.0 - (1.0 - part) / rounds);
+        self.each_block(how, normals.as_ref(), &tell, |made| {
+            if let (Some(test), Some(part)) = (&mut test, made.part) {
+                test.add(part);
+            }
+            let [least, greatest] = made.bounds_m;
+            bounds_m = [bounds_m[0].min(least), bounds_m[1].max(greatest)];
+            sink(&made.block).map_err(StreamError::Sink)
+        })?;
+        Ok(Streamed { bounds_m, cracks: test.map(CrackTest::finish) })
+    }
+
+    /// The whole mesh.
+    ///
+    /// # Errors
+    ///
+    /// When a vertex lies beyond what `f32` holds.
+    pub fn mesh(&self) -> Result<Mesh, StreamError<Infallible>> {
+        let cancel = AtomicBool::new(false);
+        let how = Stream { size: 1.0, check: false, tell: &|_| {}, cancel: &cancel };
+        let mut vertices = Vec::with_capacity(self.vertices as usize);
+        let mut triangles = Vec::with_capacity(self.triangles as usize);
+        self.stream(&how, |block| {
+            vertices.extend_from_slice(&block.vertices);
+            triangles.extend_from_slice(&block.triangles);
+            Ok(())
+        })?;
+        Ok(Mesh::new(vertices, triangles)?)
+    }
+
+    /// Makes all blocks, some at a time, and takes them one after the other.
+    fn each_block<E>(
+        &self,
+        how: &Stream,
+        normals: Option<&Normals>,
+        tell: &dyn Fn(f32),
+        mut take: impl FnMut(Made) -> Result<(), StreamError<E>>,
+    ) -> Result<(), StreamError<E>> {
+        let at_hand = rayon::current_num_threads() * BLOCKS_PER_THREAD;
+        let mut done = 0;
+        for group in self.blocks.chunks(at_hand) {
+            if how.cancel.load(Ordering::Relaxed) {
+                return Err(StreamError::Cancelled);
+            }
+            let made: Vec<Option<Made>> =
+                group.par_iter().map(|work| self.made(work, how, normals)).collect();
+            for made in made {
+                take(made.ok_or(StreamError::NotFinite)?)?;
+            }
+            done += group.len();
+            tell(done as f32 / self.blocks.len() as f32);
+        }
+        Ok(())
+    }
+
+    /// A block; none where a position is not finite.
+    fn made(&self, work: &Work, how: &Stream, normals: Option<&Normals>) -> Option<Made> {
+        let mut making = Making { normals, ..Making::default() };
+        match (&self.base, work) {
+            (Base::Triangles(base), Work::Corners(range)) => {
+                for number in range.clone() {
+                    let vertex = base.corner_vertex(&self.relief, number);
+                    making.vertex(vertex, base.corner_numbered(number));
+                }
+            }
+            (Base::Triangles(base), Work::Edges(range)) => {
+                for edge in range.clone() {
+                    for at in 1..=base.points_of_edge(edge) {
+                        let vertex = base.edge_vertex(&self.relief, edge, at);
+                        making.vertex(vertex, base.edge_numbered(edge, at));
+                    }
+                }
+            }
+            (Base::Triangles(base), Work::Patches { from, to, first_inner, first_vertex }) => {
+                self.patches(base, [*from, *to], [*first_inner, *first_vertex], &mut making);
+            }
+            (Base::Plane(plane), Work::Tile(number)) => self.tile(plane, &plane.tile(*number), &mut making),
+            // The plan of one base has no work of the other.
+            _ => {}
+        }
+        let Making { mut block, smooth, .. } = making;
+        scale(&mut block, how.size);
+        let positions = block.vertices.iter().map(|vertex| vertex.position);
+        let bounds_m = positions.clone().fold(EMPTY, |[low, high], at| [low.min(at), high.max(at)]);
+        if !positions.clone().all(|position| position.is_finite()) {
+            return None;
+        }
+        let part = how.check.then(|| CrackPart::of(block.points.iter().copied()));
+        Some(Made { block, part, smooth, bounds_m })
+    }
+
+    fn patches(&self, base: &Triangles, [from, to]: [[u32; 2]; 2], first: [u32; 2], making: &mut Making) {
+        let [mut first_inner, mut first_vertex] = first;
+        let mut cut = Cut::default();
+        let mut points: Vec<(Numbered, Vec3)> = Vec::new();
+        for patch in from[0]..=to[0].min(base.count() - 1) {
+            let shape = Patch::Triangle(base.parts(patch));
+            let begin = if patch == from[0] { from[1] } else { 0 };
+            let end = if patch == to[0] { to[1] } else { (self.interior.steps)(&shape) };
+            if begin == end {
+                first_inner = 0;
+                continue;
+            }
+            cut.clear();
+            points.clear();
+            (self.interior.cut)(&shape, begin..end, first_inner, &mut cut);
+            let mut own = 0;
+            for point in &cut.points {
+                points.push(match *point {
+                    PatchPoint::Border { side, at } => base.border(&self.relief, patch, side, at),
+                    PatchPoint::Inner { number, weights } => {
+                        let number_of = first_vertex.wrapping_add(number).wrapping_sub(first_inner);
+                        let numbered = Numbered { number: number_of, smooth: number_of };
+                        if number < first_inner {
+                            (numbered, base.inner(&self.relief, patch, weights))
+                        } else {
+                            own += 1;
+                            let vertex = base.inner_vertex(&self.relief, patch, weights);
+                            (numbered, making.vertex(vertex, numbered))
+                        }
+                    }
+                });
+            }
+            making.triangles(&cut.triangles, &points, false);
+            first_vertex += own;
+            first_inner = 0;
+        }
+    }
+
+    fn tile(&self, plane: &Plane, tile: &Tile, making: &mut Making) {
+        let shape = Patch::Tile(plane.lines(tile));
+        let mut cut = Cut::default();
+        (self.interior.cut)(&shape, 0..(self.interior.steps)(&shape), 0, &mut cut);
+        let mut points = Vec::with_capacity(cut.points.len());
+        for point in &cut.points {
+            if let PatchPoint::Border { side, at } = *point {
+                let lines = [tile.first[0] + side as usize, tile.first[1] + at as usize];
+                let number = plane.number(lines);
+                let numbered = Numbered { number, smooth: number };
+                let position = if Plane::is_own(tile, lines) {
+                    making.vertex(plane.vertex(&self.relief, lines), numbered)
+                } else {
+                    plane.position(&self.relief, lines)
+                };
+                points.push((numbered, position));
+            }
+        }
+        making.triangles(&cut.triangles, &points, plane.is_turned());
+    }
+}
+
+/// A block while it is made.
+#[derive(Default)]
+struct Making<'a> {
+    block: MeshBlock,
+    smooth: Vec<[u32; 3]>,
+    normals: Option<&'a Normals>,
+}
+
+impl Making<'_> {
+    /// Adds a vertex and gives its position.
+    fn vertex(&mut self, mut vertex: Vertex, numbered: Numbered) -> Vec3 {
+        if let Some(normals) = self.normals {
+            vertex.normal = normals.of(numbered.smooth, vertex.normal);
+        }
+        self.block.vertices.push(vertex);
+        vertex.position
+    }
+
+    fn triangles(&mut self, triangles: &[[u32; 3]], points: &[(Numbered, Vec3)], is_turned: bool) {
+        for corners in triangles {
+            let mut corners = corners.map(|corner| points[corner as usize]);
+            if is_turned {
+                corners.swap(1, 2);
+            }
+            self.block.triangles.push(corners.map(|(numbered, _)| numbered.number));
+            self.block.points.push(corners.map(|(_, position)| position));
+            self.smooth.push(corners.map(|(numbered, _)| numbered.smooth));
+        }
+    }
+}
+
+/// Makes a block larger or smaller. Equal positions stay equal.
+fn scale(block: &mut MeshBlock, size: f64) {
+    if size == 1.0 {
+        return;
+    }
+    let scaled = |vector: Vec3| -> Vec3 { (vector.as_dvec3() * DVec3::splat(size)).as_vec3() };
+    for vertex in &mut block.vertices {
+        vertex.position = scaled(vertex.position);
+        vertex.tangent = scaled(vertex.tangent);
+        vertex.bitangent = scaled(vertex.bitangent);
+    }
+    for point in block.points.as_flattened_mut() {
+        *point = scaled(*point);
+    }
+}

@@ -1,0 +1,111 @@
+//! Which blocks a mesh is made in, counted before any is made.
+
+use std::ops::Range;
+
+use crate::error::MOST;
+use crate::plane::Plane;
+use crate::triangles::Triangles;
+use crate::{INTERIORS, Interior, MesherError, Patch};
+
+/// Vertices and triangles of a block, together, at which it ends.
+const BLOCK: u64 = 1 << 15;
+
+/// What a block holds.
+#[derive(Clone, Debug)]
+pub enum Work {
+    /// Vertices at corners of the base.
+    Corners(Range<u32>),
+    /// Vertices along edges of the base.
+    Edges(Range<u32>),
+    /// Steps of patches: from one patch and step to another.
+    Patches { from: [u32; 2], to: [u32; 2], first_inner: u32, first_vertex: u32 },
+    /// A tile of a plane.
+    Tile(u32),
+}
+
+/// A plan of blocks.
+#[derive(Debug)]
+pub struct Plan {
+    pub interior: &'static Interior,
+    pub blocks: Vec<Work>,
+    pub vertices: u64,
+    pub triangles: u64,
+    /// Vertices and triangles of the largest block.
+    pub largest: u64,
+}
+
+impl Default for Plan {
+    fn default() -> Self {
+        Self { interior: &INTERIORS[0], blocks: Vec::new(), vertices: 0, triangles: 0, largest: BLOCK }
+    }
+}
+
+impl Plan {
+    fn check(&self) -> Result<(), MesherError> {
+        let Self { vertices, triangles, .. } = *self;
+        if vertices.max(triangles) > MOST {
+            return Err(MesherError::TooLarge { vertices, triangles });
+        }
+        Ok(())
+    }
+
+    fn add(&mut self, work: Work, size: u64) {
+        self.largest = self.largest.max(size);
+        self.blocks.push(work);
+    }
+
+    /// Plans a mesh over triangles.
+    pub fn triangles(&mut self, base: &Triangles) -> Result<(), MesherError> {
+        let corners = base.corner_count();
+        for first in (0..corners).step_by(BLOCK as usize) {
+            let last = corners.min(first + BLOCK as u32);
+            self.add(Work::Corners(first..last), u64::from(last - first));
+        }
+        let (mut first, mut size) = (0, 0);
+        for edge in 0..base.edge_count() {
+            size += u64::from(base.points_of_edge(edge));
+            if size >= BLOCK || edge + 1 == base.edge_count() {
+                self.add(Work::Edges(first..edge + 1), size);
+                (first, size) = (edge + 1, 0);
+            }
+        }
+        self.vertices = base.border_count();
+        let begun = |from: [u32; 2], inner: u64, vertices: u64| (from, inner as u32, vertices as u32);
+        let (mut begin, mut size) = (begun([0, 0], 0, self.vertices), 0);
+        for patch in 0..base.count() {
+            let shape = Patch::Triangle(base.parts(patch));
+            let steps = (self.interior.steps)(&shape);
+            let mut inner = 0;
+            for step in 0..steps {
+                let counts = (self.interior.counts)(&shape, step);
+                inner += counts.points;
+                self.vertices += counts.points;
+                self.triangles += counts.triangles;
+                self.check()?;
+                size += counts.points + counts.triangles;
+                let is_last = patch + 1 == base.count() && step + 1 == steps;
+                if size >= BLOCK || is_last {
+                    let (from, first_inner, first_vertex) = begin;
+                    let to = [patch, step + 1];
+                    self.add(Work::Patches { from, to, first_inner, first_vertex }, size);
+                    (begin, size) = (begun(to, inner, self.vertices), 0);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Plans a mesh over a plane.
+    pub fn plane(&mut self, plane: &Plane) -> Result<(), MesherError> {
+        for number in 0..plane.tile_count() {
+            let tile = plane.tile(number);
+            let shape = Patch::Tile(plane.lines(&tile));
+            let counts = (self.interior.counts)(&shape, 0);
+            self.vertices += Plane::own_count(&tile);
+            self.triangles += counts.triangles;
+            self.check()?;
+            self.add(Work::Tile(number), counts.points + counts.triangles);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,33 @@
+//! Normals of the triangles that are made.
+
+use glam::Vec3;
+
+/// The sums of the normals of triangles around each smooth vertex.
+#[derive(Debug)]
+pub struct Normals(Vec<Vec3>);
+
+/// Bytes that a vertex's takes.
+pub const BYTES_PER_VERTEX: u64 = size_of::<Vec3>() as u64;
+
+impl Normals {
+    pub fn new(vertices: u64) -> Self {
+        Self(vec![Vec3::ZERO; vertices as usize])
+    }
+
+    /// Adds triangles, by their corners' positions and smooth numbers.
+    pub fn add(&mut self, points: &[[Vec3; 3]], smooth: &[[u32; 3]]) {
+        for (points, corners) in points.iter().zip(smooth) {
+            let sides = [0, 1, 2].map(|k| points[(k + 1) % 3].as_dvec3() - points[k].as_dvec3());
+            let Some(normal) = sides[0].cross(sides[1]).try_normalize() else { continue };
+            for k in 0..3 {
+                let angle = sides[k].angle_between(-sides[(k + 2) % 3]);
+                self.0[corners[k] as usize] += (normal * angle).as_vec3();
+            }
+        }
+    }
+
+    /// The unit normal of a vertex; where there is none, or they cancel each other out, `own`.
+    pub fn of(&self, smooth: u32, own: Vec3) -> Vec3 {
+        self.0[smooth as usize].try_normalize().unwrap_or(own)
+    }
+}

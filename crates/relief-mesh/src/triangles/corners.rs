@@ -1,0 +1,181 @@
+//! The vertices of a base: along what they are displaced, and the frames that they are shaded by.
+
+use std::collections::HashMap;
+
+use glam::{DVec2, DVec3, Vec3};
+use relief_core::mesh::{BasePoint, Mesh, Vertex};
+
+use super::{Numbered, surface_bits};
+use crate::surface::Frame;
+
+/// The longest direction of displacement at a hard edge, in lengths of a normal: beyond it sharp edges would
+/// become spikes.
+const LONGEST: f64 = 2.0;
+
+/// Stands for a vertex that no triangle has.
+const UNUSED: u32 = u32::MAX;
+
+/// The vertices of a base.
+#[derive(Debug)]
+pub struct Corners {
+    vertices: Vec<Vertex>,
+    /// Along what each is displaced; empty where that is its normal.
+    directions: Vec<Vec3>,
+    /// The derivatives of the directions by `u` and `v`.
+    turns: Vec<[Vec3; 2]>,
+    /// The vertex whose texture coordinates say how far each is displaced; empty where it is itself.
+    seen: Vec<u32>,
+    /// Vertices that triangles have, in the order in which they are written.
+    pub used: Vec<u32>,
+    /// The place of each vertex in these.
+    numbers: Vec<u32>,
+    /// The number of the first vertex at the same position with the same normal, for each.
+    smooth: Vec<u32>,
+}
+
+impl Corners {
+    pub fn new(mesh: &Mesh, point_of: &[u32], is_welded: bool) -> Self {
+        let vertices = mesh.vertices().to_vec();
+        let mut is_used = vec![false; vertices.len()];
+        for &vertex in mesh.triangles().as_flattened() {
+            is_used[vertex as usize] = true;
+        }
+        let used: Vec<u32> = (0..vertices.len() as u32).filter(|&at| is_used[at as usize]).collect();
+        let mut numbers = vec![UNUSED; vertices.len()];
+        for (number, &vertex) in used.iter().enumerate() {
+            numbers[vertex as usize] = number as u32;
+        }
+        let seen = if is_welded { first_used(point_of, &used) } else { Vec::new() };
+        let directions = if is_welded { welded_directions(mesh, point_of) } else { Vec::new() };
+        let mut first = HashMap::new();
+        let smooth = vertices.iter().enumerate().map(|(at, vertex)| match numbers[at] {
+            UNUSED => UNUSED,
+            number => *first.entry(surface_bits(vertex)).or_insert(number),
+        });
+        let smooth = smooth.collect();
+        let mut corners = Self { vertices, directions, turns: Vec::new(), seen, used, numbers, smooth };
+        corners.turns = corners.turns_of(mesh);
+        corners
+    }
+
+    pub fn vertex(&self, vertex: u32) -> &Vertex {
+        &self.vertices[vertex as usize]
+    }
+
+    /// The vertex that says how far a vertex is displaced.
+    pub fn seen(&self, vertex: u32) -> u32 {
+        self.seen.get(vertex as usize).copied().unwrap_or(vertex)
+    }
+
+    pub fn numbered(&self, vertex: u32) -> Numbered {
+        let [number, smooth] = [&self.numbers, &self.smooth].map(|of| of[vertex as usize]);
+        Numbered { number, smooth }
+    }
+
+    /// What a vertex is displaced by.
+    pub fn base(&self, vertex: u32) -> BasePoint {
+        let mut base = BasePoint::from(self.vertex(vertex));
+        if let Some(direction) = self.directions.get(vertex as usize) {
+            base.normal = direction.as_dvec3();
+        }
+        base
+    }
+
+    /// What a vertex is shaded by.
+    pub fn frame(&self, vertex: u32) -> Frame {
+        let Vertex { normal, tangent, bitangent, .. } = self.vertex(vertex);
+        Frame {
+            normal: normal.as_dvec3(),
+            tangents: [tangent, bitangent].map(|tangent| tangent.as_dvec3()),
+            turns: self.turns[vertex as usize].map(|turn| turn.as_dvec3()),
+        }
+    }
+
+    /// The derivatives of the directions: of each triangle they are constant, and a vertex has the mean over
+    /// those triangles around its position that have its very frame, weighted by their areas.
+    fn turns_of(&self, mesh: &Mesh) -> Vec<[Vec3; 2]> {
+        let frame_bits = |vertex: &Vertex| {
+            let Vertex { position, normal, tangent, bitangent, .. } = vertex;
+            [*position, *normal, *tangent, *bitangent].map(crate::point::bits)
+        };
+        let mut places = HashMap::with_capacity(self.vertices.len());
+        let mut sums: Vec<([DVec3; 2], f64)> = Vec::new();
+        let place_of: Vec<u32> = self
+            .vertices
+            .iter()
+            .map(|vertex| {
+                *places.entry(frame_bits(vertex)).or_insert_with(|| {
+                    sums.push(([DVec3::ZERO; 2], 0.0));
+                    sums.len() as u32 - 1
+                })
+            })
+            .collect();
+        for corners in mesh.triangles() {
+            let [a, b, c] = corners.map(|vertex| self.base(vertex));
+            let [d1, d2]: [DVec2; 2] = [b.uv - a.uv, c.uv - a.uv];
+            let [n1, n2] = [b.normal - a.normal, c.normal - a.normal];
+            let area = (b.position - a.position).cross(c.position - a.position).length();
+            let in_texture = d1.perp_dot(d2);
+            let turns = [(n1 * d2.y - n2 * d1.y) / in_texture, (n2 * d1.x - n1 * d2.x) / in_texture];
+            // Triangles without an area in the texture say nothing.
+            if !turns.iter().all(|turn| turn.is_finite()) {
+                continue;
+            }
+            for vertex in corners {
+                let (sum, weights) = &mut sums[place_of[*vertex as usize] as usize];
+                *sum = [sum[0] + turns[0] * area, sum[1] + turns[1] * area];
+                *weights += area;
+            }
+        }
+        let mean = |place: &u32| {
+            let (sum, weights) = sums[*place as usize];
+            sum.map(|sum| if weights > 0.0 { (sum / weights).as_vec3() } else { Vec3::ZERO })
+        };
+        place_of.iter().map(mean).collect()
+    }
+}
+
+/// For each vertex the first of those at its position that triangles have.
+fn first_used(point_of: &[u32], used: &[u32]) -> Vec<u32> {
+    let mut first = vec![UNUSED; point_of.len()];
+    for &vertex in used {
+        let of_point = &mut first[point_of[vertex as usize] as usize];
+        *of_point = vertex.min(*of_point);
+    }
+    point_of.iter().map(|&point| first[point as usize]).collect()
+}
+
+/// One direction of displacement a position. Where the normals there are the same it is these. At hard edges
+/// it is the sum `S` of the normals, weighted by the angles of the triangles that have them, made as long as
+/// it takes for the faces on both sides to move by what the displacement says: `S W / |S|²`, `W` the sum of
+/// the weights, and at most twice as long as a normal.
+fn welded_directions(mesh: &Mesh, point_of: &[u32]) -> Vec<Vec3> {
+    let vertices = mesh.vertices();
+    let differs = |at: usize| vertices[at].normal != vertices[point_of[at] as usize].normal;
+    let mut is_hard = vec![false; vertices.len()];
+    for at in (0..vertices.len()).filter(|&at| differs(at)) {
+        is_hard[point_of[at] as usize] = true;
+    }
+    let mut sums: HashMap<u32, (DVec3, f64)> = HashMap::new();
+    for corners in mesh.triangles() {
+        let points = corners.map(|vertex| vertices[vertex as usize].position.as_dvec3());
+        for (k, &vertex) in corners.iter().enumerate() {
+            let point = point_of[vertex as usize];
+            if is_hard[point as usize] {
+                let angle = (points[(k + 1) % 3] - points[k]).angle_between(points[(k + 2) % 3] - points[k]);
+                let angle = if angle.is_finite() { angle } else { 0.0 };
+                let (sum, weights) = sums.entry(point).or_default();
+                *sum += vertices[vertex as usize].normal.as_dvec3() * angle;
+                *weights += angle;
+            }
+        }
+    }
+    let direction = |at: usize| match sums.get(&point_of[at]) {
+        Some((sum, weights)) => {
+            let along = sum.try_normalize().unwrap_or(vertices[at].normal.as_dvec3());
+            (along * (weights / sum.length()).clamp(1.0, LONGEST)).as_vec3()
+        }
+        None => vertices[at].normal,
+    };
+    (0..vertices.len()).map(direction).collect()
+}

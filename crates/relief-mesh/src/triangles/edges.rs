@@ -1,0 +1,171 @@
+//! The edges of a base: how many points each has, and who shares them.
+
+use std::collections::HashMap;
+
+use relief_core::HeightMap;
+use relief_core::mesh::Mesh;
+
+use super::corners::Corners;
+use super::{Numbered, counted};
+use crate::{MeshSettings, MesherError, point};
+
+/// An edge between two vertices. The side that another triangle with other vertices has there is another edge
+/// at the same *seam*.
+#[derive(Clone, Copy, Debug)]
+struct Edge {
+    /// The vertices, that whose position comes first by its bits first.
+    ends: [u32; 2],
+    seam: u32,
+    /// The number of its first inner point.
+    first: u32,
+    /// That of the first edge at the seam with the same normals at its ends.
+    smooth: u32,
+    /// What the smooth base has for the edge, in metres: see [`Mesh::lifts`].
+    lift: f32,
+}
+
+/// All edges between two positions.
+#[derive(Clone, Copy, Debug)]
+struct Seam {
+    /// In how many parts they are divided.
+    parts: u32,
+    /// The first edge.
+    first: u32,
+}
+
+#[derive(Debug)]
+pub struct Edges {
+    edges: Vec<Edge>,
+    seams: Vec<Seam>,
+    sides: Vec<[u32; 3]>,
+    /// The number after the last inner point.
+    end: u64,
+}
+
+/// One side of a triangle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Side {
+    points: [u32; 2],
+    ends: [u32; 2],
+    /// `3 * triangle + side`.
+    number: u32,
+}
+
+impl Edges {
+    pub fn new(
+        mesh: &Mesh,
+        point_of: &[u32],
+        corners: &Corners,
+        map: &HeightMap,
+        settings: &MeshSettings,
+    ) -> Result<Self, MesherError> {
+        let count = mesh.triangles().len();
+        if count > (u32::MAX / 3) as usize {
+            return Err(MesherError::TooLarge { vertices: 0, triangles: count as u64 });
+        }
+        let all = sorted_sides(mesh, point_of);
+        let lifts = mesh.lifts();
+        let mut edges: Vec<Edge> = Vec::with_capacity(count + count / 2);
+        let mut seams: Vec<Seam> = Vec::with_capacity(count + count / 2);
+        let mut sides = vec![[0; 3]; count];
+        let texels = [map.width(), map.height()].map(f64::from);
+        for (at, side) in all.iter().enumerate() {
+            let before = at.checked_sub(1).map(|before| &all[before]);
+            let is_new_seam = before.is_none_or(|before| before.points != side.points);
+            if is_new_seam {
+                seams.push(Seam { parts: 1, first: edges.len() as u32 });
+            }
+            let (triangle, place) = (side.number as usize / 3, side.number as usize % 3);
+            if is_new_seam || before.is_none_or(|before| before.ends != side.ends) {
+                let seam = seams.len() - 1;
+                // An edge without a length has no points but its ends.
+                if side.points[0] != side.points[1] {
+                    let [a, b] = side.ends.map(|end| corners.vertex(end).uv.as_dvec2());
+                    let along = [(b.x - a.x) * texels[0], (b.y - a.y) * texels[1]];
+                    let parts = counted((settings.edges.parts)(along, settings))?;
+                    seams[seam].parts = seams[seam].parts.max(parts);
+                }
+                let lift = lifts[triangle][(place + 2) % 3];
+                edges.push(Edge { ends: side.ends, seam: seam as u32, first: 0, smooth: 0, lift });
+            }
+            sides[triangle][place] = edges.len() as u32 - 1;
+        }
+        let mut edges = Self { edges, seams, sides, end: 0 };
+        edges.number(corners)?;
+        Ok(edges)
+    }
+
+    /// Numbers the inner points of all edges, after the corners.
+    fn number(&mut self, corners: &Corners) -> Result<(), MesherError> {
+        let mut next = corners.used.len() as u64;
+        let mut first_of: HashMap<[u32; 2], u32> = HashMap::new();
+        let mut seam = u32::MAX;
+        for edge in &mut self.edges {
+            if edge.seam != seam {
+                first_of.clear();
+                seam = edge.seam;
+            }
+            edge.first = counted(next)?;
+            let surface = edge.ends.map(|end| corners.numbered(end).smooth);
+            edge.smooth = *first_of.entry(surface).or_insert(edge.first);
+            next += u64::from(self.seams[seam as usize].parts - 1);
+        }
+        counted(next)?;
+        self.end = next;
+        Ok(())
+    }
+
+    pub fn count(&self) -> u32 {
+        self.edges.len() as u32
+    }
+
+    pub fn end(&self) -> u64 {
+        self.end
+    }
+
+    /// The edges at the sides of a triangle.
+    pub fn sides(&self, triangle: u32) -> [u32; 3] {
+        self.sides[triangle as usize]
+    }
+
+    pub fn parts(&self, edge: u32) -> u32 {
+        self.seams[self.edges[edge as usize].seam as usize].parts
+    }
+
+    pub fn ends(&self, edge: u32) -> [u32; 2] {
+        self.edges[edge as usize].ends
+    }
+
+    pub fn lift(&self, edge: u32) -> f64 {
+        f64::from(self.edges[edge as usize].lift)
+    }
+
+    /// The first edge between the same positions.
+    pub fn first_at_seam(&self, edge: u32) -> u32 {
+        self.seams[self.edges[edge as usize].seam as usize].first
+    }
+
+    /// The inner point of an edge that so many parts lie before.
+    pub fn numbered(&self, edge: u32, at: u32) -> Numbered {
+        let Edge { first, smooth, .. } = self.edges[edge as usize];
+        Numbered { number: first + at - 1, smooth: smooth + at - 1 }
+    }
+}
+
+/// All sides of all triangles, those between the same positions together.
+fn sorted_sides(mesh: &Mesh, point_of: &[u32]) -> Vec<Side> {
+    let mut all = Vec::with_capacity(3 * mesh.triangles().len());
+    for (triangle, corners) in mesh.triangles().iter().enumerate() {
+        for place in 0..3 {
+            let mut ends = [corners[place], corners[(place + 1) % 3]];
+            let bits = |end: u32| (point::bits(mesh.vertices()[end as usize].position), end);
+            if bits(ends[1]) < bits(ends[0]) {
+                ends.swap(0, 1);
+            }
+            let points = ends.map(|end| point_of[end as usize]);
+            all.push(Side { points, ends, number: (3 * triangle + place) as u32 });
+        }
+    }
+    rayon::slice::ParallelSliceMut::par_sort_unstable(all.as_mut_slice());
+    all
+}

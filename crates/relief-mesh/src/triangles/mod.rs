@@ -1,0 +1,184 @@
+//! Bases of triangles: which sides meet, and the points of patches.
+
+mod corners;
+mod edges;
+
+use glam::{DVec3, Vec3};
+use relief_core::HeightMap;
+use relief_core::mesh::{BasePoint, Mesh, Vertex};
+
+use self::corners::Corners;
+use self::edges::Edges;
+use crate::error::MOST;
+use crate::surface::{Frame, Relief};
+use crate::{BaseSurface, MeshSettings, MesherError, Seams, point};
+
+/// A base of triangles, with the points of its sides counted.
+#[derive(Debug)]
+pub struct Triangles {
+    corners: Corners,
+    edges: Edges,
+    triangles: Vec<[u32; 3]>,
+    is_lifted: bool,
+    is_welded: bool,
+}
+
+/// A vertex of the mesh that is made: its number, and which vertices have the same normal.
+#[derive(Clone, Copy, Debug)]
+pub struct Numbered {
+    pub number: u32,
+    /// The number of the first vertex at the same position of the same surface.
+    pub smooth: u32,
+}
+
+impl Triangles {
+    pub fn new(mesh: &Mesh, map: &HeightMap, settings: &MeshSettings) -> Result<Self, MesherError> {
+        let is_welded = settings.seams == Seams::Weld;
+        let point_of = mesh.welded();
+        let corners = Corners::new(mesh, &point_of, is_welded);
+        let edges = Edges::new(mesh, &point_of, &corners, map, settings)?;
+        let is_lifted = settings.base == BaseSurface::Lift;
+        Ok(Self { corners, edges, triangles: mesh.triangles().to_vec(), is_lifted, is_welded })
+    }
+
+    /// How many patches there are.
+    pub fn count(&self) -> u32 {
+        self.triangles.len() as u32
+    }
+
+    /// The parts of the sides of a patch.
+    pub fn parts(&self, patch: u32) -> [u32; 3] {
+        self.edges.sides(patch).map(|edge| self.edges.parts(edge))
+    }
+
+    /// Vertices at corners of the base.
+    pub fn corner_count(&self) -> u32 {
+        self.corners.used.len() as u32
+    }
+
+    /// Edges of the base; an edge is there once for every pair of vertices at its ends.
+    pub fn edge_count(&self) -> u32 {
+        self.edges.count()
+    }
+
+    /// Vertices between the ends of an edge.
+    pub fn points_of_edge(&self, edge: u32) -> u32 {
+        self.edges.parts(edge) - 1
+    }
+
+    /// Vertices at corners and along edges.
+    pub fn border_count(&self) -> u64 {
+        self.edges.end()
+    }
+
+    /// The base point of a corner or along an edge as the displacement sees it: in a welded mesh all sides
+    /// see the same. With it the metres that the smooth base lies above.
+    fn on_edge(&self, edge: u32, at: u32) -> (BasePoint, f64) {
+        let seen = if self.is_welded { self.edges.first_at_seam(edge) } else { edge };
+        let parts = self.edges.parts(edge);
+        let [a, b] = self.edges.ends(seen).map(|end| self.corners.base(end));
+        let base = BasePoint {
+            position: point::between(a.position, b.position, at, parts),
+            normal: point::between(a.normal, b.normal, at, parts),
+            uv: point::between(a.uv, b.uv, at, parts),
+        };
+        let [n, k] = [parts, at].map(f64::from);
+        (base, self.lift(seen) * (k * (n - k) / (n * n)))
+    }
+
+    fn lift(&self, edge: u32) -> f64 {
+        if self.is_lifted { self.edges.lift(edge) } else { 0.0 }
+    }
+
+    fn position(&self, relief: &Relief, (base, lift_m): &(BasePoint, f64)) -> DVec3 {
+        relief.displaced(base, relief.place(base.uv.to_array()), *lift_m)
+    }
+
+    /// The vertex at a corner of the base, by its number among these.
+    pub fn corner_vertex(&self, relief: &Relief, number: u32) -> Vertex {
+        let vertex = self.corners.used[number as usize];
+        let seen = self.corners.base(self.corners.seen(vertex));
+        let position = self.position(relief, &(seen, 0.0));
+        let base = self.corners.base(vertex);
+        relief.vertex(position, &base, relief.place(base.uv.to_array()), &self.corners.frame(vertex), 0.0)
+    }
+
+    /// How a corner of the base is numbered, by its number among these.
+    pub fn corner_numbered(&self, number: u32) -> Numbered {
+        self.corners.numbered(self.corners.used[number as usize])
+    }
+
+    /// How a vertex along an edge is numbered.
+    pub fn edge_numbered(&self, edge: u32, at: u32) -> Numbered {
+        self.edges.numbered(edge, at)
+    }
+
+    /// The vertex along an edge.
+    pub fn edge_vertex(&self, relief: &Relief, edge: u32, at: u32) -> Vertex {
+        let seen = self.on_edge(edge, at);
+        let position = self.position(relief, &seen);
+        let parts = self.edges.parts(edge);
+        let part = f64::from(at) / f64::from(parts);
+        let [a, b] = self.edges.ends(edge);
+        let frames = [a, b, a].map(|end| self.corners.frame(end));
+        let frame = Frame::weighted(frames, [1.0 - part, part, 0.0]);
+        let [a, b] = [a, b].map(|end| self.corners.base(end));
+        let base = BasePoint { uv: point::between(a.uv, b.uv, at, parts), ..seen.0 };
+        relief.vertex(position, &base, relief.place(base.uv.to_array()), &frame, seen.1)
+    }
+
+    /// The number and the position of a point of the border of a patch.
+    pub fn border(&self, relief: &Relief, patch: u32, side: u32, at: u32) -> (Numbered, Vec3) {
+        if at == 0 {
+            let vertex = self.triangles[patch as usize][side as usize];
+            let seen = self.corners.base(self.corners.seen(vertex));
+            let position = self.position(relief, &(seen, 0.0));
+            return (self.corners.numbered(vertex), point::stored(position));
+        }
+        let edge = self.edges.sides(patch)[side as usize];
+        let from = self.triangles[patch as usize][side as usize];
+        // Edges are counted from the end that comes first by its bits, and not by the patch.
+        let at = if self.edges.ends(edge)[0] == from { at } else { self.edges.parts(edge) - at };
+        let position = self.position(relief, &self.on_edge(edge, at));
+        (self.edges.numbered(edge, at), point::stored(position))
+    }
+
+    /// The base point of an inner point, the metres that the smooth base lies above it, and its weights.
+    fn inside(&self, patch: u32, [b, c]: [f64; 2]) -> (BasePoint, f64, [f64; 3]) {
+        let weights = [1.0 - b - c, b, c];
+        let corners = self.triangles[patch as usize];
+        let base = BasePoint::weighted(corners.map(|vertex| self.corners.base(vertex)), weights);
+        let sides = self.edges.sides(patch);
+        let seen = |edge| if self.is_welded { self.edges.first_at_seam(edge) } else { edge };
+        let lifts = [0, 1, 2].map(|k| self.lift(seen(sides[k])) * weights[k] * weights[(k + 1) % 3]);
+        (base, lifts[0] + lifts[1] + lifts[2], weights)
+    }
+
+    /// The position of an inner point.
+    pub fn inner(&self, relief: &Relief, patch: u32, weights: [f64; 2]) -> Vec3 {
+        let (base, lift_m, _) = self.inside(patch, weights);
+        point::stored(self.position(relief, &(base, lift_m)))
+    }
+
+    /// The vertex at an inner point.
+    pub fn inner_vertex(&self, relief: &Relief, patch: u32, weights: [f64; 2]) -> Vertex {
+        let (base, lift_m, weights) = self.inside(patch, weights);
+        let position = self.position(relief, &(base, lift_m));
+        let corners = self.triangles[patch as usize];
+        let frame = Frame::weighted(corners.map(|vertex| self.corners.frame(vertex)), weights);
+        relief.vertex(position, &base, relief.place(base.uv.to_array()), &frame, lift_m)
+    }
+}
+
+/// A number of points as the mesh counts them, if that many are possible.
+fn counted(points: u64) -> Result<u32, MesherError> {
+    match u32::try_from(points) {
+        Ok(points) if u64::from(points) <= MOST => Ok(points),
+        _ => Err(MesherError::TooLarge { vertices: points, triangles: 0 }),
+    }
+}
+
+/// What vertices of one smooth surface have in common at a position: see [`Numbered::smooth`].
+fn surface_bits(vertex: &Vertex) -> [[u32; 3]; 2] {
+    [vertex.position, vertex.normal].map(point::bits)
+}
