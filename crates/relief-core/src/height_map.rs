@@ -470,24 +470,36 @@ impl HeightMap {
     /// across is the mean of both sides'. So at the centre of a texel it is the central difference.
     pub fn slope_at_place(&self, x: f64, y: f64) -> [f64; 2] {
         const ON_A_LINE: f64 = 1.0 / 4096.0;
-        // The cells on both sides of a place, and how far the place is in each.
-        let sides = |at: f64| {
+        let on_line = |at: f64| {
             let line = at.round();
-            if (at - line).abs() <= ON_A_LINE {
-                [(line as i64 - 1, 1.0), (line as i64, 0.0)]
-            } else {
-                [(at.floor() as i64, at - at.floor()); 2]
-            }
+            ((at - line).abs() <= ON_A_LINE).then_some(line as i64)
         };
-        let mut sum = [0.0; 2];
-        for (i, fx) in sides(x) {
-            for (j, fy) in sides(y) {
+        let in_cell = |at: f64| (at.floor() as i64, at - at.floor());
+        let texel = |i: i64, j: i64| {
+            let [i, j] = [self.wrap.index(i, self.width), self.wrap.index(j, self.height)];
+            f64::from(self.texels()[j as usize * self.width as usize + i as usize])
+        };
+        let mix = |[a, b]: [f64; 2], part: f64| a + (b - a) * part;
+        match (on_line(x), on_line(y)) {
+            (Some(i), Some(j)) => {
+                [texel(i + 1, j) - texel(i - 1, j), texel(i, j + 1) - texel(i, j - 1)].map(|rise| 0.5 * rise)
+            }
+            (Some(i), None) => {
+                let (j, part) = in_cell(y);
+                let across = [j, j + 1].map(|j| 0.5 * (texel(i + 1, j) - texel(i - 1, j)));
+                [mix(across, part), texel(i, j + 1) - texel(i, j)]
+            }
+            (None, Some(j)) => {
+                let (i, part) = in_cell(x);
+                let across = [i, i + 1].map(|i| 0.5 * (texel(i, j + 1) - texel(i, j - 1)));
+                [texel(i + 1, j) - texel(i, j), mix(across, part)]
+            }
+            (None, None) => {
+                let ((i, fx), (j, fy)) = (in_cell(x), in_cell(y));
                 let [h00, h10, h01, h11] = self.cell(i, j).map(f64::from);
-                sum[0] += (h10 - h00) * (1.0 - fy) + (h11 - h01) * fy;
-                sum[1] += (h01 - h00) * (1.0 - fx) + (h11 - h10) * fx;
+                [mix([h10 - h00, h11 - h01], fy), mix([h01 - h00, h11 - h10], fx)]
             }
         }
-        sum.map(|of_four| of_four / 4.0)
     }
 
     /// The displacement of a texel value, in metres (eq. 8).

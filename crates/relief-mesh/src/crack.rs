@@ -118,29 +118,37 @@ impl CrackPart {
     /// Looks at a part.
     pub fn of(triangles: impl IntoIterator<Item = [Vec3; 3]>) -> Self {
         let triangles = triangles.into_iter();
-        // Of a closed surface there are half as many again as triangles.
-        let expected = triangles.size_hint().0 + triangles.size_hint().0 / 2;
-        let mut edges: Map<Ends, Sides> = Map::with_capacity_and_hasher(expected, Default::default());
-        let mut sets = Sets::default();
-        let mut count = 0;
+        let mut places = Places::with_capacity(triangles.size_hint().0);
+        let (mut sets, mut around) = (Sets::default(), Vec::with_capacity(3 * triangles.size_hint().0));
         for corners in triangles {
-            count += 1;
-            let own = sets.add(1);
-            let corners = corners.map(point::bits);
+            let triangle = sets.add(1);
+            let corners = corners.map(|corner| places.number(point::bits(corner)));
             for k in 0..3 {
                 let (from, to) = (corners[k], corners[(k + 1) % 3]);
-                if from == to {
-                    continue;
+                if from != to {
+                    let way = u32::from(from > to);
+                    around.push(Side { ends: [from.min(to), from.max(to)], triangle, way });
                 }
-                let (ends, way) = if from < to { ([from, to], 0) } else { ([to, from], 1) };
-                let sides = edges.entry(ends).or_insert(Sides { ways: [0; 2], piece: own });
-                sides.ways[way] += 1;
-                sets.join(sides.piece, own);
+            }
+        }
+        let count = sets.0.len() as u64;
+        let mut left: Vec<(Ends, Sides)> = Vec::new();
+        for of_edge in by_ends(&around, places.bits.len()).chunk_by(|a, b| a.ends == b.ends) {
+            let mut sides = Sides { ways: [0; 2], piece: of_edge[0].triangle };
+            for side in of_edge {
+                sides.ways[side.way as usize] += 1;
+                sets.join(sides.piece, side.triangle);
+            }
+            if !sides.is_whole() {
+                let mut ends = of_edge[0].ends.map(|place| places.bits[place as usize]);
+                if ends[1] < ends[0] {
+                    ends.swap(0, 1);
+                    sides.ways.swap(0, 1);
+                }
+                left.push((ends, sides));
             }
         }
         let all = sets.count();
-        let mut left: Vec<(Ends, Sides)> = edges.into_iter().filter(|(_, sides)| !sides.is_whole()).collect();
-        // Whatever order the edges were kept in.
         left.sort_unstable_by_key(|(ends, _)| *ends);
         let mut numbers: HashMap<u32, u32> = HashMap::new();
         for (_, sides) in &mut left {
@@ -150,6 +158,62 @@ impl CrackPart {
         let pieces = numbers.len() as u32;
         Self { edges: left, pieces, whole: all - u64::from(pieces), triangles: count }
     }
+}
+
+/// Positions by their bits, numbered as they come.
+struct Places {
+    numbers: Map<[u32; 3], u32>,
+    bits: Vec<[u32; 3]>,
+}
+
+impl Places {
+    /// Room for those of so many triangles: a closed surface has half as many.
+    fn with_capacity(triangles: usize) -> Self {
+        let places = triangles / 2 + triangles / 16;
+        let numbers = Map::with_capacity_and_hasher(places, Default::default());
+        Self { numbers, bits: Vec::with_capacity(places) }
+    }
+
+    fn number(&mut self, bits: [u32; 3]) -> u32 {
+        *self.numbers.entry(bits).or_insert_with(|| {
+            self.bits.push(bits);
+            self.bits.len() as u32 - 1
+        })
+    }
+}
+
+/// A side of a triangle, by the numbers of its ends' places, the lesser first; `way` is 1 where it runs back.
+#[derive(Clone, Copy, Debug, Default)]
+struct Side {
+    ends: [u32; 2],
+    triangle: u32,
+    way: u32,
+}
+
+/// The sides with those between the same ends together: they are counted into their places by the first end,
+/// where few are left to be sorted by the other one.
+fn by_ends(sides: &[Side], places: usize) -> Vec<Side> {
+    let mut ends = vec![0_usize; places];
+    for side in sides {
+        ends[side.ends[0] as usize] += 1;
+    }
+    let mut sum = 0;
+    for end in &mut ends {
+        sum += *end;
+        *end = sum;
+    }
+    let mut sorted = vec![Side::default(); sides.len()];
+    for side in sides {
+        let at = &mut ends[side.ends[0] as usize];
+        *at -= 1;
+        sorted[*at] = *side;
+    }
+    // Each place's sides begin now where its count ends.
+    let nexts = ends.iter().skip(1).copied().chain([sides.len()]);
+    for (from, to) in ends.iter().copied().zip(nexts) {
+        sorted[from..to].sort_unstable_by_key(|side| (side.ends[1], side.triangle));
+    }
+    sorted
 }
 
 /// Sets of numbers, of which any two can be made one.

@@ -1,5 +1,5 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `cost`, `cracks`, `detail`, `embree`,
-//! `frame`, `judge`, `probe`, `pyramid`, `quadrics`, `shadow`, `sheet`, `surfaces` and `trace`.
+//! `frame`, `judge`, `mesh`, `probe`, `pyramid`, `quadrics`, `shadow`, `sheet`, `surfaces` and `trace`.
 //! Results are kept in `docs/`.
 
 use std::process::ExitCode;
@@ -15,6 +15,7 @@ mod embree;
 mod frame;
 mod judge;
 mod memory;
+mod mesh;
 mod probe;
 mod pyramid;
 mod quadrics;
@@ -53,6 +54,8 @@ enum Command {
     Frame(frame::Arguments),
     /// The exact judge of displaced meshes beside a tessellation: fails where they disagree
     Judge(judge::Arguments),
+    /// Triangles a second that height maps become, in memory and in files
+    Mesh(mesh::Arguments),
     /// Attacks on the promises of baked maps: fails if one is broken
     Probe(probe::Arguments),
     /// A pyramid of changed heights built on the GPU, beside one that is baked and uploaded
@@ -79,6 +82,7 @@ fn main() -> ExitCode {
         Command::Embree(arguments) => embree::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Frame(arguments) => frame::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Judge(arguments) => judge::run(&arguments),
+        Command::Mesh(arguments) => mesh::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Pyramid(arguments) => pyramid::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Quadrics(arguments) => quadrics::run(&arguments).map(|()| ExitCode::SUCCESS),

@@ -1,0 +1,148 @@
+//! `mesh`: triangles a second that height maps become, in memory and in files.
+
+use std::convert::Infallible;
+use std::io;
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+use std::time::Instant;
+
+use clap::Args;
+use glam::Vec2;
+use relief_core::HeightMap;
+use relief_io::{MeshCounts, MeshFormat, write_mesh};
+use relief_mesh::{Cracks, MeshSettings, Mesher, Stream};
+use relief_render::mesh::{Mesh, rectangle, sphere, torus};
+use tempfile::TempDir;
+
+use crate::memory;
+use crate::samples::Samples;
+use crate::surfaces::bases::cobbles;
+use crate::table::table;
+
+/// Triangles a second, in millions, that are to be reached and that are aimed at.
+const LEAST_MILLIONS: f64 = 30.0;
+
+/// What `mesh` is given.
+#[derive(Args)]
+pub struct Arguments {
+    /// Tiles of 256x256 texels along each side of the plane
+    #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=60))]
+    tiles: u32,
+    /// Rounds of each; medians count
+    #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=1000))]
+    rounds: u16,
+    /// Write files, too: as GLB, PLY and STL
+    #[arg(long)]
+    files: bool,
+}
+
+/// Prints the table.
+pub fn run(arguments: &Arguments) -> Result<(), String> {
+    let map = cobbles()?.with_displacement(0.01, 0.0).map_err(|error| error.to_string())?;
+    let tiles = arguments.tiles as f32;
+    let tiled = |mesh: Result<Mesh, _>, along: Vec2| {
+        mesh.and_then(|mesh: Mesh| mesh.tiled(along)).map_err(|error| error.to_string())
+    };
+    let bases = [
+        ("plane", tiled(rectangle([1.0, 1.0], 1), Vec2::splat(tiles))?),
+        ("torus 128x64", tiled(torus(128, 64), Vec2::new(tiles, tiles / 2.0))?),
+        ("sphere 128x64", tiled(sphere(128, 64), Vec2::new(tiles, tiles / 2.0))?),
+    ];
+    let mut rows = table(&["base", "triangles", "work", "s", "millions/s", "peak MiB", "open", "pieces"]);
+    for (name, base) in &bases {
+        let mesher = Mesher::new(base, &map, &MeshSettings::default()).map_err(|error| error.to_string())?;
+        for work in Work::all(arguments.files) {
+            let (mut seconds, mut peak, mut cracks) = (Samples::default(), 0, None);
+            for _ in 0..arguments.rounds {
+                let folder = TempDir::new().map_err(|error| error.to_string())?;
+                let start = Instant::now();
+                memory::reset();
+                cracks = work.done(&mesher, base, &map, folder.path())?;
+                seconds.push(start.elapsed().as_secs_f64());
+                peak = memory::peak();
+            }
+            let millions = mesher.triangles() as f64 / seconds.median() / 1e6;
+            let found =
+                |of: fn(&Cracks) -> u64| cracks.as_ref().map_or("-".to_owned(), |it| of(it).to_string());
+            rows.add_row([
+                (*name).to_owned(),
+                mesher.triangles().to_string(),
+                work.name(),
+                seconds.to_string(),
+                format!("{millions:.1}"),
+                format!("{:.1}", peak as f64 / f64::from(1 << 20)),
+                found(|cracks| cracks.open),
+                found(|cracks| cracks.pieces),
+            ]);
+        }
+    }
+    println!(
+        "Every texel of cobbles, with exact normals, on {} threads; medians of {} rounds.\n\n{rows}\n\nAim: \
+         {LEAST_MILLIONS} million triangles a second and twice that.",
+        rayon::current_num_threads(),
+        arguments.rounds
+    );
+    Ok(())
+}
+
+/// What is done with a mesh.
+#[derive(Clone, Copy)]
+enum Work {
+    /// Counted.
+    Counted,
+    /// Made and thrown away.
+    Made,
+    /// The same, and looked at for cracks.
+    Tested,
+    /// Looked at for cracks, and written.
+    Written(MeshFormat),
+}
+
+impl Work {
+    fn all(files: bool) -> Vec<Self> {
+        let formats = [MeshFormat::Gltf, MeshFormat::Ply, MeshFormat::Stl];
+        let written = formats.into_iter().filter(|_| files).map(Self::Written);
+        [Self::Counted, Self::Made, Self::Tested].into_iter().chain(written).collect()
+    }
+
+    fn name(self) -> String {
+        match self {
+            Self::Counted => "counted".to_owned(),
+            Self::Made => "made".to_owned(),
+            Self::Tested => "made, cracks looked for".to_owned(),
+            Self::Written(format) => format!("the same, written as {}", format.name()),
+        }
+    }
+
+    fn done(
+        self,
+        mesher: &Mesher,
+        base: &Mesh,
+        map: &HeightMap,
+        folder: &Path,
+    ) -> Result<Option<Cracks>, String> {
+        let cancel = AtomicBool::new(false);
+        let check = !matches!(self, Self::Made);
+        let how = Stream { size: 1.0, check, tell: &|_| {}, cancel: &cancel };
+        match self {
+            Self::Counted => {
+                let counted = Mesher::new(base, map, &MeshSettings::default());
+                counted.map(|_| None).map_err(|error| error.to_string())
+            }
+            Self::Made | Self::Tested => {
+                let streamed = mesher.stream(&how, |_| Ok::<(), Infallible>(()));
+                streamed.map(|streamed| streamed.cracks).map_err(|error| error.to_string())
+            }
+            Self::Written(format) => {
+                let counts = MeshCounts { vertices: mesher.vertices(), triangles: mesher.triangles() };
+                let mut cracks = None;
+                let written = write_mesh(&folder.join("mesh"), format, counts, |sink| {
+                    let streamed = mesher.stream(&how, |block| sink(block));
+                    cracks = streamed.map_err(|error| io::Error::other(error.to_string()))?.cracks;
+                    Ok(())
+                });
+                written.map(|()| cracks).map_err(|error| error.to_string())
+            }
+        }
+    }
+}
