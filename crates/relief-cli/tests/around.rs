@@ -58,8 +58,10 @@ fn the_schema_knows_every_key_of_the_shipped_scenes() {
         assert!(unknown.is_empty(), "{unknown:?}");
     };
     let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
-    for entry in fs::read_dir(scenes).expect("the shipped scenes") {
-        let text = fs::read_to_string(entry.expect("a file").path()).expect("text");
+    let folders = [scenes.join("gallery"), scenes];
+    let paths = folders.iter().flat_map(|folder| fs::read_dir(folder).expect("the shipped scenes"));
+    for path in paths.map(|entry| entry.expect("an entry").path()).filter(|path| path.is_file()) {
+        let text = fs::read_to_string(path).expect("text");
         let table: toml::Table = text.parse().expect("TOML");
         knows(&schema["properties"], &table);
         let own = &schema["properties"]["surfaces"]["items"]["properties"];
