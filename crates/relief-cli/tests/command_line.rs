@@ -5,7 +5,7 @@ mod common;
 use std::process::Stdio;
 
 use common::aov::Aov;
-use common::command::{Folder, Ran};
+use common::command::{Folder, Ran, json_of};
 use common::maps::{Map, encoded};
 use image::{DynamicImage, ImageFormat, RgbaImage};
 use relief_io::write_exr;
@@ -13,10 +13,6 @@ use serde_json::Value;
 
 /// Flags of a small picture that looks straight at the map.
 const SMALL: &str = "--backend cpu --size 12x10 --eye 0,1,0.01 --fov 30 -o a.png --aov a.exr";
-
-fn json(ran: &Ran) -> Value {
-    serde_json::from_str(&ran.stdout).unwrap_or_else(|error| panic!("relief {}: {error}", ran.line))
-}
 
 /// The one height that all covered pixels of a rendering have.
 fn only_height(folder: &Folder) -> f64 {
@@ -41,7 +37,7 @@ fn flags_override_the_scene_and_paths_start_where_they_are_written() {
         "height = 'map.png'\nscale = 0.2\nsize = [20, 10]\neye = [0, 1, 0.01]\nfov = 30\nbackend = 'cpu'\n\
          search = 'linear'\nrefine = 'secant'\n[set]\nsearch.steps = 7\nrefine.steps = 3\n",
     );
-    let from_scene = json(&folder.relief("render scenes/s.toml -o a.png --aov a.exr --json").fine());
+    let from_scene = json_of(&folder.relief("render scenes/s.toml -o a.png --aov a.exr --json").fine());
     assert_eq!((&from_scene["width"], &from_scene["height"]), (&20.into(), &10.into()));
     let surface = &from_scene["surfaces"][0];
     assert_eq!((&surface["search"], &surface["refine"]), (&"linear".into(), &"secant".into()));
@@ -50,7 +46,7 @@ fn flags_override_the_scene_and_paths_start_where_they_are_written() {
     assert_near(level(&folder), -0.2);
 
     let over = "render scenes/s.toml -o a.png --aov a.exr --json --size 12x10 --height map.png --bias 0.1";
-    let overridden = json(&folder.relief(over).fine());
+    let overridden = json_of(&folder.relief(over).fine());
     assert_eq!((&overridden["width"], &overridden["height"]), (&12.into(), &10.into()));
     assert_eq!(only_height(&folder), 1.0);
     assert_near(level(&folder), 0.3);
@@ -59,7 +55,7 @@ fn flags_override_the_scene_and_paths_start_where_they_are_written() {
     assert_near(level(&folder), -0.05);
 
     let named = |flags: &str| {
-        let about = json(&folder.relief(&format!("render scenes/s.toml -o a.png --json {flags}")).fine());
+        let about = json_of(&folder.relief(&format!("render scenes/s.toml -o a.png --json {flags}")).fine());
         let name = |stage: &str| about["surfaces"][0][stage].as_str().expect("a name").to_owned();
         format!("{} {}", name("search"), name("refine"))
     };
@@ -77,7 +73,7 @@ fn surfaces_of_a_scene_are_rendered_together_and_reported_each() {
         "[[surfaces]]\nposition = [-0.6, 0, 0]\n[[surfaces]]\nposition = [0.6, 0, 0]\nmethod = 'cone'\n";
     folder.write("one.toml", shared);
     folder.write("two.toml", format!("{shared}{two}"));
-    let of = |line: &str| json(&folder.relief(&format!("render {line} -o a.png --json")).fine());
+    let of = |line: &str| json_of(&folder.relief(&format!("render {line} -o a.png --json")).fine());
     let (one, both) = (of("one.toml"), of("two.toml"));
     let surfaces = both["surfaces"].as_array().expect("a list");
     let searches: Vec<&Value> = surfaces.iter().map(|surface| &surface["search"]).collect();
@@ -97,7 +93,7 @@ fn settings_reach_the_method() {
     let reads = |steps: u32| {
         let line =
             format!("render --height map.png {SMALL} --json --method steep --set search.steps={steps}");
-        json(&folder.relief(&line).fine())["mean_reads"].as_f64().expect("a number")
+        json_of(&folder.relief(&line).fine())["mean_reads"].as_f64().expect("a number")
     };
     assert!(reads(4) < reads(16) && reads(16) < reads(128));
 }
@@ -146,7 +142,7 @@ fn heights_come_from_the_channel_range_and_convention_asked_for() {
 fn the_report_agrees_with_the_numbers() {
     let folder = Folder::new();
     folder.write("map.png", Map::hills().png());
-    let about = json(&folder.relief(&format!("render --height map.png {SMALL} --json")).fine());
+    let about = json_of(&folder.relief(&format!("render --height map.png {SMALL} --json")).fine());
     let aov = Aov::read(&folder.path("a.exr"));
     let hits: Vec<f64> = aov.pixels().filter(|(_, _, p)| p.hit == 1.0).map(|(_, _, p)| p.reads).collect();
     assert_eq!(about["covered"], hits.len());
@@ -163,27 +159,28 @@ fn the_report_agrees_with_the_numbers() {
     // Without a choice of the backend it says why it is the one it is.
     let auto = folder.relief("render --height map.png --size 4x4 -o a.png --json");
     assert_eq!(auto.code, Some(0));
-    assert!(json(&auto)["reason"].as_str().is_some_and(|reason| !reason.is_empty()));
+    assert!(json_of(&auto)["reason"].as_str().is_some_and(|reason| !reason.is_empty()));
 }
 
 #[test]
 fn every_listed_name_renders() {
     let folder = Folder::new();
     folder.write("map.png", Map::hills().png());
-    let listed = json(&folder.relief("methods --json").fine());
+    let listed = json_of(&folder.relief("methods --json").fine());
     let names = |stage: &str| -> Vec<String> {
         let list = listed[stage].as_array().expect("a list");
         list.iter().map(|entry| entry["name"].as_str().expect("a name").to_owned()).collect()
     };
-    let render =
-        |flags: &str| json(&folder.relief(&format!("render --height map.png {SMALL} --json {flags}")).fine());
+    let render = |flags: &str| {
+        json_of(&folder.relief(&format!("render --height map.png {SMALL} --json {flags}")).fine())
+    };
     for method in listed["methods"].as_array().expect("a list") {
         let about = render(&format!("--method {}", method["name"].as_str().expect("a name")));
         let surface = &about["surfaces"][0];
         assert_eq!((&surface["search"], &surface["refine"]), (&method["search"], &method["refine"]));
         assert!(about["covered"].as_u64() > Some(50), "{about}");
     }
-    let pairs = json(&folder.relief("methods --pairs --json").fine());
+    let pairs = json_of(&folder.relief("methods --pairs --json").fine());
     for pair in pairs.as_array().expect("a list") {
         let [search, refine] = ["search", "refine"].map(|key| pair[key].as_str().expect("a name"));
         let flags = format!("--search {search} --refine {refine}");
@@ -324,11 +321,11 @@ fn names_may_be_no_text() {
     let words = |line: &str| -> Vec<OsString> { line.split(' ').map(OsString::from).collect() };
     let mut inspect = words("inspect --json");
     inspect.push(name.to_owned());
-    let about = json(&folder.with("inspect", inspect).fine());
+    let about = json_of(&folder.with("inspect", inspect).fine());
     assert_eq!(about["width"], 4);
     let mut render = words("render --json --backend cpu --size 4x4 --height");
     render.extend([name.to_owned(), "-o".into(), OsStr::from_bytes(b"\xfe.png").to_owned()]);
-    json(&folder.with("render", render).fine());
+    json_of(&folder.with("render", render).fine());
     assert!(folder.path(OsStr::from_bytes(b"\xfe.png")).exists());
 }
 
@@ -340,7 +337,7 @@ fn what_is_counted_as_reads_is_said() {
         let line = format!("render --height map.png --backend cpu --size 32x24 --method {method} -o out.png");
         let said = folder.relief(&line).fine().stdout;
         assert!(said.contains(&format!(" {counted} a pixel")), "{said}");
-        assert_eq!(json(&folder.relief(&format!("{line} --json")).fine())["reads_are"], counted);
+        assert_eq!(json_of(&folder.relief(&format!("{line} --json")).fine())["reads_are"], counted);
     }
 }
 

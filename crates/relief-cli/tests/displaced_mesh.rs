@@ -3,41 +3,21 @@
 mod common;
 
 use common::aov::Aov;
-use common::command::{Folder, Ran};
+use common::command::{Folder, Ran, json_of};
 use common::files::exr;
 use common::maps::Map;
+use common::meshes::obj;
 use common::refused::{assert_refused, entries, with_out};
-use relief_core::mesh::{Mesh, torus};
+use relief_core::mesh::torus;
 use serde_json::Value;
-
-fn obj(mesh: &Mesh) -> String {
-    let mut text = String::new();
-    for vertex in mesh.vertices() {
-        let [[x, y, z], [nx, ny, nz]] = [vertex.position, vertex.normal].map(|vector| vector.to_array());
-        text += &format!("v {x} {y} {z}\nvn {nx} {ny} {nz}\n");
-        text += &format!("vt {} {}\n", vertex.uv.x, 1.0 - f64::from(vertex.uv.y));
-    }
-    for [a, b, c] in mesh.triangles().iter().map(|corners| corners.map(|index| index + 1)) {
-        text += &format!("f {a}/{a}/{a} {b}/{b}/{b} {c}/{c}/{c}\n");
-    }
-    text
-}
 
 /// A folder with a map of hills, a level one, and a torus.
 fn folder() -> Folder {
     let folder = with_out();
-    let hills = Map::new(256, 128, |x, y| {
-        let [u, v] = [f64::from(x) / 256.0, f64::from(y) / 128.0].map(|part| part * std::f64::consts::TAU);
-        ((0.5 + 0.25 * ((6.0 * u).sin() * (4.0 * v).cos() + (3.0 * v + 5.0 * u).sin())) * 65535.0) as u16
-    });
-    folder.write("hills.png", hills.png());
+    folder.write("hills.png", Map::many_hills().png());
     folder.write("level.png", Map::constant(0.0).png());
     folder.write("ring.obj", obj(&torus(32, 16).expect("a mesh")));
     folder
-}
-
-fn json_of(ran: &Ran) -> Value {
-    serde_json::from_str(&ran.stdout).expect("JSON")
 }
 
 #[test]

@@ -4,24 +4,11 @@
 mod common;
 
 use common::aov::Aov;
-use common::command::Folder;
+use common::command::{Folder, json_of};
 use common::maps::Map;
+use common::meshes::obj;
 use common::refused::{assert_refused, with_out};
-use relief_core::mesh::{Mesh, torus};
-use serde_json::Value;
-
-fn obj(mesh: &Mesh) -> String {
-    let mut text = String::new();
-    for vertex in mesh.vertices() {
-        let [[x, y, z], [nx, ny, nz]] = [vertex.position, vertex.normal].map(|vector| vector.to_array());
-        text += &format!("v {x} {y} {z}\nvn {nx} {ny} {nz}\n");
-        text += &format!("vt {} {}\n", vertex.uv.x, 1.0 - f64::from(vertex.uv.y));
-    }
-    for [a, b, c] in mesh.triangles().iter().map(|corners| corners.map(|index| index + 1)) {
-        text += &format!("f {a}/{a}/{a} {b}/{b}/{b} {c}/{c}/{c}\n");
-    }
-    text
-}
+use relief_core::mesh::torus;
 
 /// A folder with a coarse torus, a triangle in the middle of its map, and a map of hills.
 fn folder() -> Folder {
@@ -31,16 +18,8 @@ fn folder() -> Folder {
         "corner.obj",
         "v -0.5 0 0\nv 0 0 1\nv 0.5 0 0\nvt 0.21 0.31\nvt 0.4 0.8\nvt 0.77 0.4\nf 1/1 2/2 3/3\n",
     );
-    let hills = Map::new(256, 128, |x, y| {
-        let [u, v] = [f64::from(x) / 256.0, f64::from(y) / 128.0].map(|part| part * std::f64::consts::TAU);
-        ((0.5 + 0.25 * ((6.0 * u).sin() * (4.0 * v).cos() + (3.0 * v + 5.0 * u).sin())) * 65535.0) as u16
-    });
-    folder.write("hills.png", hills.png());
+    folder.write("hills.png", Map::many_hills().png());
     folder
-}
-
-fn json_of(text: &str) -> Value {
-    serde_json::from_str(text).expect("JSON")
 }
 
 /// How far most hits of both lie apart in metres, and how many pixels but one of both covers.
@@ -70,7 +49,7 @@ fn a_lifted_map_shows_over_flat_triangles_what_the_smooth_base_shows() {
     for output in ["made.exr", "made.png"] {
         let line =
             format!("height for-mesh hills.png --mesh ring.obj --lift --scale 0.03 --bias 0.01 -o {output}");
-        let about = json_of(&folder.relief(&format!("{line} --json")).fine().stdout);
+        let about = json_of(&folder.relief(&format!("{line} --json")).fine());
         let number = |name: &str| about[name].as_f64().expect("a number");
         let made = format!("--height {output} --scale {} --bias {}", number("scale_m"), number("bias_m"));
         let made = of_aov("made-aov.exr", &made);
@@ -81,7 +60,7 @@ fn a_lifted_map_shows_over_flat_triangles_what_the_smooth_base_shows() {
         let text = folder.relief(&line).fine().stdout;
         assert!(text.contains("--scale") && text.contains("--bias"), "{text}");
         // Its metres are in the file.
-        let about = json_of(&folder.relief(&format!("inspect {output} --json")).fine().stdout);
+        let about = json_of(&folder.relief(&format!("inspect {output} --json")).fine());
         assert_eq!(about["width"].as_u64(), Some(256), "{about}");
     }
 }
@@ -92,7 +71,7 @@ fn a_gutter_leaves_nothing_out_that_the_mesh_shows() {
     let mut before = u64::MAX;
     for gutter in [0, 3, 20, 1000] {
         let line = format!("height for-mesh hills.png --mesh corner.obj --gutter {gutter} --json -o g.exr");
-        let about = json_of(&folder.relief(&line).fine().stdout);
+        let about = json_of(&folder.relief(&line).fine());
         let without = about["without_value"].as_u64().expect("a number");
         // The triangle is an eighth of the map.
         assert!(without < before && (gutter > 0 || without > 27_000), "{gutter}: {without}");
@@ -105,7 +84,7 @@ fn a_gutter_leaves_nothing_out_that_the_mesh_shows() {
         let covered = |flags: &str| {
             let ran = folder.relief(&format!("render {look} {flags}"));
             assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-            json_of(&ran.stdout)["covered"].as_u64().expect("a number")
+            json_of(&ran)["covered"].as_u64().expect("a number")
         };
         // From above, so that hits lie where rays enter.
         let view = "--view top --projection orthographic";
@@ -118,7 +97,7 @@ fn a_gutter_leaves_nothing_out_that_the_mesh_shows() {
     folder.relief("height for-mesh hills.png --mesh corner.obj --gutter 0 -o g.exr").fine();
     let covered = |flags: &str| {
         let ran = folder.relief(&format!("render {whole} --height g.exr {flags}"));
-        json_of(&ran.stdout)["covered"].as_u64().expect("a number")
+        json_of(&ran)["covered"].as_u64().expect("a number")
     };
     assert!(2 * covered("--holes") < covered("--fill"));
 }

@@ -6,17 +6,13 @@ use std::path::{Path, PathBuf};
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 
-use common::command::{Folder, Ran};
+use common::command::{Folder, Ran, json_of};
 use common::files::exr;
 use common::maps::encoded;
 use image::{DynamicImage, ImageFormat, RgbImage};
 use relief_core::{HeightMap, Wrap};
 use relief_io::{HeightOptions, read_height, read_metadata};
 use serde_json::{Value, json};
-
-fn json_of(ran: &Ran) -> Value {
-    serde_json::from_str(&ran.stdout).unwrap_or_else(|error| panic!("relief {}: {error}", ran.line))
-}
 
 fn sample(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data").join(name)

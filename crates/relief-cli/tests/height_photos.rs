@@ -2,12 +2,11 @@
 
 mod common;
 
-use common::command::{Folder, Ran};
+use common::command::{Folder, json_of};
 use common::files::exr;
 use common::maps::{Map, encoded};
 use image::{DynamicImage, ImageBuffer, ImageFormat, Rgb};
 use relief_io::{HeightOptions, linear_to_srgb, read_height, read_metadata, read_picture};
-use serde_json::Value;
 
 const SIDE: u32 = 48;
 
@@ -83,10 +82,6 @@ fn shoot(folder: &Folder, kind: Kind) {
         list += &format!("[[photo]]\nfile = '{name}'\nlight = {to_light:?}\nintensity = {intensity}\n");
     }
     folder.write("shots/lights.toml", list);
-}
-
-fn json_of(ran: &Ran) -> Value {
-    serde_json::from_str(&ran.stdout).unwrap_or_else(|error| panic!("relief {}: {error}", ran.line))
 }
 
 /// The root mean square error of the heights in a file, as a part of the relief.

@@ -5506,8 +5506,8 @@ const MOST_CHORDS = 32.0;"#,
         name: "in_slab",
         sampling: None,
         uses: &["where_positive"],
-        text: r#"// The part of an interval in which the ray is in the slab of that normal that holds all of a shell. Of corners
-// that are equally far along the normal one is given.
+        text: r#"// The part of an interval in which the ray is in the slab of that normal that holds all of a shell. Of
+// corners that are equally far along the normal one is given.
 fn in_slab(
     interval: vec2f,
     normal: vec3f,

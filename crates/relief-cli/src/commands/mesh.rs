@@ -110,8 +110,8 @@ const AFTER_HELP: &str = "Examples:\n  \
     The triangles are the relief that `relief render` shows, with the same --scale and --bias: carved into \
     the mesh unless a bias lifts it, --bias 0 puts it on top. A plane has the proportions of the height map, \
     its longer side 1 m. Without --seams keep the file has no cracks where the mesh has none: the answer \
-    counts open edges, those of a sheet's border among them. Look at it with `relief render --mesh FILE`, `relief \
-    inspect FILE`, or any viewer of glTF.";
+    counts open edges, those of a sheet's border among them. Look at it with `relief render --mesh FILE`, \
+    `relief inspect FILE`, or any viewer of glTF.";
 
 /// A format, by the ending of the output's name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

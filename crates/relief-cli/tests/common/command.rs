@@ -4,6 +4,8 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
+use serde_json::Value;
+
 /// A folder of its own for one test, removed at the end.
 pub struct Folder(tempfile::TempDir);
 
@@ -64,4 +66,9 @@ impl Ran {
         assert_eq!((self.code, self.stderr.as_str()), (Some(0), ""), "relief {}", self.line);
         self
     }
+}
+
+/// The JSON that a command has answered.
+pub fn json_of(ran: &Ran) -> Value {
+    serde_json::from_str(&ran.stdout).unwrap_or_else(|error| panic!("relief {}: {error}", ran.line))
 }

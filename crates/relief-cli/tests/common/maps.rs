@@ -32,6 +32,15 @@ impl Map {
         })
     }
 
+    /// More of them, as texture coordinates are long.
+    pub fn many_hills() -> Self {
+        Self::new(256, 128, |x, y| {
+            let [u, v] =
+                [f64::from(x) / 256.0, f64::from(y) / 128.0].map(|part| part * std::f64::consts::TAU);
+            ((0.5 + 0.25 * ((6.0 * u).sin() * (4.0 * v).cos() + (3.0 * v + 5.0 * u).sin())) * 65535.0) as u16
+        })
+    }
+
     pub fn png(&self) -> Vec<u8> {
         let image = ImageBuffer::<Luma<u16>, _>::from_raw(self.width, self.height, self.texels.clone());
         encoded(&DynamicImage::ImageLuma16(image.expect("as many texels as the size says")), ImageFormat::Png)

@@ -7,5 +7,6 @@ pub mod aov;
 pub mod command;
 pub mod files;
 pub mod maps;
+pub mod meshes;
 pub mod reference;
 pub mod refused;

@@ -34,8 +34,8 @@ const DEPTH_SLACK: f64 = 1e-5;
 const SHORTER_BY_SCALE: f32 = 3e-3;
 const SHORTER_BY_EXTENT: f32 = 1e-5;
 
-/// How many texels beside a ray from a light its segments may run: where light grazes the relief, what is that
-/// far beside it can be in another crest's shadow.
+/// How many texels beside a ray from a light its segments may run: where light grazes the relief, what is
+/// that far beside it can be in another crest's shadow.
 const LIGHT_TOLERANCE_TEXELS: f32 = 0.01;
 
 /// What a ray meets of a surface, and all that is needed to shade it.
@@ -205,8 +205,8 @@ impl<'a> Ready<'a> {
         self.near / f64::from(key) * (1.0 + slack) - self.near
     }
 
-    /// The first hit by the exact tracer that is in no hole. In a shell that overlaps itself it is the nearest
-    /// of all segments'.
+    /// The first hit by the exact tracer that is in no hole. In a shell that overlaps itself it is the
+    /// nearest of all segments'.
     fn first_exactly(&self, tracer: &FastTracer, pixel: PixelIn, at: Entered) -> FirstHit {
         let miss = Hit::from(&relief_core::Hit::miss(Cost::default()));
         let mut first = FirstHit { hit: miss, segment: 0, key: 0.0 };

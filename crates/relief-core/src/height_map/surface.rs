@@ -1,0 +1,80 @@
+//! The bilinear surface between the texels.
+
+use super::HeightMap;
+
+impl HeightMap {
+    /// The texel at any column and row, wrapped.
+    #[inline]
+    pub fn texel(&self, column: i64, row: i64) -> f32 {
+        let i = self.wrap.index(column, self.width) as usize;
+        let j = self.wrap.index(row, self.height) as usize;
+        self.heights.texels[j * self.width as usize + i]
+    }
+
+    /// The four corners `[h00, h10, h01, h11]` of dual cell `(i, j)`: the texels `(i, j)`, `(i + 1, j)`,
+    /// `(i, j + 1)` and `(i + 1, j + 1)`.
+    #[inline]
+    pub fn cell(&self, i: i64, j: i64) -> [f32; 4] {
+        let (i0, i1) = (self.wrap.index(i, self.width) as usize, self.wrap.index(i + 1, self.width) as usize);
+        let j0 = self.wrap.index(j, self.height) as usize * self.width as usize;
+        let j1 = self.wrap.index(j + 1, self.height) as usize * self.width as usize;
+        let texels = self.texels();
+        [texels[j0 + i0], texels[j0 + i1], texels[j1 + i0], texels[j1 + i1]]
+    }
+
+    /// The bilinear surface at texture coordinates `(u, v)`, in `[0, 1]`.
+    pub fn height_at(&self, u: f64, v: f64) -> f64 {
+        self.height_at_place(u * f64::from(self.width) - 0.5, v * f64::from(self.height) - 0.5)
+    }
+
+    /// The bilinear surface at a place counted in texels, in `[0, 1]`: whole numbers are the centres of
+    /// texels, so that `(0, 0)` is the centre of the first one.
+    pub fn height_at_place(&self, x: f64, y: f64) -> f64 {
+        let (i, j) = (x.floor(), y.floor());
+        let [h00, h10, h01, h11] = self.cell(i as i64, j as i64).map(f64::from);
+        let (fx, fy) = (x - i, y - j);
+        let top = h00 + (h10 - h00) * fx;
+        let bottom = h01 + (h11 - h01) * fx;
+        top + (bottom - top) * fy
+    }
+
+    /// The derivatives of the bilinear surface along `x` and `y` at such a place, in heights for each texel.
+    /// On a line between dual cells, to 2⁻¹² of a texel, where the surface has a crease, the derivative
+    /// across is the mean of both sides'. So at the centre of a texel it is the central difference.
+    pub fn slope_at_place(&self, x: f64, y: f64) -> [f64; 2] {
+        const ON_A_LINE: f64 = 1.0 / 4096.0;
+        let on_line = |at: f64| {
+            let line = at.round();
+            ((at - line).abs() <= ON_A_LINE).then_some(line as i64)
+        };
+        let in_cell = |at: f64| (at.floor() as i64, at - at.floor());
+        let texel = |i: i64, j: i64| f64::from(self.texel(i, j));
+        let mix = |[a, b]: [f64; 2], part: f64| a + (b - a) * part;
+        match (on_line(x), on_line(y)) {
+            (Some(i), Some(j)) => {
+                [texel(i + 1, j) - texel(i - 1, j), texel(i, j + 1) - texel(i, j - 1)].map(|rise| 0.5 * rise)
+            }
+            (Some(i), None) => {
+                let (j, part) = in_cell(y);
+                let across = [j, j + 1].map(|j| 0.5 * (texel(i + 1, j) - texel(i - 1, j)));
+                [mix(across, part), texel(i, j + 1) - texel(i, j)]
+            }
+            (None, Some(j)) => {
+                let (i, part) = in_cell(x);
+                let across = [i, i + 1].map(|i| 0.5 * (texel(i, j + 1) - texel(i, j - 1)));
+                [texel(i + 1, j) - texel(i, j), mix(across, part)]
+            }
+            (None, None) => {
+                let ((i, fx), (j, fy)) = (in_cell(x), in_cell(y));
+                let [h00, h10, h01, h11] = self.cell(i, j).map(f64::from);
+                [mix([h10 - h00, h11 - h01], fy), mix([h01 - h00, h11 - h10], fx)]
+            }
+        }
+    }
+
+    /// The displacement of a texel value, in metres (eq. 8).
+    #[inline]
+    pub fn displacement_m(&self, texel: f64) -> f64 {
+        self.bias_m + self.scale_m * texel
+    }
+}
