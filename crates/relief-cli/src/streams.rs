@@ -34,6 +34,8 @@ static PLACES: OnceLock<Places> = OnceLock::new();
 pub struct Files<'a> {
     pub read: Vec<&'a mut PathBuf>,
     pub written: Vec<Written<'a>>,
+    /// A flag that was given and makes several files of one.
+    pub split: Option<&'static str>,
 }
 
 /// A file that a command writes.
@@ -55,7 +57,7 @@ impl Streams {
     pub fn open(files: Files) -> Result<Self, Failure> {
         let mut streams = Self { folder: None };
         // What is wrong with the output is found before anybody waits for the input.
-        let output = streams.output(files.written)?;
+        let output = streams.output(files.written, files.split)?;
         let input = streams.input(files.read)?;
         PLACES.get_or_init(|| Places { input, output });
         Ok(streams)
@@ -91,7 +93,7 @@ impl Streams {
         Ok(Some(path))
     }
 
-    fn output(&mut self, files: Vec<Written>) -> Result<Option<PathBuf>, Failure> {
+    fn output(&mut self, files: Vec<Written>, split: Option<&str>) -> Result<Option<PathBuf>, Failure> {
         let (mut streams, named): (Vec<_>, Vec<_>) =
             files.into_iter().partition(|file| file.path.as_os_str() == STREAM);
         if let Some(Written { flag, .. }) = named.iter().find(|file| file.format.is_some()) {
@@ -102,6 +104,11 @@ impl Streams {
         let Some(Written { flag, path, format }) = streams.pop() else { return Ok(None) };
         if !streams.is_empty() {
             return Err(Failure::usage("one file alone can go to the standard output: name the others"));
+        }
+        if let Some(split) = split {
+            return Err(Failure::Usage(format!(
+                "{split} makes several files, and {flag} - is one: give them a name"
+            )));
         }
         let Some(format) = format else {
             return Err(Failure::Usage(format!("{flag} -: say with --format in which format")));

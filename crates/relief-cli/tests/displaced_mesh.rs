@@ -128,6 +128,30 @@ fn what_cannot_be_made_is_refused() {
         ("hills.png --seams wedl -o out/a.glb", 2, ["wedl", "weld"]),
         ("hills.png --shading exat -o out/a.glb", 2, ["exat", "exact"]),
         ("hills.png --mesh rung -o out/a.glb", 2, ["rung", "torus"]),
+        ("hills.png --error 0 -o out/a.glb", 2, ["--error", "0"]),
+        ("hills.png --error -1mm -o out/a.glb", 2, ["--error", "-1mm"]),
+        ("hills.png --error nan% -o out/a.glb", 2, ["--error", "nan"]),
+        ("hills.png --error fine -o out/a.glb", 2, ["--error", "1%"]),
+        ("hills.png --error 1e-9% -o out/a.glb", 1, ["--error", "possible"]),
+        ("hills.png --error 1% --texels 2 -o out/a.glb", 2, ["--error", "--texels"]),
+        ("hills.png --error 1% --edges texels -o out/a.glb", 2, ["--error", "texels"]),
+        ("hills.png --texels 2 --edges error -o out/a.glb", 2, ["--texels", "error"]),
+        ("hills.png --error 1% --mesh cube -o out/a.glb", 1, ["rectangle", "--texels"]),
+        ("hills.png --interior adapt --mesh cube -o out/a.glb", 1, ["rectangle", "--texels"]),
+        ("hills.png --edges error --interior dice -o out/a.glb", 2, ["dice", "evenly"]),
+        ("hills.png --tile 9,9 --error 0.1% --max-memory 40MiB -o out/a.glb", 1, ["--max-memory", "--error"]),
+        ("hills.png --triangles 0 -o out/a.glb", 2, ["--triangles", "0"]),
+        ("hills.png --triangles 1 -o out/a.glb", 1, ["--triangles", "more than 1"]),
+        ("hills.png --triangles 9 --error 1% -o out/a.glb", 2, ["--triangles", "--error"]),
+        ("hills.png --judge texel -o out/a.glb", 2, ["texel", "texels"]),
+        ("hills.png --fit hights -o out/a.glb", 2, ["hights", "heights"]),
+        ("hills.png --tiles 0x1 -o out/a.glb", 2, ["--tiles", "4x2"]),
+        ("hills.png --tiles 2 -o out/a.glb", 2, ["--tiles", "4x2"]),
+        ("hills.png --tiles 2x2 --mesh cube -o out/a.glb", 1, ["--tiles", "planes"]),
+        ("hills.png --tiles 900x1 -o out/a.glb", 1, ["--tiles", "too many"]),
+        ("hills.png --tiles 2x2 --shading mesh -o out/a.glb", 2, ["--tiles", "--shading"]),
+        ("hills.png --tiles 2x2 --triangles 9 -o out/a.glb", 2, ["--tiles", "--triangles"]),
+        ("hills.png --tiles 2x2 -o - --format glb", 2, ["--tiles", "-"]),
         ("hills.png --project box -o out/a.glb", 2, ["--project", "--mesh"]),
         ("hills.png --scale -1 -o out/a.glb", 2, ["--scale", "-1"]),
         ("hills.png --scale inf -o out/a.glb", 2, ["--scale", "inf"]),
@@ -152,16 +176,43 @@ fn what_cannot_be_made_is_refused() {
         ("hills.png --mesh nan.obj -o out/a.glb", 1, ["nan.obj", ""]),
         ("hills.png --tile 1e6,1e6 -o out/a.glb", 1, ["vertices", "--texels"]),
         ("hills.png --mesh cube --tile 1e6,1e6 -o out/a.stl", 1, ["vertices", "--texels"]),
-        ("hills.png --tile 48,48 -o out/a.glb", 1, ["4 GiB", "PLY"]),
+        ("hills.png --tile 48,48 --texels 1 -o out/a.glb", 1, ["4 GiB", "PLY"]),
         ("hills.png --max-memory 1MiB -o out/a.glb", 1, ["--max-memory", ""]),
         (
-            "hills.png --tile 20,20 --shading mesh --max-memory 96MiB -o out/a.ply",
+            "hills.png --tile 20,20 --texels 1 --shading mesh --max-memory 96MiB -o out/a.ply",
             1,
             ["--max-memory", "--texels"],
         ),
     ] {
         let ran = folder.relief(&format!("mesh {line}"));
         assert_refused(&folder, &ran, code, &words);
+    }
+}
+
+#[test]
+fn an_error_is_kept_in_lengths_of_the_file_and_by_each_of_its_tiles() {
+    let folder = folder();
+    let error = |about: &Value| about["error"]["greatest_m"].as_f64().unwrap_or_else(|| panic!("{about}"));
+    let made = |line: &str| json_of(&folder.relief(&format!("mesh hills.png {line} --json")).fine());
+    // By default half a percent of the scale.
+    let usual = made("--scale 0.2 -o out/usual.glb");
+    assert!(error(&usual) <= 0.001 && error(&usual) > 0.0002, "{usual}");
+    // A tenth of a millimetre of a print of 5 cm, whatever the plane's own size is.
+    let print = made("--scale 0.2 --print-size 50 --error 0.1mm -o out/print.stl");
+    assert!(error(&print) <= 0.0001 && error(&print) > 0.000_05, "{print}");
+    assert!((print["size_m"][0].as_f64().expect("a size") - 0.05).abs() < 1e-6, "{print}");
+    let few = made("--scale 0.2 --triangles 500 -o out/few.ply");
+    assert!(few["triangles"].as_u64().is_some_and(|count| (400..=500).contains(&count)), "{few}");
+    assert!(error(&few) > error(&usual));
+    let tiles = made("--scale 0.2 --error 1mm --tiles 2x1 -o out/tile.glb");
+    let files = tiles["files"].as_array().expect("files");
+    let counted: u64 = files.iter().map(|file| file["triangles"].as_u64().expect("a count")).sum();
+    assert_eq!((files.len(), Some(counted)), (2, tiles["triangles"].as_u64()));
+    assert!(error(&tiles) <= 0.001, "{tiles}");
+    assert_eq!(entries(&folder.path("out")).len(), 5);
+    for name in ["tile-0-0.glb", "tile-1-0.glb"] {
+        let found = json_of(&folder.relief(&format!("inspect out/{name} --json")).fine());
+        assert!(files.iter().any(|file| file["triangles"] == found["triangles"]), "{found}");
     }
 }
 

@@ -86,6 +86,26 @@ choice! {
     Keep = "keep",
 }
 
+choice! {
+    /// Where triangles are compared with the relief.
+    Judge, "judge":
+    /// Everywhere on the bilinear surface.
+    #[default]
+    Surface = "surface",
+    /// At the centres of texels alone, as other programs do: between them the surface may be farther away.
+    Texels = "texels",
+}
+
+choice! {
+    /// Which heights the points get that are inserted where they are needed.
+    Fit, "fit":
+    /// Such that fewer triangles are enough: a little off the surface, within the tolerance.
+    #[default]
+    Heights = "heights",
+    /// Those of the surface.
+    None = "none",
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

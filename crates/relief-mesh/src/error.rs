@@ -2,6 +2,8 @@
 
 use relief_core::registry::UnknownName;
 
+use crate::Part;
+
 /// Why there can be no mesh of a base, a height map and settings.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MesherError {
@@ -21,6 +23,73 @@ pub enum MesherError {
     /// A base without triangles.
     #[error("the base mesh has no triangles")]
     Empty,
+    /// A tolerance that is none.
+    #[error("a tolerance of {error_m} m cannot be used: it must be greater than 0, and finite")]
+    BadTolerance {
+        /// The tolerance.
+        error_m: f64,
+    },
+    /// A tolerance below what this relief allows.
+    #[error(
+        "a tolerance of {error_m} m is too fine for this relief: {:.2e} m is possible, on a lattice of a \
+         sixteenth of a texel with heights of 32 bits",
+        least_m * 1.01
+    )]
+    TooFine {
+        /// The tolerance.
+        error_m: f64,
+        /// The least.
+        least_m: f64,
+    },
+    /// A tolerance that was not kept.
+    #[error("a tolerance of {error_m} m was not reached: {reached_m} m is what this relief allows")]
+    NotReached {
+        /// The tolerance.
+        error_m: f64,
+        /// The error of the mesh.
+        reached_m: f64,
+    },
+    /// An edge rule or an interior for planes, and a mesh that is none.
+    #[error(
+        "the edges '{edges}' and the interior '{interior}' are for planes: two triangles that make a \
+         rectangle with straight texture"
+    )]
+    NoPlane {
+        /// Name of the edge rule.
+        edges: &'static str,
+        /// Name of the interior.
+        interior: &'static str,
+    },
+    /// A part of a mesh that is not a plane.
+    #[error("only planes are cut into parts: two triangles that make a rectangle with straight texture")]
+    PartOfNoPlane,
+    /// A part that there is not.
+    #[error("there is no part {},{} of {}x{} parts", part.at[0], part.at[1], part.of[0], part.of[1])]
+    NoPart {
+        /// The part.
+        part: Part,
+    },
+    /// Parts of less than two texels.
+    #[error("{}x{} parts are too many: each must be two texels wide and high", part.of[0], part.of[1])]
+    TooManyParts {
+        /// One of them.
+        part: Part,
+    },
+    /// More triangles than were allowed.
+    #[error("the coarsest mesh has more than {most} triangles")]
+    MoreThan {
+        /// How many were allowed.
+        most: u64,
+    },
+    /// More memory than was allowed.
+    #[error("the mesh takes more than {limit} bytes while it is made")]
+    NoMemory {
+        /// How many were allowed.
+        limit: u64,
+    },
+    /// It was cancelled.
+    #[error("cancelled")]
+    Cancelled,
     /// The mesh has more vertices than 32-bit numbers count.
     #[error(
         "the mesh would have {vertices} vertices and {triangles} triangles, or more: {MOST} are possible"

@@ -27,6 +27,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod at_most;
 mod choices;
 mod crack;
 mod edge;
@@ -41,12 +42,14 @@ mod settings;
 mod smooth;
 mod surface;
 mod triangles;
+mod watch;
 
-pub use choices::{BaseSurface, Directions, Seams, Shading};
+pub use choices::{BaseSurface, Directions, Fit, Judge, Seams, Shading};
 pub use crack::{CrackPart, CrackTest, Cracks};
 pub use edge::{EDGE_RULES, EdgeRule, Spacing, edge_rule};
 pub use error::{MesherError, StreamError};
-pub use interior::{Cut, INTERIORS, Interior, PatchCounts, check_pair, interior};
+pub use interior::{INTERIORS, Interior, check_pair, interior};
 pub use mesher::{Mesher, Stream, Streamed};
-pub use patch::{Patch, PatchPoint};
-pub use settings::MeshSettings;
+pub use plane::Certificate;
+pub use settings::{MeshSettings, Part};
+pub use watch::Watch;

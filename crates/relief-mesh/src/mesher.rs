@@ -1,7 +1,7 @@
 //! Displaced meshes, counted first and made block by block.
 
 use std::convert::Infallible;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -9,12 +9,16 @@ use relief_core::HeightMap;
 use relief_core::mesh::{Mesh, MeshBlock, Vertex};
 
 use crate::crack::{CrackPart, CrackTest, Cracks};
+use crate::edge::Divides;
+use crate::error::MOST;
+use crate::interior::{Cut, Fills, Pattern};
+use crate::patch::{Patch, PatchPoint};
 use crate::plan::{Plan, Work};
-use crate::plane::{Plane, Tile};
+use crate::plane::{Adapted, Filling, Grid, Rectangle, Tile};
 use crate::smooth::{self, Normals};
 use crate::surface::Relief;
 use crate::triangles::{Numbered, Triangles};
-use crate::{Cut, Interior, MeshSettings, MesherError, Patch, PatchPoint, Shading, StreamError, check_pair};
+use crate::{Certificate, MeshSettings, MesherError, Part, Shading, StreamError, Watch, check_pair};
 
 /// Bytes of a vertex and a triangle of a block, whichever takes more, while it is made and looked at.
 const BYTES_IN_A_BLOCK: u64 = 400;
@@ -27,7 +31,6 @@ const BLOCKS_PER_THREAD: usize = 2;
 pub struct Mesher {
     base: Base,
     relief: Relief,
-    interior: &'static Interior,
     shading: Shading,
     blocks: Vec<Work>,
     vertices: u64,
@@ -37,21 +40,20 @@ pub struct Mesher {
 
 #[derive(Debug)]
 enum Base {
-    Triangles(Triangles),
-    Plane(Plane),
+    Triangles(Triangles, Pattern),
+    Grid(Grid, Pattern),
+    Adapted(Adapted),
 }
 
 /// How a mesh is handed over.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Stream<'a> {
     /// Factor on all positions.
     pub size: f64,
     /// Whether the mesh is looked at for cracks.
     pub check: bool,
-    /// Is told which part is done, from 0 to 1.
-    pub tell: &'a (dyn Fn(f32) + Sync),
-    /// Set, it ends the work.
-    pub cancel: &'a AtomicBool,
+    /// Who watches.
+    pub watch: Watch<'a>,
 }
 
 /// What is known of a mesh that was handed over.
@@ -85,11 +87,40 @@ impl Mesher {
     ///
     /// The same input gives the same bits, whatever the number of threads.
     ///
+    /// With the interior `adapt` the triangles of a plane are found here, because there is no other way to
+    /// count them, and held. Its [`certificate`](Self::certificate) says how far the relief is from them.
+    ///
     /// # Errors
     ///
-    /// When edge rule and interior make no mesh together, the base has no triangles, or the mesh would have
-    /// more vertices or triangles than 32-bit numbers count.
+    /// When edge rule and interior make no mesh together or not of this base, a setting is out of range, the
+    /// tolerance cannot be kept, the base has no triangles, or the mesh would have more vertices or triangles
+    /// than 32-bit numbers count, or take more than the memory allowed.
     pub fn new(mesh: &Mesh, map: &HeightMap, settings: &MeshSettings) -> Result<Self, MesherError> {
+        Self::watched(mesh, map, settings, &Watch::NOBODY)
+    }
+
+    /// The same as [`new`](Self::new), watched.
+    ///
+    /// # Errors
+    ///
+    /// The same, and when it is cancelled.
+    pub fn watched(
+        mesh: &Mesh,
+        map: &HeightMap,
+        settings: &MeshSettings,
+        watch: &Watch,
+    ) -> Result<Self, MesherError> {
+        Self::of_at_most(mesh, map, settings, MOST, watch)
+    }
+
+    /// The mesh, with as many triangles at most.
+    pub(crate) fn of_at_most(
+        mesh: &Mesh,
+        map: &HeightMap,
+        settings: &MeshSettings,
+        most: u64,
+        watch: &Watch,
+    ) -> Result<Self, MesherError> {
         check_pair(settings.edges, settings.interior)?;
         if settings.texels == 0 {
             return Err(MesherError::NoTexels);
@@ -98,25 +129,56 @@ impl Mesher {
             return Err(MesherError::Empty);
         }
         let relief = Relief::new(map, settings.directions);
-        let base = match Plane::of_mesh(mesh, &relief, settings)? {
-            Some(plane) => Base::Plane(plane),
-            None => Base::Triangles(Triangles::new(mesh, map, settings)?),
-        };
-        let mut plan = Plan { interior: settings.interior, ..Plan::default() };
-        match &base {
-            Base::Triangles(triangles) => plan.triangles(triangles)?,
-            Base::Plane(plane) => plan.plane(plane)?,
+        let rectangle = Rectangle::of_mesh(mesh);
+        if rectangle.is_none() && settings.part != Part::WHOLE {
+            return Err(MesherError::PartOfNoPlane);
         }
-        let Plan { blocks, vertices, triangles, largest, .. } = plan;
+        let base = match (settings.interior.fills, settings.edges.divides, rectangle) {
+            (Fills::Patch(pattern), Divides::Evenly(evenly), Some(rectangle)) => {
+                Base::Grid(Grid::new(rectangle, &relief, &evenly, settings)?, pattern)
+            }
+            (Fills::Patch(pattern), Divides::Evenly(evenly), None) => {
+                Base::Triangles(Triangles::new(mesh, map, &evenly, settings)?, pattern)
+            }
+            (Fills::Tile(fill), Divides::Along(side), Some(rectangle)) => Base::Adapted(Adapted::new(
+                rectangle,
+                &relief,
+                settings,
+                Filling { fill, side, most },
+                watch,
+            )?),
+            _ => {
+                let (edges, interior) = (settings.edges.name, settings.interior.name);
+                return Err(MesherError::NoPlane { edges, interior });
+            }
+        };
+        let mut plan = Plan::default();
+        match &base {
+            Base::Triangles(triangles, pattern) => plan.triangles(triangles, pattern)?,
+            Base::Grid(grid, pattern) => plan.grid(grid, pattern)?,
+            Base::Adapted(plane) => plan.adapted(plane),
+        }
+        let Plan { blocks, vertices, triangles, largest } = plan;
         let at_hand = rayon::current_num_threads() * BLOCKS_PER_THREAD;
         let of_normals =
             if settings.shading == Shading::Mesh { vertices * smooth::BYTES_PER_VERTEX } else { 0 };
+        let of_tiles = if let Base::Adapted(plane) = &base { plane.bytes() } else { 0 };
         let bytes = mesh.triangles().len() as u64 * Self::BYTES_PER_TRIANGLE
             + (blocks.len() * size_of::<Work>()) as u64
             + of_normals
+            + of_tiles
             + at_hand as u64 * largest * BYTES_IN_A_BLOCK;
-        let (interior, shading) = (settings.interior, settings.shading);
-        Ok(Self { base, relief, interior, shading, blocks, vertices, triangles, bytes })
+        Ok(Self { base, relief, shading: settings.shading, blocks, vertices, triangles, bytes })
+    }
+
+    /// Whether a mesh is a plane: two triangles that make a rectangle with straight texture.
+    pub fn is_plane(mesh: &Mesh) -> bool {
+        Rectangle::of_mesh(mesh).is_some()
+    }
+
+    /// How far the relief is from the triangles, if they were made to a tolerance.
+    pub fn certificate(&self) -> Option<&Certificate> {
+        if let Base::Adapted(plane) = &self.base { Some(plane.certificate()) } else { None }
     }
 
     /// The most memory that a triangle of the base takes, in bytes.
@@ -156,7 +218,7 @@ impl Mesher {
             rounds = 2.0;
             let mut sums = Normals::new(self.vertices);
             let plain = Stream { check: false, ..*how };
-            self.each_block(&plain, None, &|part| (how.tell)(part / 2.0), |made| {
+            self.each_block(&plain, None, &|part| (how.watch.tell)(part / 2.0), |made| {
                 sums.add(&made.block.points, &made.smooth);
                 Ok(())
             })?;
@@ -164,7 +226,7 @@ impl Mesher {
         }
         let mut test = how.check.then(CrackTest::default);
         let mut bounds_m = EMPTY;
-        let tell = |part: f32| (how.tell)(1.0 - (1.0 - part) / rounds);
+        let tell = |part: f32| (how.watch.tell)(1.0 - (1.0 - part) / rounds);
         self.each_block(how, normals.as_ref(), &tell, |made| {
             if let (Some(test), Some(part)) = (&mut test, made.part) {
                 test.add(part);
@@ -182,8 +244,7 @@ impl Mesher {
     ///
     /// When a vertex lies beyond what `f32` holds.
     pub fn mesh(&self) -> Result<Mesh, StreamError<Infallible>> {
-        let cancel = AtomicBool::new(false);
-        let how = Stream { size: 1.0, check: false, tell: &|_| {}, cancel: &cancel };
+        let how = Stream { size: 1.0, check: false, watch: Watch::NOBODY };
         let mut vertices = Vec::with_capacity(self.vertices as usize);
         let mut triangles = Vec::with_capacity(self.triangles as usize);
         self.stream(&how, |block| {
@@ -205,7 +266,7 @@ impl Mesher {
         let at_hand = rayon::current_num_threads() * BLOCKS_PER_THREAD;
         let mut done = 0;
         for group in self.blocks.chunks(at_hand) {
-            if how.cancel.load(Ordering::Relaxed) {
+            if how.watch.cancel.load(Ordering::Relaxed) {
                 return Err(StreamError::Cancelled);
             }
             let made: Vec<Option<Made>> =
@@ -223,13 +284,13 @@ impl Mesher {
     fn made(&self, work: &Work, how: &Stream, normals: Option<&Normals>) -> Option<Made> {
         let mut making = Making { normals, ..Making::default() };
         match (&self.base, work) {
-            (Base::Triangles(base), Work::Corners(range)) => {
+            (Base::Triangles(base, _), Work::Corners(range)) => {
                 for number in range.clone() {
                     let vertex = base.corner_vertex(&self.relief, number);
                     making.vertex(vertex, base.corner_numbered(number));
                 }
             }
-            (Base::Triangles(base), Work::Edges(range)) => {
+            (Base::Triangles(base, _), Work::Edges(range)) => {
                 for edge in range.clone() {
                     for at in 1..=base.points_of_edge(edge) {
                         let vertex = base.edge_vertex(&self.relief, edge, at);
@@ -237,10 +298,26 @@ impl Mesher {
                     }
                 }
             }
-            (Base::Triangles(base), Work::Patches { from, to, first_inner, first_vertex }) => {
-                self.patches(base, [*from, *to], [*first_inner, *first_vertex], &mut making);
+            (Base::Triangles(base, pattern), Work::Patches { from, to, first_inner, first_vertex }) => {
+                self.patches(base, pattern, [*from, *to], [*first_inner, *first_vertex], &mut making);
             }
-            (Base::Plane(plane), Work::Tile(number)) => self.tile(plane, &plane.tile(*number), &mut making),
+            (Base::Grid(grid, pattern), Work::Tile(number)) => {
+                self.tile(grid, pattern, &grid.tile(*number), &mut making);
+            }
+            (Base::Adapted(plane), Work::Corners(range)) => {
+                for number in range.clone() {
+                    making.vertex(plane.corner_vertex(&self.relief, number), Numbered::both(number));
+                }
+            }
+            (Base::Adapted(plane), Work::Edges(range)) => {
+                for side in range.clone() {
+                    for at in 0..plane.points_of_side(side) {
+                        let vertex = plane.side_vertex(&self.relief, side, at);
+                        making.vertex(vertex, Numbered::both(plane.first_of_side(side) + at));
+                    }
+                }
+            }
+            (Base::Adapted(plane), Work::Tile(number)) => self.filled(plane, *number, &mut making),
             // The plan of one base has no work of the other.
             _ => {}
         }
@@ -255,28 +332,35 @@ impl Mesher {
         Some(Made { block, part, smooth, bounds_m })
     }
 
-    fn patches(&self, base: &Triangles, [from, to]: [[u32; 2]; 2], first: [u32; 2], making: &mut Making) {
+    fn patches(
+        &self,
+        base: &Triangles,
+        pattern: &Pattern,
+        [from, to]: [[u32; 2]; 2],
+        first: [u32; 2],
+        making: &mut Making,
+    ) {
         let [mut first_inner, mut first_vertex] = first;
         let mut cut = Cut::default();
         let mut points: Vec<(Numbered, Vec3)> = Vec::new();
         for patch in from[0]..=to[0].min(base.count() - 1) {
             let shape = Patch::Triangle(base.parts(patch));
             let begin = if patch == from[0] { from[1] } else { 0 };
-            let end = if patch == to[0] { to[1] } else { (self.interior.steps)(&shape) };
+            let end = if patch == to[0] { to[1] } else { (pattern.steps)(&shape) };
             if begin == end {
                 first_inner = 0;
                 continue;
             }
             cut.clear();
             points.clear();
-            (self.interior.cut)(&shape, begin..end, first_inner, &mut cut);
+            (pattern.cut)(&shape, begin..end, first_inner, &mut cut);
             let mut own = 0;
             for point in &cut.points {
                 points.push(match *point {
                     PatchPoint::Border { side, at } => base.border(&self.relief, patch, side, at),
                     PatchPoint::Inner { number, weights } => {
                         let number_of = first_vertex.wrapping_add(number).wrapping_sub(first_inner);
-                        let numbered = Numbered { number: number_of, smooth: number_of };
+                        let numbered = Numbered::both(number_of);
                         if number < first_inner {
                             (numbered, base.inner(&self.relief, patch, weights))
                         } else {
@@ -293,17 +377,29 @@ impl Mesher {
         }
     }
 
-    fn tile(&self, plane: &Plane, tile: &Tile, making: &mut Making) {
+    fn filled(&self, plane: &Adapted, tile: u32, making: &mut Making) {
+        let border = plane.border_points(&self.relief, tile);
+        let mut points: Vec<(Numbered, Vec3)> =
+            border.into_iter().map(|(number, position)| (Numbered::both(number), position)).collect();
+        for at in 0..plane.counts(tile)[0] {
+            let numbered = Numbered::both(plane.first_of_tile(tile) + at);
+            points.push((numbered, making.vertex(plane.inner_vertex(&self.relief, tile, at), numbered)));
+        }
+        // They turn from `u` to `v`, those of patterns from `v` to `u`.
+        making.triangles(plane.triangles(tile), &points, !plane.is_turned());
+    }
+
+    fn tile(&self, plane: &Grid, pattern: &Pattern, tile: &Tile, making: &mut Making) {
         let shape = Patch::Tile(plane.lines(tile));
         let mut cut = Cut::default();
-        (self.interior.cut)(&shape, 0..(self.interior.steps)(&shape), 0, &mut cut);
+        (pattern.cut)(&shape, 0..(pattern.steps)(&shape), 0, &mut cut);
         let mut points = Vec::with_capacity(cut.points.len());
         for point in &cut.points {
             if let PatchPoint::Border { side, at } = *point {
                 let lines = [tile.first[0] + side as usize, tile.first[1] + at as usize];
                 let number = plane.number(lines);
-                let numbered = Numbered { number, smooth: number };
-                let position = if Plane::is_own(tile, lines) {
+                let numbered = Numbered::both(number);
+                let position = if Grid::is_own(tile, lines) {
                     making.vertex(plane.vertex(&self.relief, lines), numbered)
                 } else {
                     plane.position(&self.relief, lines)

@@ -2,10 +2,12 @@
 
 use std::ops::Range;
 
+use crate::MesherError;
 use crate::error::MOST;
-use crate::plane::Plane;
+use crate::interior::Pattern;
+use crate::patch::Patch;
+use crate::plane::{Adapted, Grid};
 use crate::triangles::Triangles;
-use crate::{INTERIORS, Interior, MesherError, Patch};
 
 /// Vertices and triangles of a block, together, at which it ends.
 const BLOCK: u64 = 1 << 15;
@@ -26,7 +28,6 @@ pub enum Work {
 /// A plan of blocks.
 #[derive(Debug)]
 pub struct Plan {
-    pub interior: &'static Interior,
     pub blocks: Vec<Work>,
     pub vertices: u64,
     pub triangles: u64,
@@ -36,7 +37,7 @@ pub struct Plan {
 
 impl Default for Plan {
     fn default() -> Self {
-        Self { interior: &INTERIORS[0], blocks: Vec::new(), vertices: 0, triangles: 0, largest: BLOCK }
+        Self { blocks: Vec::new(), vertices: 0, triangles: 0, largest: BLOCK }
     }
 }
 
@@ -54,30 +55,38 @@ impl Plan {
         self.blocks.push(work);
     }
 
-    /// Plans a mesh over triangles.
-    pub fn triangles(&mut self, base: &Triangles) -> Result<(), MesherError> {
-        let corners = base.corner_count();
-        for first in (0..corners).step_by(BLOCK as usize) {
-            let last = corners.min(first + BLOCK as u32);
+    fn corners(&mut self, count: u32) {
+        for first in (0..count).step_by(BLOCK as usize) {
+            let last = count.min(first + BLOCK as u32);
             self.add(Work::Corners(first..last), u64::from(last - first));
         }
+    }
+
+    /// Vertices along edges, or sides of tiles, of so many points each.
+    fn edges(&mut self, count: u32, points: impl Fn(u32) -> u32) {
         let (mut first, mut size) = (0, 0);
-        for edge in 0..base.edge_count() {
-            size += u64::from(base.points_of_edge(edge));
-            if size >= BLOCK || edge + 1 == base.edge_count() {
+        for edge in 0..count {
+            size += u64::from(points(edge));
+            if size >= BLOCK || edge + 1 == count {
                 self.add(Work::Edges(first..edge + 1), size);
                 (first, size) = (edge + 1, 0);
             }
         }
+    }
+
+    /// Plans a mesh over triangles.
+    pub fn triangles(&mut self, base: &Triangles, pattern: &Pattern) -> Result<(), MesherError> {
+        self.corners(base.corner_count());
+        self.edges(base.edge_count(), |edge| base.points_of_edge(edge));
         self.vertices = base.border_count();
         let begun = |from: [u32; 2], inner: u64, vertices: u64| (from, inner as u32, vertices as u32);
         let (mut begin, mut size) = (begun([0, 0], 0, self.vertices), 0);
         for patch in 0..base.count() {
             let shape = Patch::Triangle(base.parts(patch));
-            let steps = (self.interior.steps)(&shape);
+            let steps = (pattern.steps)(&shape);
             let mut inner = 0;
             for step in 0..steps {
-                let counts = (self.interior.counts)(&shape, step);
+                let counts = (pattern.counts)(&shape, step);
                 inner += counts.points;
                 self.vertices += counts.points;
                 self.triangles += counts.triangles;
@@ -95,13 +104,25 @@ impl Plan {
         Ok(())
     }
 
-    /// Plans a mesh over a plane.
-    pub fn plane(&mut self, plane: &Plane) -> Result<(), MesherError> {
-        for number in 0..plane.tile_count() {
-            let tile = plane.tile(number);
-            let shape = Patch::Tile(plane.lines(&tile));
-            let counts = (self.interior.counts)(&shape, 0);
-            self.vertices += Plane::own_count(&tile);
+    /// Plans a mesh over the tiles of a plane that are filled.
+    pub fn adapted(&mut self, plane: &Adapted) {
+        self.corners(plane.corner_count());
+        self.edges(plane.side_count(), |side| plane.points_of_side(side));
+        self.vertices = plane.vertices();
+        for tile in 0..plane.tile_count() {
+            let [points, triangles] = plane.counts(tile).map(u64::from);
+            self.triangles += triangles;
+            self.add(Work::Tile(tile), points + triangles);
+        }
+    }
+
+    /// Plans a mesh over a grid on a plane.
+    pub fn grid(&mut self, grid: &Grid, pattern: &Pattern) -> Result<(), MesherError> {
+        for number in 0..grid.tile_count() {
+            let tile = grid.tile(number);
+            let shape = Patch::Tile(grid.lines(&tile));
+            let counts = (pattern.counts)(&shape, 0);
+            self.vertices += Grid::own_count(&tile);
             self.triangles += counts.triangles;
             self.check()?;
             self.add(Work::Tile(number), counts.points + counts.triangles);

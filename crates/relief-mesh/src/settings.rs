@@ -1,6 +1,6 @@
 //! How a mesh is made.
 
-use crate::{BaseSurface, Directions, EDGE_RULES, EdgeRule, INTERIORS, Interior, Seams, Shading};
+use crate::{BaseSurface, Directions, EdgeRule, Fit, Interior, Judge, Seams, Shading, edge, interior};
 
 /// How a mesh is made.
 #[derive(Clone, Copy, Debug)]
@@ -11,6 +11,17 @@ pub struct MeshSettings {
     pub interior: &'static Interior,
     /// For the edge rule `texels`: a point every so many texels, at least 1.
     pub texels: u32,
+    /// For the edge rule `error` and the interior `adapt`: the farthest that the relief may lie from the
+    /// triangles, along the direction of displacement, in metres.
+    pub error_m: f64,
+    /// For the same: where that is looked at.
+    pub judge: Judge,
+    /// For the same: which heights points get.
+    pub fit: Fit,
+    /// Which part of a plane is made.
+    pub part: Part,
+    /// The most memory, in bytes, that may be held of a mesh whose triangles must be made to be counted.
+    pub max_bytes: u64,
     /// The surface that is displaced.
     pub base: BaseSurface,
     /// Along what it is displaced.
@@ -21,13 +32,40 @@ pub struct MeshSettings {
     pub seams: Seams,
 }
 
+/// A part of a plane that is cut into columns and rows: a mesh of its own. Parts meet at centres of texels,
+/// and have the same points there, bit by bit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// Columns and rows of parts.
+    pub of: [u32; 2],
+    /// The column and the row of this one, from 0.
+    pub at: [u32; 2],
+}
+
+impl Part {
+    /// All of it.
+    pub const WHOLE: Self = Self { of: [1, 1], at: [0, 0] };
+}
+
+impl MeshSettings {
+    /// As few triangles as a tolerance in metres allows, on a plane.
+    pub fn within(error_m: f64) -> Self {
+        Self { edges: &edge::ERROR, interior: &interior::ADAPT, error_m, ..Self::default() }
+    }
+}
+
 impl Default for MeshSettings {
     /// A point every texel, in a fixed pattern, on flat triangles along interpolated normals, without gaps.
     fn default() -> Self {
         Self {
-            edges: &EDGE_RULES[0],
-            interior: &INTERIORS[0],
+            edges: &edge::TEXELS,
+            interior: &interior::DICE,
             texels: 1,
+            error_m: f64::INFINITY,
+            judge: Judge::default(),
+            fit: Fit::default(),
+            part: Part::WHOLE,
+            max_bytes: u64::MAX,
             base: BaseSurface::default(),
             directions: Directions::default(),
             shading: Shading::default(),

@@ -57,15 +57,43 @@ impl Relief {
 
     /// A base point displaced by the height at a place, and so many metres more.
     pub fn displaced(&self, base: &BasePoint, place: [f64; 2], more_m: f64) -> DVec3 {
+        self.displaced_by(base, self.metres_at(place, more_m))
+    }
+
+    /// A base point displaced by so many metres.
+    pub fn displaced_by(&self, base: &BasePoint, metres: f64) -> DVec3 {
         let normal = match self.directions {
             Directions::Raw => base.normal,
             Directions::Unit => base.normal.normalize_or_zero(),
         };
-        BasePoint { normal, ..*base }.displaced(self.metres(place, more_m))
+        BasePoint { normal, ..*base }.displaced(metres)
     }
 
-    fn metres(&self, [x, y]: [f64; 2], more_m: f64) -> f64 {
-        self.map.displacement_m(self.map.height_at_place(x, y)) + more_m
+    /// How far one metre of displacement goes along a normal of that length.
+    pub fn reach(&self, normal: f64) -> f64 {
+        match self.directions {
+            Directions::Raw => normal,
+            Directions::Unit => 1.0,
+        }
+    }
+
+    /// The height map.
+    pub fn map(&self) -> &HeightMap {
+        &self.map
+    }
+
+    /// The height at a place where `i + ½` is the centre of texel `i`.
+    pub fn height(&self, [x, y]: [f64; 2]) -> f64 {
+        self.map.height_at_place(x - 0.5, y - 0.5)
+    }
+
+    /// The displacement by a height, in metres.
+    pub fn metres(&self, height: f64) -> f64 {
+        self.map.displacement_m(height)
+    }
+
+    fn metres_at(&self, [x, y]: [f64; 2], more_m: f64) -> f64 {
+        self.metres(self.map.height_at_place(x, y)) + more_m
     }
 
     /// The vertex at a position whose base point, place on the map and frame those are: its normal is that of
@@ -86,7 +114,7 @@ impl Relief {
         let up = frame.normal.normalize_or_zero();
         let [x, y] = place;
         let (slope, sides, scale_m) = (self.map.slope_at_place(x, y), self.sides(), self.map.scale_m());
-        let metres = self.metres(place, more_m);
+        let metres = self.metres_at(place, more_m);
         let length = base.normal.length();
         let derivative = |axis: usize| {
             let flat = frame.tangents[axis] - up * up.dot(frame.tangents[axis]);

@@ -1,9 +1,8 @@
 //! Displaces a torus by a height map, finds no crack in it, and streams it into a file that any viewer opens.
 
 use std::error::Error;
-use std::sync::atomic::AtomicBool;
 
-use relief::displace::{MeshSettings, Mesher, Stream, StreamError};
+use relief::displace::{MeshSettings, Mesher, Stream, StreamError, Watch};
 use relief::io::{MeshCounts, MeshFormat, write_mesh};
 use relief::{HeightMap, Wrap, mesh};
 
@@ -18,8 +17,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{counts:?}, {} bytes", MeshFormat::Gltf.bytes(counts));
 
     let file = std::env::temp_dir().join("relief-torus.glb");
-    let cancel = AtomicBool::new(false);
-    let how = Stream { size: 1.0, check: true, tell: &|_part| {}, cancel: &cancel };
+    let how = Stream { size: 1.0, check: true, watch: Watch::NOBODY };
     let mut streamed = None;
     write_mesh(&file, MeshFormat::Gltf, counts, |sink| {
         let made = mesher.stream(&how, |block| sink(block)).map_err(|error| match error {

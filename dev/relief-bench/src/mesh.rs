@@ -3,14 +3,13 @@
 use std::convert::Infallible;
 use std::io;
 use std::path::Path;
-use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use clap::Args;
 use glam::Vec2;
 use relief_core::HeightMap;
 use relief_io::{MeshCounts, MeshFormat, write_mesh};
-use relief_mesh::{Cracks, MeshSettings, Mesher, Stream};
+use relief_mesh::{Cracks, MeshSettings, Mesher, Stream, Watch};
 use relief_render::mesh::{Mesh, rectangle, sphere, torus};
 use tempfile::TempDir;
 
@@ -121,9 +120,8 @@ impl Work {
         map: &HeightMap,
         folder: &Path,
     ) -> Result<Option<Cracks>, String> {
-        let cancel = AtomicBool::new(false);
         let check = !matches!(self, Self::Made);
-        let how = Stream { size: 1.0, check, tell: &|_| {}, cancel: &cancel };
+        let how = Stream { size: 1.0, check, watch: Watch::NOBODY };
         match self {
             Self::Counted => {
                 let counted = Mesher::new(base, map, &MeshSettings::default());

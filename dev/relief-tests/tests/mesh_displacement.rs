@@ -7,7 +7,7 @@ use relief_core::exact::{DisplacedMesh, Sides};
 use relief_core::mesh::{Builtin, Mesh, Vertex, cube, sphere, square, torus};
 use relief_core::{HeightMap, Wrap};
 use relief_mesh::{
-    BaseSurface, Directions, MeshSettings, Mesher, MesherError, Seams, Shading, Stream, StreamError,
+    BaseSurface, Directions, MeshSettings, Mesher, MesherError, Seams, Shading, Stream, StreamError, Watch,
 };
 use relief_tests::maps;
 
@@ -314,7 +314,7 @@ fn a_mesh_ends_when_it_is_cancelled_or_beyond_numbers() {
     let base = torus(40, 30).expect("a mesh");
     let stream = |map: &HeightMap, stopped: bool| {
         let cancel = AtomicBool::new(stopped);
-        let how = Stream { size: 1.0, check: true, tell: &|_| {}, cancel: &cancel };
+        let how = Stream { size: 1.0, check: true, watch: Watch { tell: &|_| {}, cancel: &cancel } };
         let mesher = Mesher::new(&base, map, &MeshSettings::default()).expect("a mesh");
         mesher.stream(&how, |_| Err::<(), _>("full"))
     };

@@ -1,6 +1,8 @@
 //! `relief mesh`: a height map and a mesh to displaced triangles in a file.
 
+mod accuracy;
 mod made;
+mod parts;
 mod report;
 
 use std::path::{Path, PathBuf};
@@ -9,13 +11,14 @@ use std::time::Instant;
 use clap::{Args, ValueEnum};
 use relief_core::ByteSize;
 use relief_core::registry::UnknownName;
-use relief_io::{DEFAULT_MAX_BYTES, MeshCounts, MeshFormat};
+use relief_io::{DEFAULT_MAX_BYTES, MeshFormat};
 use relief_mesh::{
-    BaseSurface, Directions, EDGE_RULES, EdgeRule, INTERIORS, Interior, MeshSettings, Mesher, MesherError,
-    Seams, Shading,
+    BaseSurface, Directions, EDGE_RULES, EdgeRule, Fit, INTERIORS, Interior, Judge, MeshSettings, Mesher,
+    MesherError, Seams, Shading, Spacing,
 };
 use relief_render::scene::{MeshChoice, SceneSpec, Surface, SurfaceSpec};
 
+use self::accuracy::Tolerance;
 use super::maps::{self, HeightArguments};
 use super::placed::PlacedArguments;
 use super::scene_arguments::of_scene;
@@ -40,10 +43,53 @@ pub struct Arguments {
     /// Format of a mesh that goes to the standard output, as in -o - --format stl
     #[arg(long, value_enum, value_name = "glb|ply|obj|stl", hide_short_help = true)]
     format: Option<Format>,
+    /// On a plane as few triangles as keep the relief within this of them, everywhere: a length as in 2mm or
+    /// 0.5m, of the mesh that is written, or a part of the scale, as in 1% [default: 0.5%]
+    #[arg(
+        long,
+        value_name = "LENGTH|PART%",
+        value_parser = accuracy::tolerance,
+        allow_hyphen_values = true,
+        help_heading = "Triangles"
+    )]
+    error: Option<Tolerance>,
+    /// On a plane the least error that so many triangles allow
+    #[arg(
+        long,
+        value_name = "N",
+        allow_hyphen_values = true,
+        conflicts_with_all = ["error", "tiles"],
+        help_heading = "Triangles"
+    )]
+    triangles: Option<u64>,
     /// A vertex every N texels: on a plane at the centres of every N-th one, elsewhere along the mesh's edges
-    /// [default: 1]
-    #[arg(long, value_name = "N", allow_hyphen_values = true, help_heading = "Triangles")]
+    /// [default: 1, where the mesh is no plane]
+    #[arg(
+        long,
+        value_name = "N",
+        allow_hyphen_values = true,
+        conflicts_with_all = ["error", "triangles"],
+        help_heading = "Triangles"
+    )]
     texels: Option<u32>,
+    /// Where --error and --triangles look: surface, everywhere on the relief between the texels, or texels,
+    /// at their centres alone, as other programs do [default: surface]
+    #[arg(long, value_name = "surface|texels", help_heading = "Triangles", hide_short_help = true)]
+    judge: Option<Judge>,
+    /// Which heights the vertices of --error and --triangles have: heights, such that fewer triangles are
+    /// enough, or none, those of the relief [default: heights]
+    #[arg(long, value_name = "heights|none", help_heading = "Triangles", hide_short_help = true)]
+    fit: Option<Fit>,
+    /// Cut a plane into columns and rows, a file each: FILE-0-0.glb, FILE-1-0.glb and so on. Where they meet
+    /// they have the same vertices
+    #[arg(
+        long,
+        value_name = "COLUMNSxROWS",
+        value_parser = parts::columns_and_rows,
+        allow_hyphen_values = true,
+        help_heading = "Triangles"
+    )]
+    tiles: Option<[u32; 2]>,
     #[arg(
         long,
         value_name = "NAME",
@@ -103,15 +149,19 @@ pub struct Arguments {
 }
 
 const AFTER_HELP: &str = "Examples:\n  \
-    relief mesh dem.tif -o dem.glb                                    # every texel of an elevation model\n  \
-    relief mesh dem.tif --texels 4 --print-size 150 -o dem.stl        # coarser, 15 cm long, to print\n  \
+    relief mesh dem.tif -o dem.glb                                    # as fine as half a percent asks\n  \
+    relief mesh dem.tif --error 2m --tiles 4x4 -o dem.glb             # to 2 m, in 16 files\n  \
+    relief mesh dem.tif --triangles 50000 --print-size 150 -o dem.stl # 15 cm long, to print\n  \
+    relief mesh dem.tif --texels 1 -o dem.glb                         # every texel of it\n  \
     relief mesh bark.png --mesh tree.obj --scale 2cm -o tree.glb      # on a mesh with a texture\n  \
     relief mesh wall.png --mesh sphere --tile 8,4 --base lift -o ball.ply\n\n\
     The triangles are the relief that `relief render` shows, with the same --scale and --bias: carved into \
     the mesh unless a bias lifts it, --bias 0 puts it on top. A plane has the proportions of the height map, \
-    its longer side 1 m. Without --seams keep the file has no cracks where the mesh has none: the answer \
-    counts open edges, those of a sheet's border among them. Look at it with `relief render --mesh FILE`, \
-    `relief inspect FILE`, or any viewer of glTF.";
+    its longer side 1 m. On it triangles are as large as --error allows: no point of the relief is farther \
+    from them, measured along the displacement, and the answer says how far it is and where. Without \
+    --seams keep the file has no cracks where the mesh has none: the answer counts open edges, those of a \
+    sheet's border among them. Look at it with `relief render --mesh FILE`, `relief inspect FILE`, or any \
+    viewer of glTF.";
 
 /// A format, by the ending of the output's name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -158,7 +208,7 @@ fn interior_help() -> String {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let started = Instant::now();
     let (_, format) = format_of("--output", &arguments.output, &FORMATS, &arguments.inputs())?;
-    let settings = arguments.settings()?;
+    arguments.check()?;
     let spec = arguments.spec();
     let scene = {
         let _reading = Progress::spinner("reading", arguments.json);
@@ -169,23 +219,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let surface = scene.surfaces()[0].clone();
     drop(scene);
-    let mesher = Mesher::new(surface.mesh(), surface.height_map(), &settings).map_err(of_mesher)?;
-    let counts = MeshCounts { vertices: mesher.vertices(), triangles: mesher.triangles() };
-    let name = arguments.output.display();
-    format.check(counts).map_err(|problem| {
-        Failure::Work(format!("{name}: {problem} (a larger --texels makes it coarser)"))
-    })?;
-    arguments.check_memory(&surface, &mesher)?;
     let cancel = interrupt::catch()?;
-    let mut staged = Staged::open(&[&arguments.output], arguments.json, cancel)?;
-    let aside = staged.aside(&arguments.output)?;
-    let print_m = arguments.print_size.map(|mm| mm / 1000.0);
-    let output = made::Output { path: &arguments.output, aside: &aside, format, counts };
-    let streamed = output.write(&mesher, print_m, arguments.json, cancel)?;
-    let bytes = std::fs::metadata(&aside).map_err(Failure::work)?.len();
+    let files = parts::files(&arguments.output, arguments.tiles)?;
+    let paths: Vec<&Path> = files.iter().map(|file| file.path.as_path()).collect();
+    let mut staged = Staged::open(&paths, arguments.json, cancel)?;
+    let written = made::write(arguments, &surface, format, &files, &mut staged, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
-    let about = report::About { format, counts, streamed, bytes, seconds, surface: &surface };
+    let about = report::About { format, written: &written, seconds, surface: &surface };
     answer(|out| about.tell(arguments, out))
 }
 
@@ -195,7 +236,11 @@ impl Arguments {
         let of = |format: Format| FORMATS.iter().find(|(_, (known, _))| *known == format);
         let format = self.format.and_then(of).map(|(ending, _)| *ending);
         let mesh = Written { flag: "--output", path: &mut self.output, format };
-        Files { read: vec![&mut self.height], written: vec![mesh] }
+        Files {
+            read: vec![&mut self.height],
+            written: vec![mesh],
+            split: self.tiles.is_some().then_some("--tiles"),
+        }
     }
 
     /// The files that are read.
@@ -207,27 +252,87 @@ impl Arguments {
         [Some(self.height.as_path()), mesh].into_iter().flatten().collect()
     }
 
-    /// How the mesh is made.
-    fn settings(&self) -> Result<MeshSettings, Failure> {
+    /// Whether what is given can be used, before anything is read.
+    fn check(&self) -> Result<(), Failure> {
         if let Some(size) = self.print_size.filter(|size| !(1e-3..=1e9).contains(size)) {
             let must = "it must be from 0.001 to 1e9 millimetres";
             return Err(Failure::Usage(format!("--print-size: {size} cannot be used: {must}")));
         }
+        if self.texels == Some(0) {
+            return Err(of_mesher(MesherError::NoTexels));
+        }
+        if self.triangles == Some(0) {
+            return Err(Failure::Usage("--triangles: 0 cannot be used: it must be at least 1".to_owned()));
+        }
+        let (edges, interior) = self.rules(self.is_measured());
+        relief_mesh::check_pair(edges, interior).map_err(of_mesher)?;
+        let even = edges.spacing == Spacing::Even;
+        let idle = [
+            ("--error", self.error.is_some() && even),
+            ("--triangles", self.triangles.is_some() && even),
+            ("--texels", self.texels.is_some() && !even),
+        ];
+        if let Some((flag, _)) = idle.into_iter().find(|(_, is_idle)| *is_idle) {
+            let (edges, interior) = (edges.name, interior.name);
+            return Err(Failure::Usage(format!(
+                "{flag} cannot be used with --edges {edges} --interior {interior}: leave these out"
+            )));
+        }
+        if self.tiles.is_some() && self.shading == Some(Shading::Mesh) {
+            let why = "the normals of triangles would differ where two files meet";
+            return Err(Failure::Usage(format!("--tiles: --shading mesh cannot be used with it: {why}")));
+        }
+        Ok(())
+    }
+
+    /// Whether triangles are made to an error.
+    fn is_measured(&self) -> bool {
+        self.error.is_some() || self.triangles.is_some()
+    }
+
+    /// The edge rule and the interior: where none is named those of a tolerance, or of a fixed distance.
+    fn rules(&self, is_measured: bool) -> (&'static EdgeRule, &'static Interior) {
+        let usual = if is_measured { MeshSettings::within(1.0) } else { MeshSettings::default() };
+        match (self.edges, self.interior) {
+            // Of two that belong together one is enough.
+            (Some(edges), None) => {
+                let fits = |interior: &&Interior| relief_mesh::check_pair(edges, interior).is_ok();
+                (edges, INTERIORS.iter().find(fits).unwrap_or(usual.interior))
+            }
+            (None, Some(interior)) => {
+                let fits = |edges: &&EdgeRule| relief_mesh::check_pair(edges, interior).is_ok();
+                (EDGE_RULES.iter().find(fits).unwrap_or(usual.edges), interior)
+            }
+            (edges, interior) => (edges.unwrap_or(usual.edges), interior.unwrap_or(usual.interior)),
+        }
+    }
+
+    /// How the mesh of a surface is made: `size` is the factor on lengths.
+    fn settings(&self, surface: &Surface, size: f64) -> MeshSettings {
         let usual = MeshSettings::default();
-        let settings = MeshSettings {
-            edges: self.edges.unwrap_or(usual.edges),
-            interior: self.interior.unwrap_or(usual.interior),
+        let is_plane = Mesher::is_plane(surface.mesh());
+        let (edges, interior) = self.rules(self.is_measured() || (is_plane && self.texels.is_none()));
+        let map = surface.height_map();
+        let held = bytes_of(surface) + BYTES_TO_WRITE;
+        MeshSettings {
+            edges,
+            interior,
             texels: self.texels.unwrap_or(usual.texels),
+            error_m: self.error.unwrap_or_default().metres(map.scale_m(), size),
+            judge: self.judge.unwrap_or_default(),
+            fit: self.fit.unwrap_or_default(),
+            max_bytes: self.limit().saturating_sub(held),
             base: self.base.unwrap_or_default(),
             directions: self.directions.unwrap_or_default(),
             shading: self.shading.unwrap_or_default(),
             seams: self.seams.unwrap_or_default(),
-        };
-        if settings.texels == 0 {
-            return Err(of_mesher(MesherError::NoTexels));
+            ..usual
         }
-        relief_mesh::check_pair(settings.edges, settings.interior).map_err(of_mesher)?;
-        Ok(settings)
+    }
+
+    /// The most memory.
+    fn limit(&self) -> u64 {
+        self.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0)
     }
 
     /// The height map on its mesh, as scenes have it, in the smallest of pictures.
@@ -245,30 +350,51 @@ impl Arguments {
 
     /// Whether the mesh can be made within the memory that is allowed.
     fn check_memory(&self, surface: &Surface, mesher: &Mesher) -> Result<(), Failure> {
-        let limit = self.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0);
-        let map = surface.height_map();
-        let of_map = size_of::<f32>() as u64 * u64::from(map.width()) * u64::from(map.height());
-        let needed = of_map + mesher.bytes() + BYTES_TO_WRITE;
+        let limit = self.limit();
+        let needed = bytes_of(surface) + mesher.bytes() + BYTES_TO_WRITE;
         if needed <= limit {
             return Ok(());
         }
         let (mib, limit) = (needed.div_ceil(1 << 20), ByteSize(limit));
         Err(Failure::Work(format!(
             "a mesh of {} triangles takes {mib} MiB to make, more than the {limit} allowed: --max-memory \
-             raises it, a larger --texels makes the mesh coarser",
+             raises it, {COARSER}",
             mesher.triangles()
         )))
     }
 }
+
+/// The memory of a surface's map.
+fn bytes_of(surface: &Surface) -> u64 {
+    let map = surface.height_map();
+    size_of::<f32>() as u64 * u64::from(map.width()) * u64::from(map.height())
+}
+
+/// What helps where a mesh is too large.
+const COARSER: &str = "a larger --error or --texels makes the mesh coarser, --tiles cuts it";
 
 /// What there can be no mesh of.
 fn of_mesher(error: MesherError) -> Failure {
     match error {
         MesherError::NoTexels => Failure::Usage(format!("--texels: {error}")),
         MesherError::Pair { .. } => Failure::usage(error),
-        MesherError::TooLarge { .. } => {
-            Failure::Work(format!("{error}: a larger --texels, or fewer tiles, make it coarser"))
+        MesherError::BadTolerance { .. } => Failure::Usage(format!("--error: {error}")),
+        MesherError::TooFine { .. } | MesherError::NotReached { .. } => {
+            Failure::Work(format!("--error: {error} (a larger one, or --texels 1)"))
         }
+        MesherError::NoPlane { .. } => {
+            Failure::Work(format!("{error}; this mesh is none: --texels N divides its edges"))
+        }
+        MesherError::PartOfNoPlane | MesherError::TooManyParts { .. } => {
+            Failure::Work(format!("--tiles: {error}"))
+        }
+        MesherError::MoreThan { .. } => Failure::Work(format!("--triangles: {error}")),
+        MesherError::NoMemory { limit } => Failure::Work(format!(
+            "the mesh takes more than the {} allowed: --max-memory raises it, {COARSER}",
+            ByteSize(limit)
+        )),
+        MesherError::TooLarge { .. } => Failure::Work(format!("{error}: {COARSER}")),
+        MesherError::Cancelled => interrupt::cancelled(),
         other => Failure::work(other),
     }
 }

@@ -96,7 +96,7 @@ impl Arguments {
     pub fn files(&mut self) -> Files<'_> {
         let format = self.format.map(StreamFormat::ending);
         let picture = Written { flag: "--output", path: &mut self.output, format };
-        Files { read: self.scene.files(), written: vec![picture] }
+        Files { read: self.scene.files(), written: vec![picture], ..Files::default() }
     }
 
     /// A sampling that the backend does not have is the command line's fault when the command line named one

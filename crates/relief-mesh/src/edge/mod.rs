@@ -1,8 +1,11 @@
 //! The edge rules, one file each. A new one is a file here and its name in the list below.
 
+mod error;
 mod texels;
 
+pub use error::{LONGEST, RULE as ERROR};
 use relief_core::registry::{Publication, UnknownName};
+pub use texels::RULE as TEXELS;
 
 use crate::MeshSettings;
 
@@ -26,6 +29,23 @@ pub struct EdgeRule {
     pub publication: Publication,
     /// How its points lie.
     pub spacing: Spacing,
+    /// How it divides them.
+    pub(crate) divides: Divides,
+}
+
+/// How sides are divided.
+#[derive(Clone, Copy, Debug)]
+pub enum Divides {
+    /// At equal distances.
+    Evenly(Evenly),
+    /// By what lies along the side of a tile of a plane: which knots are its points, the first and the last
+    /// among them, rising. The tolerance is a height of the map.
+    Along(fn(knots: &[Knot], tolerance: f64) -> Vec<usize>),
+}
+
+/// Where sides are divided evenly.
+#[derive(Clone, Copy, Debug)]
+pub struct Evenly {
     /// In how many parts, at least 1, a side of a base triangle is divided that has so many texels from end
     /// to end along `u` and along `v`.
     pub parts: fn(texels: [f64; 2], &MeshSettings) -> u64,
@@ -36,8 +56,20 @@ pub struct EdgeRule {
     pub lines: fn(from: f64, to: f64, &MeshSettings) -> Vec<f64>,
 }
 
+/// A point that a side of a tile may have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Knot {
+    /// Where it is, in texels along the side.
+    pub place: f64,
+    /// The height of the map there.
+    pub height: f64,
+    /// By how much the bilinear surface is twisted between it and the next one, on either side of the line:
+    /// the greatest `|h00 - h10 - h01 + h11|`.
+    pub twist: f64,
+}
+
 /// All edge rules.
-pub const EDGE_RULES: &[EdgeRule] = &[texels::RULE];
+pub const EDGE_RULES: &[EdgeRule] = &[TEXELS, ERROR];
 
 /// The edge rule of that name.
 ///

@@ -5,7 +5,7 @@
 
 use relief_core::registry::Publication;
 
-use super::{EdgeRule, Spacing};
+use super::{Divides, EdgeRule, Evenly, Spacing};
 use crate::MeshSettings;
 
 pub const RULE: EdgeRule = EdgeRule {
@@ -16,9 +16,7 @@ pub const RULE: EdgeRule = EdgeRule {
         section: "3.1",
     },
     spacing: Spacing::Even,
-    parts,
-    step,
-    lines,
+    divides: Divides::Evenly(Evenly { parts, step, lines }),
 };
 
 /// What a distance in texels may be longer than a whole number by rounding, as texture coordinates are
@@ -37,8 +35,9 @@ fn step(settings: &MeshSettings) -> f64 {
 
 fn lines(from: f64, to: f64, settings: &MeshSettings) -> Vec<f64> {
     let mut lines = vec![from];
-    // The first centre inside, and every so many from there on.
-    let first = (from - 0.5 + ROUNDING).ceil() + 0.5;
+    // The first centre inside, and every so many from there on; from a centre that is an end so many.
+    let inside = (from - 0.5 + ROUNDING).ceil() + 0.5;
+    let first = if inside - from > 1.0 - ROUNDING { from + step(settings) } else { inside };
     let inside = (0..).map(|k| first + f64::from(k) * step(settings)).take_while(|at| *at < to - ROUNDING);
     lines.extend(inside.filter(|at| *at > from + ROUNDING));
     lines.push(to);

@@ -17,8 +17,9 @@ use std::ops::Range;
 
 use relief_core::registry::Publication;
 
-use super::{Cut, Interior, PatchCounts};
-use crate::{Patch, PatchPoint, Spacing};
+use super::{Cut, Fills, Interior, PatchCounts, Pattern};
+use crate::Spacing;
+use crate::patch::{Patch, PatchPoint};
 
 pub const INTERIOR: Interior = Interior {
     name: "dice",
@@ -26,9 +27,7 @@ pub const INTERIOR: Interior = Interior {
     publication: Publication { paper: "Relief", section: "" },
     takes: &[Spacing::Even],
     why: "a fixed pattern needs sides that are divided evenly",
-    steps,
-    counts,
-    cut,
+    fills: Fills::Patch(Pattern { steps, counts, cut }),
 };
 
 /// A triangle seen from its corner `A`.

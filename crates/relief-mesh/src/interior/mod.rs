@@ -1,12 +1,17 @@
 //! The interiors, one file each. A new one is a file here and its name in the list below.
 
+mod adapt;
 mod dice;
 
 use std::ops::Range;
 
 use relief_core::registry::{Publication, UnknownName};
 
-use crate::{EdgeRule, MesherError, Patch, PatchPoint, Spacing};
+pub use adapt::{Filled, Gap, INTERIOR as ADAPT, STEPS, Wanted, Window};
+pub use dice::INTERIOR as DICE;
+
+use crate::patch::{Patch, PatchPoint};
+use crate::{EdgeRule, MesherError, Spacing};
 
 /// What fills a patch between the points of its sides. All points of the sides are used, and no others lie on
 /// them.
@@ -24,6 +29,32 @@ pub struct Interior {
     pub takes: &'static [Spacing],
     /// Why it does not take the others.
     pub why: &'static str,
+    /// How it fills them.
+    pub(crate) fills: Fills,
+}
+
+impl Interior {
+    /// Whether it fills planes alone.
+    pub fn is_for_planes(&self) -> bool {
+        matches!(self.fills, Fills::Tile(_))
+    }
+}
+
+/// What an interior fills, and how.
+#[derive(Clone, Copy, Debug)]
+pub enum Fills {
+    /// Any patch, by a pattern.
+    Patch(Pattern),
+    /// Tiles of a plane, by what is on them. None where there would be too many triangles.
+    Tile(Fill),
+}
+
+/// Fills a tile of a plane, whose border has those points.
+pub type Fill = fn(&Window, border: &[([i32; 2], f32)], Wanted) -> Option<Filled>;
+
+/// A pattern that follows from the points of the sides alone.
+#[derive(Clone, Copy, Debug)]
+pub struct Pattern {
     /// In how many steps a patch is cut.
     pub steps: fn(&Patch) -> u32,
     /// What a step makes.
@@ -67,7 +98,7 @@ impl Cut {
 }
 
 /// All interiors.
-pub const INTERIORS: &[Interior] = &[dice::INTERIOR];
+pub const INTERIORS: &[Interior] = &[DICE, ADAPT];
 
 /// The interior of that name.
 ///
@@ -101,13 +132,14 @@ mod tests {
     #[test]
     fn pairs_that_make_no_sense_are_refused_with_the_reason() {
         for interior in INTERIORS {
-            let uneven = EdgeRule { spacing: Spacing::Uneven, ..EDGE_RULES[0] };
-            let refused = check_pair(&uneven, interior);
-            assert_eq!(refused.is_err(), !interior.takes.contains(&Spacing::Uneven));
-            if let Err(error) = refused {
-                assert!(error.to_string().ends_with(interior.why) && !interior.why.is_empty());
+            for edges in EDGE_RULES {
+                let checked = check_pair(edges, interior);
+                assert_eq!(checked.is_ok(), interior.takes.contains(&edges.spacing));
+                if let Err(error) = checked {
+                    assert!(error.to_string().ends_with(interior.why) && !interior.why.is_empty());
+                }
             }
-            assert_eq!(check_pair(&EDGE_RULES[0], interior), Ok(()));
+            assert!(EDGE_RULES.iter().any(|edges| check_pair(edges, interior).is_ok()));
         }
     }
 }

@@ -7,7 +7,7 @@ use relief_core::mesh::Mesh;
 
 use super::corners::Corners;
 use super::{Numbered, counted};
-use crate::{MeshSettings, MesherError, point};
+use crate::{MesherError, point};
 
 /// An edge between two vertices. The side that another triangle with other vertices has there is another edge
 /// at the same *seam*.
@@ -57,7 +57,7 @@ impl Edges {
         point_of: &[u32],
         corners: &Corners,
         map: &HeightMap,
-        settings: &MeshSettings,
+        parts_of: impl Fn([f64; 2]) -> u64,
     ) -> Result<Self, MesherError> {
         let count = mesh.triangles().len();
         if count > (u32::MAX / 3) as usize {
@@ -82,7 +82,7 @@ impl Edges {
                 if side.points[0] != side.points[1] {
                     let [a, b] = side.ends.map(|end| corners.vertex(end).uv.as_dvec2());
                     let along = [(b.x - a.x) * texels[0], (b.y - a.y) * texels[1]];
-                    let parts = counted((settings.edges.parts)(along, settings))?;
+                    let parts = counted(parts_of(along))?;
                     seams[seam].parts = seams[seam].parts.max(parts);
                 }
                 let lift = lifts[triangle][(place + 2) % 3];

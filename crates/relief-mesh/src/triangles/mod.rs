@@ -9,6 +9,7 @@ use relief_core::mesh::{BasePoint, Mesh, Vertex};
 
 use self::corners::Corners;
 use self::edges::Edges;
+use crate::edge::Evenly;
 use crate::error::MOST;
 use crate::surface::{Frame, Relief};
 use crate::{BaseSurface, MeshSettings, MesherError, Seams, point};
@@ -31,12 +32,24 @@ pub struct Numbered {
     pub smooth: u32,
 }
 
+impl Numbered {
+    /// One that has its normal for itself.
+    pub fn both(number: u32) -> Self {
+        Self { number, smooth: number }
+    }
+}
+
 impl Triangles {
-    pub fn new(mesh: &Mesh, map: &HeightMap, settings: &MeshSettings) -> Result<Self, MesherError> {
+    pub fn new(
+        mesh: &Mesh,
+        map: &HeightMap,
+        evenly: &Evenly,
+        settings: &MeshSettings,
+    ) -> Result<Self, MesherError> {
         let is_welded = settings.seams == Seams::Weld;
         let point_of = mesh.welded();
         let corners = Corners::new(mesh, &point_of, is_welded);
-        let edges = Edges::new(mesh, &point_of, &corners, map, settings)?;
+        let edges = Edges::new(mesh, &point_of, &corners, map, |texels| (evenly.parts)(texels, settings))?;
         let is_lifted = settings.base == BaseSurface::Lift;
         Ok(Self { corners, edges, triangles: mesh.triangles().to_vec(), is_lifted, is_welded })
     }

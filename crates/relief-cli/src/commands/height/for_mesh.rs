@@ -137,7 +137,7 @@ impl Arguments {
     pub fn files(&mut self) -> Files<'_> {
         let format = self.format.map(Format::ending);
         let heights = Written { flag: "--output", path: &mut self.output, format };
-        Files { read: vec![&mut self.height], written: vec![heights] }
+        Files { read: vec![&mut self.height], written: vec![heights], ..Files::default() }
     }
 
     /// The map with its displacement on that mesh.

@@ -160,7 +160,7 @@ impl Arguments {
     pub fn files(&mut self) -> Files<'_> {
         let format = self.common.format.map(Format::ending);
         let heights = Written { flag: "--output", path: &mut self.output, format };
-        Files { read: vec![&mut self.normals], written: vec![heights] }
+        Files { read: vec![&mut self.normals], written: vec![heights], ..Files::default() }
     }
 
     fn axes(&self, from_bake: &FromBake) -> Result<Known, Failure> {

@@ -176,7 +176,7 @@ impl Arguments {
     pub fn files(&mut self) -> Files<'_> {
         let format = self.common.format.map(Format::ending);
         let heights = Written { flag: "--output", path: &mut self.output, format };
-        Files { read: Vec::new(), written: vec![heights] }
+        Files { read: Vec::new(), written: vec![heights], ..Files::default() }
     }
 
     /// The outputs, of which none is another or an input.

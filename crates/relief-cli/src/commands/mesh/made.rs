@@ -5,42 +5,129 @@ use std::io;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use glam::Vec3;
 use relief_io::{MeshCounts, MeshFormat, write_mesh};
-use relief_mesh::{Mesher, Stream, StreamError, Streamed};
+use relief_mesh::{Certificate, Mesher, Stream, StreamError, Streamed, Watch};
+use relief_render::scene::Surface;
 
+use super::parts::PartFile;
+use super::{Arguments, COARSER, of_mesher};
+use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::interrupt::cancelled;
 use crate::progress::Progress;
 
-/// A file to be written.
-pub struct Output<'a> {
+/// A file that was written.
+#[derive(Debug)]
+pub struct WrittenPart {
     /// Its name.
-    pub path: &'a Path,
-    /// Where it is until it takes that.
-    pub aside: &'a Path,
-    pub format: MeshFormat,
+    pub name: String,
     pub counts: MeshCounts,
+    pub streamed: Streamed,
+    /// How far the relief is from the triangles; lengths of the mesh as it was written.
+    pub certificate: Option<Certificate>,
+    /// Of the file.
+    pub bytes: u64,
 }
 
-impl Output<'_> {
-    /// Makes and writes the mesh, as long as `print_m` metres if that is given.
-    pub fn write(
+/// Tries to keep a tolerance that is a length of the mesh as it is written.
+const TRIES: u32 = 4;
+
+/// Makes the mesh of a surface, part by part, and writes each into its file.
+pub fn write(
+    arguments: &Arguments,
+    surface: &Surface,
+    format: MeshFormat,
+    files: &[PartFile],
+    staged: &mut Staged,
+    cancel: &AtomicBool,
+) -> Result<Vec<WrittenPart>, Failure> {
+    let making = Making { arguments, surface, format, cancel };
+    let print_m = arguments.print_size.map(|mm| mm / 1000.0);
+    let Some(print_m) = print_m else {
+        return files.iter().map(|file| making.written(file, staged, [1.0, 1.0])).collect();
+    };
+    // How long it is follows from the mesh, and the mesh from the tolerance, which may follow from that.
+    let mut expected = print_m / making.expected_length();
+    for _ in 0..TRIES {
+        let size = print_m / making.length(files, expected)?;
+        let is_kept = arguments.error.is_none() || expected >= size * (1.0 - 1e-9);
+        if is_kept {
+            return files.iter().map(|file| making.written(file, staged, [expected, size])).collect();
+        }
+        expected = size;
+    }
+    Err(Failure::Work(format!(
+        "{}: the mesh's size and its error follow from each other, and were not found: --error in % works",
+        arguments.output.display()
+    )))
+}
+
+struct Making<'a> {
+    arguments: &'a Arguments,
+    surface: &'a Surface,
+    format: MeshFormat,
+    cancel: &'a AtomicBool,
+}
+
+impl Making<'_> {
+    /// Counts a part of the mesh; a tolerance is a length of a mesh that is larger by `size`.
+    fn mesher(&self, file: &PartFile, size: f64) -> Result<Mesher, Failure> {
+        let Self { arguments, surface, .. } = self;
+        let settings = arguments.settings(surface, size);
+        let settings = relief_mesh::MeshSettings { part: file.part, ..settings };
+        let (mesh, map) = (surface.mesh(), surface.height_map());
+        let bar = Progress::bar("fitting", arguments.json);
+        let tell = |part: f32| bar.show(part);
+        let watch = Watch { tell: &tell, cancel: self.cancel };
+        let mesher = match arguments.triangles {
+            Some(most) => Mesher::with_at_most(mesh, map, &settings, most, &watch),
+            None => Mesher::watched(mesh, map, &settings, &watch),
+        };
+        let mesher = mesher.map_err(of_mesher)?;
+        arguments.check_memory(surface, &mesher)?;
+        Ok(mesher)
+    }
+
+    /// Makes and writes a part. Of the sizes the first is the one that tolerances are meant for, the second
+    /// is how much larger the mesh becomes.
+    fn written(
+        &self,
+        file: &PartFile,
+        staged: &mut Staged,
+        [expected, size]: [f64; 2],
+    ) -> Result<WrittenPart, Failure> {
+        let name = file.path.display().to_string();
+        let mesher = self.mesher(file, expected)?;
+        let counts = MeshCounts { vertices: mesher.vertices(), triangles: mesher.triangles() };
+        self.format
+            .check(counts)
+            .map_err(|problem| Failure::Work(format!("{name}: {problem} ({COARSER})")))?;
+        let aside = staged.aside(&file.path)?;
+        let streamed = self.stream(&mesher, &name, &aside, counts, size)?;
+        let bytes = std::fs::metadata(&aside).map_err(Failure::work)?.len();
+        let certificate = mesher.certificate().map(|certificate| Certificate {
+            error_m: certificate.error_m * size,
+            mean_m: certificate.mean_m * size,
+            ..*certificate
+        });
+        Ok(WrittenPart { name, counts, streamed, certificate, bytes })
+    }
+
+    fn stream(
         &self,
         mesher: &Mesher,
-        print_m: Option<f64>,
-        is_quiet: bool,
-        cancel: &AtomicBool,
+        name: &str,
+        aside: &Path,
+        counts: MeshCounts,
+        size: f64,
     ) -> Result<Streamed, Failure> {
-        let size = match print_m {
-            Some(length) => length / self.length(mesher, is_quiet, cancel)?,
-            None => 1.0,
-        };
-        let bar = Progress::bar("meshing", is_quiet);
+        let bar = Progress::bar("meshing", self.arguments.json);
         let tell = |part: f32| bar.show(part);
-        let how = Stream { size, check: true, tell: &tell, cancel };
+        let how = Stream { size, check: true, watch: Watch { tell: &tell, cancel: self.cancel } };
         let mut made = None;
-        let written = write_mesh(self.aside, self.format, self.counts, |sink| {
-            match mesher.stream(&how, |block| sink(block)) {
+        let written =
+            write_mesh(aside, self.format, counts, |sink| match mesher.stream(&how, |block| sink(block)) {
                 Ok(streamed) => {
                     made = Some(Ok(streamed));
                     Ok(())
@@ -51,12 +138,10 @@ impl Output<'_> {
                     made = Some(Err(error));
                     Err(io::Error::other(text))
                 }
-            }
-        });
-        if cancel.load(Ordering::Relaxed) {
+            });
+        if self.cancel.load(Ordering::Relaxed) {
             return Err(cancelled());
         }
-        let name = self.path.display();
         match (made, written) {
             (Some(Err(error)), _) => Err(Failure::Work(format!("{name}: {error}: a smaller --scale helps"))),
             (_, Err(error)) => Err(Failure::Work(format!("{name}: {}", error.problem))),
@@ -65,21 +150,39 @@ impl Output<'_> {
         }
     }
 
-    /// The longest side of the mesh in metres.
-    fn length(&self, mesher: &Mesher, is_quiet: bool, cancel: &AtomicBool) -> Result<f64, Failure> {
-        let bar = Progress::bar("measuring", is_quiet);
-        let tell = |part: f32| bar.show(part);
-        let how = Stream { size: 1.0, check: false, tell: &tell, cancel };
-        let measured = mesher.stream(&how, |_| Ok::<(), Infallible>(()));
-        let [least, greatest] = match measured {
-            Ok(streamed) => streamed.bounds_m,
-            Err(StreamError::Cancelled) => return Err(cancelled()),
-            Err(error) => return Err(Failure::Work(format!("{}: {error}", self.path.display()))),
-        };
+    /// The longest side of a box around the base, displaced as far as the map goes: about that of the mesh.
+    fn expected_length(&self) -> f64 {
+        let map = self.surface.height_map();
+        let ends = map.extremes().map(|height| map.displacement_m(f64::from(height)) as f32);
+        let vertices = self.surface.mesh().vertices().iter();
+        let corners = vertices.flat_map(|vertex| ends.map(|metres| vertex.position + vertex.normal * metres));
+        let [least, greatest] = corners
+            .fold([Vec3::INFINITY, Vec3::NEG_INFINITY], |[least, greatest], at| {
+                [least.min(at), greatest.max(at)]
+            });
+        f64::from((greatest - least).max_element()).max(f64::MIN_POSITIVE)
+    }
+
+    /// The longest side of the mesh in metres, of all parts.
+    fn length(&self, files: &[PartFile], expected: f64) -> Result<f64, Failure> {
+        let name = self.arguments.output.display();
+        let [mut least, mut greatest] = [Vec3::INFINITY, Vec3::NEG_INFINITY];
+        for file in files {
+            let mesher = self.mesher(file, expected)?;
+            let bar = Progress::bar("measuring", self.arguments.json);
+            let tell = |part: f32| bar.show(part);
+            let how = Stream { size: 1.0, check: false, watch: Watch { tell: &tell, cancel: self.cancel } };
+            let measured = match mesher.stream(&how, |_| Ok::<(), Infallible>(())) {
+                Ok(streamed) => streamed.bounds_m,
+                Err(StreamError::Cancelled) => return Err(cancelled()),
+                Err(error) => return Err(Failure::Work(format!("{name}: {error}"))),
+            };
+            (least, greatest) = (least.min(measured[0]), greatest.max(measured[1]));
+        }
         let length = f64::from((greatest - least).max_element());
         if length > 0.0 {
             return Ok(length);
         }
-        Err(Failure::Work(format!("{}: the mesh is a point, which has no size", self.path.display())))
+        Err(Failure::Work(format!("{name}: the mesh is a point, which has no size")))
     }
 }

@@ -2,48 +2,88 @@
 
 use std::io::Write;
 
-use relief_io::{MeshCounts, MeshFormat};
-use relief_mesh::Streamed;
+use glam::Vec3;
+use relief_io::MeshFormat;
+use relief_mesh::{Certificate, Cracks};
 use relief_render::scene::Surface;
 use serde_json::json;
 
 use super::Arguments;
+use super::made::WrittenPart;
 use crate::failure::Failure;
 use crate::values::six_digits;
 
 /// A mesh that was made.
 pub struct About<'a> {
     pub format: MeshFormat,
-    pub counts: MeshCounts,
-    pub streamed: Streamed,
-    /// Of the file.
-    pub bytes: u64,
+    pub written: &'a [WrittenPart],
     pub seconds: f64,
     pub surface: &'a Surface,
 }
 
 impl About<'_> {
+    fn sum(&self, of: impl Fn(&WrittenPart) -> u64) -> u64 {
+        self.written.iter().map(of).sum()
+    }
+
+    /// The error of all parts: the greatest, and the mean by their texels, which are about as many in each.
+    fn certificate(&self) -> Option<Certificate> {
+        let all = || self.written.iter().filter_map(|part| part.certificate);
+        let worst = all().reduce(|a, b| if b.error_m > a.error_m { b } else { a })?;
+        let mean_m = all().map(|certificate| certificate.mean_m).sum::<f64>() / all().count() as f64;
+        Some(Certificate { mean_m, ..worst })
+    }
+
     /// Says it.
     pub fn tell(&self, arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
-        let Self { format, counts: MeshCounts { vertices, triangles }, bytes, seconds, surface, .. } = self;
-        let cracks = self.streamed.cracks.unwrap_or_default();
-        let [least, greatest] = self.streamed.bounds_m;
+        let Self { format, written, seconds, surface } = self;
+        let cracks = |of: fn(&Cracks) -> u64| self.sum(|part| of(&part.streamed.cracks.unwrap_or_default()));
+        let [open, branching, pieces] =
+            [cracks(|cracks| cracks.open), cracks(|cracks| cracks.branching), cracks(|cracks| cracks.pieces)];
+        let [triangles, vertices, bytes] = [
+            self.sum(|part| part.counts.triangles),
+            self.sum(|part| part.counts.vertices),
+            self.sum(|part| part.bytes),
+        ];
+        let bounds = written.iter().map(|part| part.streamed.bounds_m);
+        let [least, greatest] = bounds
+            .fold([Vec3::INFINITY, Vec3::NEG_INFINITY], |[low, high], [a, b]| [low.min(a), high.max(b)]);
         let size_m = (greatest - least).to_array().map(|length| six_digits(f64::from(length)));
         let (scale_m, bias_m) = (surface.height_map().scale_m(), surface.height_map().bias_m());
+        let certificate = self.certificate();
         if arguments.json {
             let mesh = arguments.placed.mesh.clone().unwrap_or_default();
-            let about = json!({
+            let mut about = json!({
                 "input": arguments.height.display().to_string(), "mesh": mesh.to_string(),
                 "output": arguments.output.display().to_string(), "format": format.name(),
                 "vertices": vertices, "triangles": triangles,
-                "open_edges": cracks.open, "branching_edges": cracks.branching, "pieces": cracks.pieces,
+                "open_edges": open, "branching_edges": branching, "pieces": pieces,
                 "size_m": size_m, "scale_m": scale_m, "bias_m": bias_m, "bytes": bytes, "seconds": seconds,
             });
+            if let Some(Certificate { error_m, uv, mean_m, judge }) = certificate {
+                about["error"] =
+                    json!({ "greatest_m": error_m, "at_uv": uv, "mean_m": mean_m, "judge": judge.name() });
+            }
+            if arguments.tiles.is_some() {
+                about["files"] = written.iter().map(of_part).collect();
+            }
             writeln!(out, "{about:#}")?;
             return Ok(());
         }
-        let name = arguments.output.display();
-        writeln!(out, "{name}: {triangles} triangles, {vertices} vertices, {bytes} bytes in {seconds:.2} s")?;
+        for part in *written {
+            let WrittenPart { name, counts, bytes, .. } = part;
+            let (triangles, vertices) = (counts.triangles, counts.vertices);
+            write!(out, "{name}: {triangles} triangles, {vertices} vertices, {bytes} bytes")?;
+            writeln!(
+                out,
+                "{}",
+                if written.len() == 1 { format!(" in {seconds:.2} s") } else { String::new() }
+            )?;
+        }
+        if written.len() > 1 {
+            let files = written.len();
+            writeln!(out, "{files} files: {triangles} triangles, {bytes} bytes in {seconds:.2} s")?;
+        }
         // Printers count in millimetres.
         let is_print = arguments.print_size.is_some() || *format == MeshFormat::Stl;
         let (unit, factor) = if is_print { ("mm", 1000.0) } else { ("m", 1.0) };
@@ -51,13 +91,30 @@ impl About<'_> {
         writeln!(out, "  size        {x} x {y} x {z} {unit}")?;
         let [scale, bias] = [scale_m, bias_m].map(six_digits);
         writeln!(out, "  relief      --scale {scale} --bias {bias}")?;
-        let edges = match (cracks.open, cracks.branching) {
+        if let Some(Certificate { error_m, uv, mean_m, judge }) = certificate {
+            let [greatest, mean] = [error_m, mean_m].map(|metres| six_digits(metres * factor));
+            let [u, v] = uv.map(six_digits);
+            let at = format!("at uv {u},{v}, judged at the {judge}");
+            writeln!(out, "  error       at most {greatest} {unit} {at}; {mean} {unit} on average")?;
+        }
+        let edges = match (open, branching) {
             (0, 0) => "closed, no open edge".to_owned(),
             (open, 0) => format!("{open} open edges"),
             (open, branching) => format!("{open} open edges, {branching} with more than two sides"),
         };
         writeln!(out, "  edges       {edges}")?;
-        writeln!(out, "  pieces      {}", cracks.pieces)?;
+        writeln!(out, "  pieces      {pieces}")?;
         Ok(())
     }
+}
+
+fn of_part(part: &WrittenPart) -> serde_json::Value {
+    let mut about = json!({
+        "output": part.name, "vertices": part.counts.vertices, "triangles": part.counts.triangles,
+        "bytes": part.bytes,
+    });
+    if let Some(certificate) = part.certificate {
+        about["error_m"] = json!(certificate.error_m);
+    }
+    about
 }

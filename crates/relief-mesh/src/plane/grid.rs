@@ -1,32 +1,23 @@
-//! Planes: rectangles whose texture lies straight, cut along the lines of texels.
+//! Planes as grids: lines across both axes, and a vertex wherever two of them meet.
 
-use glam::{DVec2, DVec3, Vec3};
-use relief_core::mesh::{BasePoint, Mesh, Vertex};
+use glam::Vec3;
+use relief_core::mesh::Vertex;
 
+use super::Rectangle;
+use crate::edge::Evenly;
 use crate::error::MOST;
-use crate::surface::{Frame, Relief};
-use crate::{MeshSettings, MesherError, point};
+use crate::surface::Relief;
+use crate::{MeshSettings, MesherError};
 
 /// Cells of a tile along a side.
 const TILE: usize = 128;
 
-/// How much the corners of a rectangle may differ from one, as a part of its sides.
-const ROUNDING: f64 = 1e-5;
-
 /// A rectangle, with the lines across it. Its vertices are where these meet: the same whichever tile asks.
 #[derive(Debug)]
-pub struct Plane {
-    corner: DVec3,
-    /// The derivatives of the position by `u` and `v`.
-    tangents: [DVec3; 2],
-    normal: DVec3,
-    /// Texture coordinates of the corner.
-    from: DVec2,
+pub struct Grid {
+    rectangle: Rectangle,
     /// The places of the lines across `u` and `v`, counted in texels, `i + ½` the centre of texel `i`.
     lines: [Vec<f64>; 2],
-    sides: [f64; 2],
-    /// Whether triangles are turned over, as seen along growing `u` and `v`.
-    is_turned: bool,
 }
 
 /// A tile: the first and the last line across `u` and across `v`.
@@ -36,26 +27,24 @@ pub struct Tile {
     pub last: [usize; 2],
 }
 
-impl Plane {
-    /// The plane that a mesh is, if it is two triangles that make a rectangle with straight texture.
-    pub fn of_mesh(
-        mesh: &Mesh,
+impl Grid {
+    /// The grid over a rectangle.
+    pub fn new(
+        rectangle: Rectangle,
         relief: &Relief,
+        evenly: &Evenly,
         settings: &MeshSettings,
-    ) -> Result<Option<Self>, MesherError> {
-        let Some(rectangle) = Rectangle::of_mesh(mesh) else { return Ok(None) };
-        let Rectangle { corner, tangents, normal, uvs: [from, to], is_turned } = rectangle;
-        let sides = relief.sides();
-        let range = [0, 1].map(|axis| [from[axis] * sides[axis], to[axis] * sides[axis]]);
+    ) -> Result<Self, MesherError> {
+        let range = rectangle.range(relief, settings.part)?;
         // Before memory is taken for so many lines.
-        let step = (settings.edges.step)(settings);
+        let step = (evenly.step)(settings);
         let most = range.map(|[from, to]| ((to - from) / step + 2.0) as u64);
         let vertices = most[0].saturating_mul(most[1]);
         if vertices > MOST || vertices.saturating_mul(2) > 2 * MOST {
             return Err(MesherError::TooLarge { vertices, triangles: vertices.saturating_mul(2) });
         }
-        let lines = range.map(|[from, to]| (settings.edges.lines)(from, to, settings));
-        Ok(Some(Self { corner, tangents, normal, from, lines, sides, is_turned }))
+        let lines = range.map(|[from, to]| (evenly.lines)(from, to, settings));
+        Ok(Self { rectangle, lines })
     }
 
     /// Tiles along `u` and `v`.
@@ -108,14 +97,7 @@ impl Plane {
     }
 
     pub fn is_turned(&self) -> bool {
-        self.is_turned
-    }
-
-    fn base(&self, [x, y]: [f64; 2]) -> BasePoint {
-        let uv = DVec2::new(x / self.sides[0], y / self.sides[1]);
-        let along = uv - self.from;
-        let position = self.corner + self.tangents[0] * along.x + self.tangents[1] * along.y;
-        BasePoint { position, normal: self.normal, uv }
+        self.rectangle.is_turned
     }
 
     fn place(&self, [i, j]: [usize; 2]) -> [f64; 2] {
@@ -125,74 +107,13 @@ impl Plane {
     /// The position where two lines meet.
     pub fn position(&self, relief: &Relief, lines: [usize; 2]) -> Vec3 {
         let place = self.place(lines);
-        point::stored(relief.displaced(&self.base(place), place.map(|at| at - 0.5), 0.0))
+        self.rectangle.position(relief, place, relief.height(place))
     }
 
     /// The vertex where two lines meet.
     pub fn vertex(&self, relief: &Relief, lines: [usize; 2]) -> Vertex {
         let place = self.place(lines);
-        let (base, in_map) = (self.base(place), place.map(|at| at - 0.5));
-        let position = relief.displaced(&base, in_map, 0.0);
-        let frame = Frame { normal: self.normal, tangents: self.tangents, turns: [DVec3::ZERO; 2] };
-        relief.vertex(position, &base, in_map, &frame, 0.0)
-    }
-}
-
-/// A rectangle as two triangles make it.
-struct Rectangle {
-    corner: DVec3,
-    tangents: [DVec3; 2],
-    normal: DVec3,
-    uvs: [DVec2; 2],
-    is_turned: bool,
-}
-
-impl Rectangle {
-    fn of_mesh(mesh: &Mesh) -> Option<Self> {
-        let [first, second] = mesh.triangles() else { return None };
-        let vertex = |at: &u32| &mesh.vertices()[*at as usize];
-        let corners: Vec<&Vertex> = first.iter().chain(second).map(vertex).collect();
-        let normal = corners[0].normal;
-        let uvs = corners.iter().map(|corner| corner.uv.as_dvec2());
-        let [from, to] = uvs.fold([DVec2::INFINITY, DVec2::NEG_INFINITY], |[least, greatest], uv| {
-            [least.min(uv), greatest.max(uv)]
-        });
-        let at = |u: f64, v: f64| {
-            let mut there = corners.iter().filter(|corner| corner.uv.as_dvec2() == DVec2::new(u, v));
-            let position = there.next()?.position;
-            there.all(|corner| corner.position == position).then_some(position.as_dvec3())
-        };
-        let [corner, right, below, across] =
-            [at(from.x, from.y)?, at(to.x, from.y)?, at(from.x, to.y)?, at(to.x, to.y)?];
-        let sides = [right - corner, below - corner];
-        let size = sides[0].length() + sides[1].length();
-        let up = sides[1].cross(sides[0]);
-        let is_straight = (corner + sides[0] + sides[1] - across).length() <= ROUNDING * size
-            && sides[0].dot(sides[1]).abs() <= ROUNDING * sides[0].length() * sides[1].length()
-            && corners.iter().all(|corner| corner.normal == normal)
-            && up.normalize_or_zero().cross(normal.as_dvec3()).length() <= ROUNDING;
-        // Seen along growing u and v a triangle runs one way or the other; both of them the same.
-        let turn = |corners: &[&Vertex]| {
-            let [a, b, c] = [0, 1, 2].map(|k| corners[k].uv.as_dvec2());
-            (b - a).perp_dot(c - a)
-        };
-        let turns = [turn(&corners[..3]), turn(&corners[3..])];
-        let area = (to - from).x * (to - from).y;
-        // The corner that a half has not is its own, turned around the middle.
-        let left_out = |half: &[&Vertex]| {
-            let sum: DVec2 = half.iter().map(|corner| corner.uv.as_dvec2()).sum();
-            2.0 * (from + to) - sum
-        };
-        let is_whole = turns[0] * turns[1] > 0.0
-            && turns.iter().all(|turn| turn.abs() == area)
-            && left_out(&corners[..3]) + left_out(&corners[3..]) == from + to;
-        (is_straight && is_whole && up != DVec3::ZERO).then(|| Self {
-            corner,
-            tangents: [sides[0] / (to - from).x, sides[1] / (to - from).y],
-            normal: normal.as_dvec3(),
-            uvs: [from, to],
-            is_turned: turns[0] > 0.0,
-        })
+        self.rectangle.vertex(relief, place, relief.height(place))
     }
 }
 
@@ -200,15 +121,22 @@ impl Rectangle {
 mod tests {
     use super::*;
     use crate::Directions;
+    use crate::edge::Divides;
     use glam::{Quat, Vec2};
-    use relief_core::mesh::{Placement, cube, rectangle};
+    use relief_core::mesh::{Mesh, Placement, cube, rectangle};
     use relief_core::{HeightMap, Wrap};
+
+    fn grid(rectangle: Rectangle, relief: &Relief) -> Grid {
+        let settings = MeshSettings::default();
+        let Divides::Evenly(evenly) = settings.edges.divides else { panic!("not even") };
+        Grid::new(rectangle, relief, &evenly, &settings).expect("small")
+    }
 
     #[test]
     fn planes_are_told_from_other_meshes() {
         let map = HeightMap::from_fn(300, 7, Wrap::Repeat, |_, _| 0.5).expect("a valid map");
         let relief = Relief::new(&map, Directions::Raw);
-        let plane = |mesh: &Mesh| Plane::of_mesh(mesh, &relief, &MeshSettings::default()).expect("small");
+        let plane = |mesh: &Mesh| Rectangle::of_mesh(mesh).map(|found| grid(found, &relief));
         let mesh = rectangle([1.0, 0.3], 1).expect("a mesh");
         let found = plane(&mesh).expect("a plane");
         assert_eq!(found.lines.each_ref().map(Vec::len), [302, 9]);
@@ -233,8 +161,7 @@ mod tests {
         let map = HeightMap::from_fn(300, 200, Wrap::Repeat, |_, _| 0.5).expect("a valid map");
         let relief = Relief::new(&map, Directions::Raw);
         let mesh = rectangle([1.0, 1.0], 1).expect("a mesh");
-        let plane =
-            Plane::of_mesh(&mesh, &relief, &MeshSettings::default()).expect("small").expect("a plane");
+        let plane = grid(Rectangle::of_mesh(&mesh).expect("a plane"), &relief);
         assert_eq!(plane.tile_count(), 6);
         let mut next = 0;
         for number in 0..plane.tile_count() {
@@ -242,7 +169,7 @@ mod tests {
             let before = next;
             for j in tile.first[1]..=tile.last[1] {
                 for i in tile.first[0]..=tile.last[0] {
-                    if Plane::is_own(&tile, [i, j]) {
+                    if Grid::is_own(&tile, [i, j]) {
                         assert_eq!(plane.number([i, j]), next);
                         next += 1;
                     } else {
@@ -250,7 +177,7 @@ mod tests {
                     }
                 }
             }
-            assert_eq!(u64::from(next - before), Plane::own_count(&tile));
+            assert_eq!(u64::from(next - before), Grid::own_count(&tile));
         }
         assert_eq!(next, 302 * 202);
     }

@@ -1,0 +1,86 @@
+//! The mesh of least error that has no more than so many triangles.
+
+use relief_core::HeightMap;
+use relief_core::mesh::Mesh;
+
+use crate::{Certificate, MeshSettings, Mesher, MesherError, Watch};
+
+/// Tries after which the best so far is taken.
+const TRIES: u32 = 10;
+
+/// The part of the triangles that is enough.
+const ENOUGH: f64 = 0.98;
+
+/// The tolerance of the first try, as a part of the scale of the map.
+const FIRST: f64 = 0.01;
+
+/// By how much the tolerance changes, at most, from one try to the next.
+const MOST_STEP: f64 = 32.0;
+
+impl Mesher {
+    /// The mesh of least error that has no more triangles than `most`, on a plane: the tolerance is sought
+    /// that gives that many, or a few less. The settings say everything else, as those of
+    /// [`within`](MeshSettings::within) do; their own tolerance does not count.
+    ///
+    /// # Errors
+    ///
+    /// The same as those of [`watched`](Self::watched), and when even the coarsest mesh has more triangles.
+    pub fn with_at_most(
+        mesh: &Mesh,
+        map: &HeightMap,
+        settings: &MeshSettings,
+        most: u64,
+        watch: &Watch,
+    ) -> Result<Self, MesherError> {
+        let scale_m = map.scale_m().abs();
+        let mut error_m = if scale_m > 0.0 { FIRST * scale_m } else { 1.0 };
+        // The greatest tolerance with too many triangles, and the least with few enough.
+        let (mut fine, mut coarse) = (None, None);
+        let mut best: Option<Self> = None;
+        for turn in 0..TRIES {
+            let tell = |part: f32| (watch.tell)((turn as f32 + part) / TRIES as f32);
+            let watch = Watch { tell: &tell, ..*watch };
+            let settings = MeshSettings { error_m, ..*settings };
+            match Self::of_at_most(mesh, map, &settings, most, &watch) {
+                Ok(made) => {
+                    let triangles = made.triangles() as f64;
+                    coarse = Some(error_m);
+                    best = Some(made);
+                    if triangles >= ENOUGH * most as f64 {
+                        break;
+                    }
+                    // Triangles are about as many as the tolerance goes into the relief.
+                    let guess = error_m * (triangles / most as f64).max(1.0 / MOST_STEP) / 1.01;
+                    error_m = between(guess, fine, coarse);
+                }
+                Err(MesherError::MoreThan { .. }) => {
+                    fine = Some(error_m);
+                    error_m = between(2.0 * error_m, fine, coarse);
+                }
+                // As fine as it can be.
+                Err(MesherError::TooFine { .. } | MesherError::NotReached { .. }) if best.is_some() => {
+                    fine = Some(error_m);
+                    error_m = between(2.0 * error_m, fine, coarse);
+                }
+                Err(error) => return Err(error),
+            }
+            if best.as_ref().and_then(Self::certificate).is_some_and(Certificate::is_exact) {
+                break;
+            }
+        }
+        best.map_or_else(
+            || Self::of_at_most(mesh, map, &MeshSettings { error_m: f64::MAX, ..*settings }, most, watch),
+            Ok,
+        )
+    }
+}
+
+/// A tolerance to try next: a guess, if it lies well between those known, or else their geometric mean.
+fn between(guess: f64, fine: Option<f64>, coarse: Option<f64>) -> f64 {
+    match (fine, coarse) {
+        (Some(fine), Some(coarse)) if !(fine * 1.002..coarse / 1.002).contains(&guess) => {
+            (fine * coarse).sqrt()
+        }
+        _ => guess,
+    }
+}

@@ -1,0 +1,291 @@
+//! Delaunay triangles over a rectangle of lattice points, exact in integers.
+//!
+//! Points are inserted one at a time, and edges flipped until every circle is empty (Lawson 1977). Triangles
+//! are kept by their half-edges: half-edge `e` of triangle `e / 3` goes from corner `e` to the next one.
+
+/// No half-edge.
+pub const NONE: u32 = u32::MAX;
+
+/// Largest coordinate: what the tests compare then fits 64 bits.
+pub const MOST: i32 = 1 << 13;
+
+/// The triangles of some points.
+#[derive(Clone, Debug, Default)]
+pub struct Delaunay {
+    points: Vec<[i32; 2]>,
+    corners: Vec<u32>,
+    opposite: Vec<u32>,
+    /// Triangles that are new since they were last taken, some of them twice.
+    changed: Vec<u32>,
+    /// Half-edges to be looked at.
+    pending: Vec<u32>,
+}
+
+/// Where a point lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Location {
+    /// Within a triangle.
+    Inside(u32),
+    /// On the edge of a half-edge, between its ends.
+    Edge(u32),
+    /// At a point that is there.
+    Point(u32),
+}
+
+/// The half-edge after one around its triangle.
+pub fn next(edge: u32) -> u32 {
+    if edge % 3 == 2 { edge - 2 } else { edge + 1 }
+}
+
+/// The half-edge before one around its triangle.
+pub fn before(edge: u32) -> u32 {
+    if edge.is_multiple_of(3) { edge + 2 } else { edge - 1 }
+}
+
+/// Twice the area of a triangle: greater than 0 if it turns from the first axis to the second.
+fn area([ax, ay]: [i32; 2], [bx, by]: [i32; 2], [cx, cy]: [i32; 2]) -> i64 {
+    i64::from(bx - ax) * i64::from(cy - ay) - i64::from(by - ay) * i64::from(cx - ax)
+}
+
+/// Whether a point lies within the circle through three that turn from the first axis to the second.
+fn is_in_circle(a: [i32; 2], b: [i32; 2], c: [i32; 2], p: [i32; 2]) -> bool {
+    let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|[x, y]| [i64::from(x - p[0]), i64::from(y - p[1])]);
+    let (a, b, c) = (ax * ax + ay * ay, bx * bx + by * by, cx * cx + cy * cy);
+    a * (bx * cy - by * cx) - b * (ax * cy - ay * cx) + c * (ax * by - ay * bx) > 0
+}
+
+impl Delaunay {
+    /// The two triangles of a rectangle, whose corners are its points 0 to 3, by rows.
+    pub fn new([x0, y0]: [i32; 2], [x1, y1]: [i32; 2]) -> Self {
+        let points = vec![[x0, y0], [x1, y0], [x0, y1], [x1, y1]];
+        Self {
+            points,
+            corners: vec![0, 1, 2, 3, 2, 1],
+            opposite: vec![NONE, 4, NONE, NONE, 1, NONE],
+            changed: vec![0, 1],
+            pending: Vec::new(),
+        }
+    }
+
+    /// The points.
+    pub fn points(&self) -> &[[i32; 2]] {
+        &self.points
+    }
+
+    /// How many triangles there are.
+    pub fn count(&self) -> u32 {
+        (self.corners.len() / 3) as u32
+    }
+
+    /// The corners of a triangle, by the numbers of their points.
+    pub fn triangle(&self, number: u32) -> [u32; 3] {
+        let first = number as usize * 3;
+        [self.corners[first], self.corners[first + 1], self.corners[first + 2]]
+    }
+
+    /// The ends of a half-edge.
+    pub fn ends(&self, edge: u32) -> [u32; 2] {
+        [self.corners[edge as usize], self.corners[next(edge) as usize]]
+    }
+
+    /// The half-edge on the other side, if there is one.
+    pub fn opposite(&self, edge: u32) -> u32 {
+        self.opposite[edge as usize]
+    }
+
+    /// Takes the triangles that are new, some of them more than once.
+    pub fn take_changed(&mut self, into: &mut Vec<u32>) {
+        into.append(&mut self.changed);
+    }
+
+    fn point(&self, edge: u32) -> [i32; 2] {
+        self.points[self.corners[edge as usize] as usize]
+    }
+
+    /// Whether a point lies within the circle through a triangle's corners.
+    pub fn is_in_circle_of(&self, triangle: u32, point: [i32; 2]) -> bool {
+        let [a, b, c] = self.triangle(triangle).map(|corner| self.points[corner as usize]);
+        is_in_circle(a, b, c, point)
+    }
+
+    /// Where a point of the rectangle lies, sought from a triangle onward.
+    pub fn locate(&self, point: [i32; 2], from: u32) -> Location {
+        let mut triangle = from;
+        loop {
+            let mut zeros = [NONE; 2];
+            let mut leave = None;
+            for edge in 3 * triangle..3 * triangle + 3 {
+                match area(self.point(edge), self.point(next(edge)), point) {
+                    0 => zeros = [edge, zeros[0]],
+                    side if side < 0 && self.opposite(edge) != NONE => {
+                        leave = Some(edge);
+                        break;
+                    }
+                    _ => {}
+                }
+            }
+            match (leave, zeros) {
+                (Some(edge), _) => triangle = self.opposite(edge) / 3,
+                (None, [NONE, _]) => return Location::Inside(triangle),
+                (None, [edge, NONE]) => return Location::Edge(edge),
+                (None, [late, early]) => {
+                    // Where two edges of the triangle meet.
+                    let shared = if next(early) == late { late } else { early };
+                    return Location::Point(self.corners[shared as usize]);
+                }
+            }
+        }
+    }
+
+    /// Adds a point that lies there, and gives its number.
+    pub fn insert(&mut self, point: [i32; 2], at: Location) -> u32 {
+        debug_assert!(point.iter().all(|at| (0..=MOST).contains(at)), "{point:?}");
+        let number = self.points.len() as u32;
+        match at {
+            Location::Point(there) => return there,
+            Location::Inside(triangle) => {
+                self.points.push(point);
+                let edges = [3 * triangle, 3 * triangle + 1, 3 * triangle + 2];
+                let [a, b, c] = self.triangle(triangle);
+                let [ab, bc, ca] = edges.map(|edge| self.opposite(edge));
+                let first = self.set(triangle, [a, b, number], [ab, NONE, NONE]);
+                let second = self.add([b, c, number], [bc, NONE, first + 1]);
+                let third = self.add([c, a, number], [ca, first + 2, second + 1]);
+                self.link(first + 1, second + 2);
+                self.link(first + 2, third + 1);
+                self.link(second + 1, third + 2);
+                self.pending.extend([first, second, third]);
+            }
+            Location::Edge(edge) => {
+                self.points.push(point);
+                let far = self.opposite(edge);
+                let [a, b, c] = [edge, next(edge), before(edge)].map(|edge| self.corners[edge as usize]);
+                let [bc, ca] = [next(edge), before(edge)].map(|edge| self.opposite(edge));
+                // From `a` over the point to `b`: a triangle on this side of each half.
+                let first = self.set(edge / 3, [c, a, number], [ca, NONE, NONE]);
+                let second = self.add([b, c, number], [bc, NONE, NONE]);
+                self.link(first + 2, second + 1);
+                self.pending.extend([first, second]);
+                if far != NONE {
+                    let [d, db, ad] = [
+                        self.corners[before(far) as usize],
+                        self.opposite(before(far)),
+                        self.opposite(next(far)),
+                    ];
+                    let third = self.set(far / 3, [d, b, number], [db, NONE, NONE]);
+                    let fourth = self.add([a, d, number], [ad, NONE, NONE]);
+                    self.link(third + 2, fourth + 1);
+                    self.link(first + 1, fourth + 2);
+                    self.link(third + 1, second + 2);
+                    self.pending.extend([third, fourth]);
+                }
+            }
+        }
+        self.flip();
+        number
+    }
+
+    fn set(&mut self, triangle: u32, corners: [u32; 3], opposite: [u32; 3]) -> u32 {
+        let first = 3 * triangle;
+        for k in 0..3 {
+            self.corners[(first + k) as usize] = corners[k as usize];
+            self.link(first + k, opposite[k as usize]);
+        }
+        self.changed.push(triangle);
+        first
+    }
+
+    fn add(&mut self, corners: [u32; 3], opposite: [u32; 3]) -> u32 {
+        let triangle = self.count();
+        self.corners.extend([0; 3]);
+        self.opposite.extend([NONE; 3]);
+        self.set(triangle, corners, opposite)
+    }
+
+    fn link(&mut self, edge: u32, other: u32) {
+        self.opposite[edge as usize] = other;
+        if other != NONE {
+            self.opposite[other as usize] = edge;
+        }
+    }
+
+    /// Flips pending edges, and those around what is flipped, until all circles are empty.
+    fn flip(&mut self) {
+        while let Some(edge) = self.pending.pop() {
+            let far = self.opposite(edge);
+            if far == NONE {
+                continue;
+            }
+            let [a, b, c] = [edge, next(edge), before(edge)].map(|edge| self.point(edge));
+            if !is_in_circle(a, b, c, self.point(before(far))) {
+                continue;
+            }
+            let [from, to, here, there] =
+                [edge, far, before(edge), before(far)].map(|edge| self.corners[edge as usize]);
+            let around = [before(edge), next(edge), before(far), next(far)].map(|edge| self.opposite(edge));
+            // `here` and `there` become the ends, `from` and `to` the corners across.
+            let [here_from, to_here, there_to, from_there] = around;
+            let first = self.set(edge / 3, [here, from, there], [here_from, from_there, NONE]);
+            let second = self.set(far / 3, [there, to, here], [there_to, to_here, NONE]);
+            self.link(first + 2, second + 2);
+            self.pending.extend([first, first + 1, second, second + 1]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(triangles: &Delaunay, area_of_all: i64) {
+        let mut sum = 0;
+        for number in 0..triangles.count() {
+            let [a, b, c] = triangles.triangle(number).map(|at| triangles.points[at as usize]);
+            let twice = area(a, b, c);
+            assert!(twice > 0, "{a:?} {b:?} {c:?}");
+            sum += twice;
+            for edge in 3 * number..3 * number + 3 {
+                let far = triangles.opposite(edge);
+                if far != NONE {
+                    assert_eq!(triangles.opposite(far), edge);
+                    let [from, to] = triangles.ends(edge);
+                    assert_eq!(triangles.ends(far), [to, from]);
+                    assert!(!is_in_circle(a, b, c, triangles.point(before(far))));
+                }
+            }
+        }
+        assert_eq!(sum, 2 * area_of_all);
+    }
+
+    #[test]
+    fn circles_are_empty_and_the_rectangle_is_full() {
+        let mut random = 7u32;
+        let mut next_random = move |below: u32| {
+            random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            ((random >> 8) % below) as i32
+        };
+        for (size, count) in [([40, 30], 2000), ([2080, 2071], 3000), ([1, 200], 300), ([16, 3], 60)] {
+            let mut triangles = Delaunay::new([0, 0], size);
+            for turn in 0..count {
+                let mut point = size.map(|size| next_random(size as u32 + 1));
+                // Often on the border, and on few lines.
+                if turn % 5 == 0 {
+                    point[0] = 0;
+                }
+                if turn % 3 == 0 {
+                    point[1] = point[1] / 4 * 4;
+                }
+                let from = next_random(triangles.count()) as u32;
+                let at = triangles.locate(point, from);
+                let known = triangles.points().iter().position(|other| *other == point);
+                match (known, at) {
+                    (Some(known), Location::Point(there)) => assert_eq!(known, there as usize),
+                    (None, Location::Inside(_) | Location::Edge(_)) => {}
+                    _ => panic!("{point:?}: {known:?}, {at:?}"),
+                }
+                triangles.insert(point, at);
+            }
+            check(&triangles, i64::from(size[0]) * i64::from(size[1]));
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! Greedy Delaunay insertion: triangles as large as the tolerance allows.
+//!
+//! The points of a tile lie on a lattice of a sixteenth of a texel, so that what decides how they are joined
+//! is exact in whole numbers. The point farthest from its triangle is inserted until none is farther than the
+//! tolerance; with a fit a looser one is enough, because heights that are moved off the surface halve what a
+//! bulge exceeds.
+
+mod delaunay;
+mod fit;
+mod judge;
+mod refine;
+mod window;
+
+use relief_core::registry::Publication;
+
+use super::{Fills, Interior};
+use crate::{Fit, Judge, Spacing};
+pub use judge::Gap;
+use refine::Refined;
+pub use window::{STEPS, Window};
+
+pub const INTERIOR: Interior = Interior {
+    name: "adapt",
+    summary: "on a plane as few triangles as the tolerance allows, large where the relief is smooth",
+    publication: Publication {
+        paper: "Garland and Heckbert 1995, Fast Polygonal Approximation of Terrains and Height Fields",
+        section: "4",
+    },
+    takes: &[Spacing::Uneven],
+    why: "sides that are divided evenly have more points than the tolerance asks for, or too few",
+    fills: Fills::Tile(fill),
+};
+
+/// How much looser the tolerance is before heights are fitted: found by trying, see `docs/mesh.md`.
+const LOOSER: f64 = 1.32;
+
+/// What distances of `f32` may be wrong by.
+const ROUNDING: f64 = 2e-7;
+
+/// How a tile is to be filled.
+#[derive(Clone, Copy, Debug)]
+pub struct Wanted {
+    /// The farthest that the surface may lie from a triangle, as a height of the map.
+    pub tolerance: f64,
+    /// Where that is looked at.
+    pub judge: Judge,
+    /// Whether heights are moved off the surface.
+    pub fit: Fit,
+    /// The most triangles.
+    pub most: u32,
+}
+
+/// A tile that is filled.
+#[derive(Clone, Debug)]
+pub struct Filled {
+    /// The points, in steps of the lattice: first those of the border, as they were given.
+    pub points: Vec<[u16; 2]>,
+    /// Their heights.
+    pub heights: Vec<f32>,
+    /// Triangles by their points, turning from `u` to `v`.
+    pub triangles: Vec<[u32; 3]>,
+    /// The farthest that the surface lies from the triangles, and where: exact, in `f64`.
+    pub worst: Gap,
+    /// The sum of the distances at the texels, and how many there are.
+    pub at_texels: (f64, u64),
+}
+
+/// Fills a tile, whose border's points are its corners, by rows, and then any others. None where it would
+/// have too many triangles.
+pub fn fill(window: &Window, border: &[([i32; 2], f32)], wanted: Wanted) -> Option<Filled> {
+    // So that what is found in f64 holds, too.
+    let tolerance = wanted.tolerance * (1.0 - 1e-5) - ROUNDING;
+    let refined = |fit: Fit| {
+        let mut tile = Refined::new(window, wanted.judge, border);
+        match fit {
+            Fit::None => tile.refine(tolerance, wanted.most)?,
+            Fit::Heights => {
+                tile.refine(LOOSER * tolerance, wanted.most)?;
+                fit::fit(&mut tile, tolerance);
+                tile.moved();
+                tile.refine(tolerance, wanted.most)?;
+            }
+        }
+        let seen = tile.seen();
+        Some((tile, seen))
+    };
+    let (mut tile, mut seen) = refined(wanted.fit)?;
+    // A point whose height was moved may lie too far off, and nothing can be inserted where it is.
+    if seen.worst.height.abs() > wanted.tolerance && wanted.fit != Fit::None {
+        (tile, seen) = refined(Fit::None)?;
+    }
+    Some(Filled {
+        points: tile.mesh.points().iter().map(|point| point.map(|at| at as u16)).collect(),
+        heights: tile.heights.iter().map(|&height| height as f32).collect(),
+        triangles: (0..tile.mesh.count()).map(|triangle| tile.mesh.triangle(triangle)).collect(),
+        worst: seen.worst,
+        at_texels: (seen.sum, seen.count),
+    })
+}

@@ -1,0 +1,465 @@
+//! Planes in tiles that are filled with as few triangles as a tolerance allows.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use glam::Vec3;
+use rayon::prelude::*;
+use relief_core::mesh::Vertex;
+
+use super::Rectangle;
+use super::span::{Span, TILE, spans};
+use crate::edge::{Knot, LONGEST};
+use crate::error::MOST;
+use crate::interior::{Fill, Filled, Gap, STEPS, Wanted, Window};
+use crate::surface::Relief;
+use crate::{Judge, MeshSettings, MesherError, Watch};
+
+/// The least tolerance, as a height of the map: below it numbers of `f32` are too coarse.
+const LEAST: f64 = 1e-6;
+
+/// The part of a cell's twist that remains where it is cut as finely as the lattice allows: two triangles lie
+/// off by a quarter of the twist times length and width.
+const FINEST: f64 = 0.25 / (STEPS * STEPS) as f64;
+
+/// Bytes that a triangle takes while its tile is filled.
+const BYTES_PER_TRIANGLE: u64 = 200;
+
+/// Bytes that a tile of two triangles takes, with its sides.
+const BYTES_PER_TILE: u64 = 400;
+
+/// How far the relief is from the triangles of a mesh, at most, along the direction of displacement.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Certificate {
+    /// The greatest distance in metres, exact but for the rounding of positions to `f32`.
+    pub error_m: f64,
+    /// Where it is: texture coordinates.
+    pub uv: [f64; 2],
+    /// The mean of the distances at the centres of texels, in metres.
+    pub mean_m: f64,
+    /// Where distances were looked at.
+    pub judge: Judge,
+}
+
+impl Certificate {
+    /// Whether the triangles are the relief.
+    pub fn is_exact(&self) -> bool {
+        self.error_m == 0.0
+    }
+}
+
+/// How tiles are filled.
+#[derive(Clone, Copy, Debug)]
+pub struct Filling {
+    /// What fills them.
+    pub fill: Fill,
+    /// Which knots of a side are its points.
+    pub side: fn(&[Knot], f64) -> Vec<usize>,
+    /// The most triangles of all.
+    pub most: u64,
+}
+
+/// A rectangle in tiles that are filled.
+#[derive(Debug)]
+pub struct Adapted {
+    rectangle: Rectangle,
+    spans: [Vec<Span>; 2],
+    /// The points along the sides between corners, without these: those across `u` row by row, then those
+    /// across `v`.
+    sides: Vec<Vec<(i32, f32)>>,
+    /// The number of the first vertex of each side, and one more.
+    first_of_side: Vec<u32>,
+    tiles: Vec<Filled>,
+    /// The number of the first vertex within each tile, and one more.
+    first_of_tile: Vec<u32>,
+    certificate: Certificate,
+}
+
+impl Adapted {
+    /// Fills the tiles of a rectangle.
+    pub fn new(
+        rectangle: Rectangle,
+        relief: &Relief,
+        settings: &MeshSettings,
+        filling: Filling,
+        watch: &Watch,
+    ) -> Result<Self, MesherError> {
+        let Filling { fill, side: divide, most } = filling;
+        if !(settings.error_m > 0.0 && settings.error_m.is_finite()) {
+            return Err(MesherError::BadTolerance { error_m: settings.error_m });
+        }
+        let range = rectangle.range(relief, settings.part)?;
+        check_tiles(range, settings.max_bytes)?;
+        let spans = range.map(|[from, to]| spans(from, to));
+        // A height of the map in metres.
+        let metres = relief.map().scale_m().abs() * relief.reach(rectangle.reach());
+        let tolerance = (settings.error_m / metres).min(1e6);
+        let twist = if settings.judge == Judge::Surface { greatest_twist(relief) } else { 0.0 };
+        let least = LEAST.max(FINEST * twist);
+        if tolerance < least {
+            let (error_m, least_m) = (settings.error_m, least * metres);
+            return Err(MesherError::TooFine { error_m, least_m });
+        }
+        let mut adapted = Self {
+            rectangle,
+            spans,
+            sides: Vec::new(),
+            first_of_side: Vec::new(),
+            tiles: Vec::new(),
+            first_of_tile: Vec::new(),
+            certificate: Certificate { error_m: 0.0, uv: [0.0; 2], mean_m: 0.0, judge: settings.judge },
+        };
+        let [across, down] = adapted.across();
+        let sides = 0..2 * across * down + across + down;
+        adapted.sides =
+            sides.into_par_iter().map(|side| adapted.side(relief, side, divide, tolerance)).collect();
+        let mut vertices = ((across + 1) * (down + 1)) as u64;
+        for side in &adapted.sides {
+            adapted.first_of_side.push(numbered(vertices, 0)?);
+            vertices += side.len() as u64;
+        }
+        adapted.first_of_side.push(numbered(vertices, 0)?);
+        let (triangles, done) = (AtomicU64::new(0), AtomicU64::new(0));
+        let fits = settings.max_bytes / BYTES_PER_TRIANGLE;
+        let tiles: Result<Vec<Filled>, MesherError> = (0..across * down)
+            .into_par_iter()
+            .map(|tile| {
+                if watch.cancel.load(Ordering::Relaxed) {
+                    return Err(MesherError::Cancelled);
+                }
+                let before = triangles.load(Ordering::Relaxed);
+                let room = fits.min(most).saturating_sub(before).min(u64::from(u32::MAX / 4)) as u32;
+                let wanted = Wanted { tolerance, judge: settings.judge, fit: settings.fit, most: room };
+                let too_many = || {
+                    let limit = settings.max_bytes;
+                    if most < fits { MesherError::MoreThan { most } } else { MesherError::NoMemory { limit } }
+                };
+                let filled = fill(&adapted.window(relief, tile), &adapted.border(relief, tile), wanted);
+                let filled = filled.ok_or_else(too_many)?;
+                triangles.fetch_add(filled.triangles.len() as u64, Ordering::Relaxed);
+                (watch.tell)((done.fetch_add(1, Ordering::Relaxed) + 1) as f32 / (across * down) as f32);
+                Ok(filled)
+            })
+            .collect();
+        adapted.tiles = tiles?;
+        let triangles = triangles.into_inner();
+        if triangles > most {
+            return Err(MesherError::MoreThan { most });
+        }
+        for tile in 0..across * down {
+            adapted.first_of_tile.push(numbered(vertices, triangles)?);
+            vertices += (adapted.tiles[tile].points.len() - adapted.border_count(tile)) as u64;
+        }
+        adapted.first_of_tile.push(numbered(vertices, triangles)?);
+        adapted.certify(relief, metres);
+        let reached_m = adapted.certificate.error_m;
+        if reached_m > settings.error_m * (1.0 + 1e-9) {
+            return Err(MesherError::NotReached { error_m: settings.error_m, reached_m });
+        }
+        Ok(adapted)
+    }
+
+    /// Gathers what the tiles know of their errors.
+    fn certify(&mut self, relief: &Relief, metres: f64) {
+        let gap = |tile: &usize| self.tiles[*tile].worst.height.abs();
+        let all = 0..self.tiles.len();
+        let Some(worst) = all.reduce(|worst, tile| if gap(&tile) > gap(&worst) { tile } else { worst })
+        else {
+            return;
+        };
+        let Gap { height, place } = self.tiles[worst].worst;
+        let spans = self.spans_of(worst);
+        let sides = relief.sides();
+        let uv = [0, 1].map(|axis| {
+            let span: Span = spans[axis];
+            // Between two steps, which may have places of their own at the ends.
+            let step = place[axis].floor();
+            let [here, next] = [step, step + 1.0].map(|step| span.place(step as i32));
+            let part = place[axis] - step;
+            (if part == 0.0 { here } else { here + (next - here) * part }) / sides[axis]
+        });
+        let sum = self
+            .tiles
+            .iter()
+            .fold((0.0, 0), |(sum, count), tile| (sum + tile.at_texels.0, count + tile.at_texels.1));
+        let mean_m = metres * sum.0 / (sum.1.max(1)) as f64;
+        self.certificate =
+            Certificate { error_m: height.abs() * metres, uv, mean_m, judge: self.certificate.judge };
+    }
+
+    /// How far the relief is from the triangles.
+    pub fn certificate(&self) -> &Certificate {
+        &self.certificate
+    }
+
+    /// Vertices at corners of tiles.
+    pub fn corner_count(&self) -> u32 {
+        let [across, down] = self.across();
+        ((across + 1) * (down + 1)) as u32
+    }
+
+    /// Sides of tiles.
+    pub fn side_count(&self) -> u32 {
+        self.sides.len() as u32
+    }
+
+    /// Vertices along a side, without its ends.
+    pub fn points_of_side(&self, side: u32) -> u32 {
+        self.sides[side as usize].len() as u32
+    }
+
+    /// Tiles.
+    pub fn tile_count(&self) -> u32 {
+        self.tiles.len() as u32
+    }
+
+    /// Vertices within a tile, and its triangles.
+    pub fn counts(&self, tile: u32) -> [u32; 2] {
+        let [first, last] = [0, 1].map(|more| self.first_of_tile[tile as usize + more]);
+        [last - first, self.tiles[tile as usize].triangles.len() as u32]
+    }
+
+    /// Vertices of all tiles.
+    pub fn vertices(&self) -> u64 {
+        u64::from(self.first_of_tile[self.tiles.len()])
+    }
+
+    /// Bytes that are held.
+    pub fn bytes(&self) -> u64 {
+        let of_tile = |tile: &Filled| {
+            size_of_val(&tile.points[..]) + size_of_val(&tile.heights[..]) + size_of_val(&tile.triangles[..])
+        };
+        let of_side = |side: &Vec<(i32, f32)>| size_of_val(&side[..]);
+        (self.tiles.iter().map(of_tile).sum::<usize>() + self.sides.iter().map(of_side).sum::<usize>()) as u64
+    }
+
+    pub fn is_turned(&self) -> bool {
+        self.rectangle.is_turned
+    }
+
+    /// The vertex at a corner of tiles.
+    pub fn corner_vertex(&self, relief: &Relief, number: u32) -> Vertex {
+        let (place, height) = self.corner(relief, number as usize);
+        self.rectangle.vertex(relief, place, f64::from(height))
+    }
+
+    /// A vertex along a side.
+    pub fn side_vertex(&self, relief: &Relief, side: u32, at: u32) -> Vertex {
+        let (step, height) = self.sides[side as usize][at as usize];
+        self.rectangle.vertex(relief, self.place_on(side as usize, step), f64::from(height))
+    }
+
+    /// A vertex within a tile.
+    pub fn inner_vertex(&self, relief: &Relief, tile: u32, at: u32) -> Vertex {
+        let filled = &self.tiles[tile as usize];
+        let at = self.border_count(tile as usize) + at as usize;
+        let spans = self.spans_of(tile as usize);
+        let place = [0, 1].map(|axis| spans[axis].place(i32::from(filled.points[at][axis])));
+        self.rectangle.vertex(relief, place, f64::from(filled.heights[at]))
+    }
+
+    /// The border of a tile, in the order of its points: numbers and positions.
+    pub fn border_points(&self, relief: &Relief, tile: u32) -> Vec<(u32, Vec3)> {
+        let tile = tile as usize;
+        let mut all = Vec::with_capacity(self.border_count(tile));
+        for corner in self.corners_of(tile) {
+            let (place, height) = self.corner(relief, corner);
+            all.push((corner as u32, self.rectangle.position(relief, place, f64::from(height))));
+        }
+        for side in self.sides_of(tile) {
+            for (number, &(step, height)) in (self.first_of_side[side]..).zip(&self.sides[side]) {
+                let place = self.place_on(side, step);
+                all.push((number, self.rectangle.position(relief, place, f64::from(height))));
+            }
+        }
+        all
+    }
+
+    /// The number of the first vertex along a side.
+    pub fn first_of_side(&self, side: u32) -> u32 {
+        self.first_of_side[side as usize]
+    }
+
+    /// The number of the first vertex within a tile.
+    pub fn first_of_tile(&self, tile: u32) -> u32 {
+        self.first_of_tile[tile as usize]
+    }
+
+    /// The triangles of a tile by its points: first those of the border, then its own.
+    pub fn triangles(&self, tile: u32) -> &[[u32; 3]] {
+        &self.tiles[tile as usize].triangles
+    }
+
+    /// Tiles along `u` and `v`.
+    fn across(&self) -> [usize; 2] {
+        self.spans.each_ref().map(Vec::len)
+    }
+
+    fn spans_of(&self, tile: usize) -> [Span; 2] {
+        let across = self.across()[0];
+        [self.spans[0][tile % across], self.spans[1][tile / across]]
+    }
+
+    /// The place of line `number` across an axis.
+    fn line(&self, axis: usize, number: usize) -> f64 {
+        let spans = &self.spans[axis];
+        spans.get(number).map_or_else(|| spans[number - 1].ends[1], |span| span.ends[0])
+    }
+
+    /// Where a corner of tiles is, and how high.
+    fn corner(&self, relief: &Relief, number: usize) -> ([f64; 2], f32) {
+        let corners = self.across()[0] + 1;
+        let place = [self.line(0, number % corners), self.line(1, number / corners)];
+        (place, relief.height(place) as f32)
+    }
+
+    /// The corners of a tile, by rows.
+    fn corners_of(&self, tile: usize) -> [usize; 4] {
+        let across = self.across()[0];
+        let first = tile / across * (across + 1) + tile % across;
+        [first, first + 1, first + across + 1, first + across + 2]
+    }
+
+    /// The sides of a tile: where `v` is least and greatest, then where `u` is.
+    fn sides_of(&self, tile: usize) -> [usize; 4] {
+        let [across, down] = self.across();
+        let (i, j) = (tile % across, tile / across);
+        let upright = across * (down + 1) + j * (across + 1) + i;
+        [tile, tile + across, upright, upright + 1]
+    }
+
+    /// The axis that a side runs along, its span, and the place of its line across the other axis.
+    fn along(&self, side: usize) -> (usize, Span, f64) {
+        let [across, down] = self.across();
+        let level = across * (down + 1);
+        if side < level {
+            (0, self.spans[0][side % across], self.line(1, side / across))
+        } else {
+            let (i, j) = ((side - level) % (across + 1), (side - level) / (across + 1));
+            (1, self.spans[1][j], self.line(0, i))
+        }
+    }
+
+    fn place_on(&self, side: usize, step: i32) -> [f64; 2] {
+        let (axis, span, line) = self.along(side);
+        if axis == 0 { [span.place(step), line] } else { [line, span.place(step)] }
+    }
+
+    /// The points of a side, without its ends.
+    fn side(
+        &self,
+        relief: &Relief,
+        side: usize,
+        divide: fn(&[Knot], f64) -> Vec<usize>,
+        tolerance: f64,
+    ) -> Vec<(i32, f32)> {
+        let (axis, span, line) = self.along(side);
+        let [first, last] = span.steps;
+        let twist_after = |step: i32| -> f64 {
+            // In the cells beside the line: two, if it runs between cells.
+            let along = (span.place(step) + span.place(step + 1)) / 2.0;
+            let twist = |beside: f64| {
+                let place = if axis == 0 { [along, beside] } else { [beside, along] };
+                twist_at(relief, place)
+            };
+            twist(line - 1e-3).max(twist(line + 1e-3))
+        };
+        let mut steps = Vec::new();
+        let mut step = first;
+        while step < last {
+            let next = ((step / STEPS + 1) * STEPS).min(last);
+            let twist = if self.certificate.judge == Judge::Surface { twist_after(step) } else { 0.0 };
+            // As finely as a chord beside so much twist may have to be.
+            let pieces = (twist / (LONGEST * tolerance)).ceil().clamp(1.0, f64::from(STEPS)) as u32;
+            let every = STEPS / pieces.next_power_of_two() as i32;
+            let mut at = step;
+            while at < next {
+                steps.push((at, twist));
+                at = (at / every + 1) * every;
+            }
+            step = next;
+        }
+        steps.push((last, 0.0));
+        let knot = |&(step, twist): &(i32, f64)| {
+            let place = self.place_on(side, step);
+            // As it is stored.
+            let height = f64::from(relief.height(place) as f32);
+            Knot { place: span.place(step), height, twist }
+        };
+        let knots: Vec<Knot> = steps.iter().map(knot).collect();
+        let chosen = divide(&knots, tolerance);
+        let inner = &chosen[1..chosen.len() - 1];
+        inner.iter().map(|&at| (steps[at].0, knots[at].height as f32)).collect()
+    }
+
+    fn border_count(&self, tile: usize) -> usize {
+        4 + self.sides_of(tile).map(|side| self.sides[side].len()).iter().sum::<usize>()
+    }
+
+    /// The border of a tile: its corners, by rows, and the points along its sides.
+    fn border(&self, relief: &Relief, tile: usize) -> Vec<([i32; 2], f32)> {
+        let [across, down] = self.spans_of(tile).map(|span| span.steps);
+        let corners = self.corners_of(tile).map(|corner| self.corner(relief, corner).1);
+        let places = [[across[0], down[0]], [across[1], down[0]], [across[0], down[1]], [across[1], down[1]]];
+        let mut border: Vec<([i32; 2], f32)> = places.into_iter().zip(corners).collect();
+        for (k, side) in self.sides_of(tile).into_iter().enumerate() {
+            let line = if k < 2 { down[k] } else { across[k - 2] };
+            let point = |step: i32| if k < 2 { [step, line] } else { [line, step] };
+            border.extend(self.sides[side].iter().map(|&(step, height)| (point(step), height)));
+        }
+        border
+    }
+
+    /// The heights of a tile.
+    fn window(&self, relief: &Relief, tile: usize) -> Window {
+        let spans = self.spans_of(tile);
+        let [from, to] = [0, 1].map(|end| spans.map(|span| span.steps[end]));
+        let place = |axis: usize, corner: usize| {
+            let (span, step) = (&spans[axis], corner as i32 * STEPS);
+            // Beyond the ends there are texels, too.
+            if span.steps.contains(&step) {
+                span.place(step)
+            } else {
+                span.origin + f64::from(step) * span.step
+            }
+        };
+        Window::new(from, to, |[i, j]| relief.height([place(0, i), place(1, j)]) as f32)
+    }
+}
+
+/// Whether there are not too many tiles over these texels, before memory is taken for them.
+fn check_tiles(range: [[f64; 2]; 2], max_bytes: u64) -> Result<(), MesherError> {
+    let tiles = range.map(|[from, to]| (from - to).abs() / TILE + 1.0);
+    let count = (tiles[0] * tiles[1]) as u64;
+    if count > MOST / 2 {
+        return Err(MesherError::TooLarge { vertices: count, triangles: count.saturating_mul(2) });
+    }
+    if count.saturating_mul(BYTES_PER_TILE) > max_bytes {
+        return Err(MesherError::NoMemory { limit: max_bytes });
+    }
+    Ok(())
+}
+
+/// Vertices, if there are not too many.
+fn numbered(vertices: u64, triangles: u64) -> Result<u32, MesherError> {
+    if vertices.max(triangles) > MOST {
+        return Err(MesherError::TooLarge { vertices, triangles });
+    }
+    Ok(vertices as u32)
+}
+
+/// How much the cell at a place is twisted.
+fn twist_at(relief: &Relief, [x, y]: [f64; 2]) -> f64 {
+    twist(relief.map().cell((x - 0.5).floor() as i64, (y - 0.5).floor() as i64))
+}
+
+fn twist(cell: [f32; 4]) -> f64 {
+    let [h00, h10, h01, h11] = cell.map(f64::from);
+    (h00 - h10 - h01 + h11).abs()
+}
+
+/// The greatest twist of all cells.
+fn greatest_twist(relief: &Relief) -> f64 {
+    let map = relief.map();
+    let of_row = |j: i64| (-1..i64::from(map.width())).map(|i| twist(map.cell(i, j))).fold(0.0, f64::max);
+    (-1..i64::from(map.height())).into_par_iter().map(of_row).reduce(|| 0.0, f64::max)
+}

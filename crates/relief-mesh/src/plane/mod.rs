@@ -1,0 +1,136 @@
+//! Planes: rectangles whose texture lies straight, cut along the lines of texels.
+
+mod adapted;
+mod grid;
+mod span;
+
+use glam::{DVec2, DVec3};
+use relief_core::mesh::{BasePoint, Mesh, Vertex};
+
+pub use adapted::{Adapted, Certificate, Filling};
+pub use grid::{Grid, Tile};
+
+use crate::surface::{Frame, Relief};
+use crate::{MesherError, Part, point};
+
+/// How much the corners of a rectangle may differ from one, as a part of its sides.
+const ROUNDING: f64 = 1e-5;
+
+/// A rectangle as two triangles make it.
+#[derive(Debug)]
+pub struct Rectangle {
+    corner: DVec3,
+    /// The derivatives of the position by `u` and `v`.
+    tangents: [DVec3; 2],
+    normal: DVec3,
+    /// Texture coordinates of the corner, and of the one across.
+    uvs: [DVec2; 2],
+    /// Whether triangles are turned over, as seen along growing `u` and `v`.
+    pub is_turned: bool,
+}
+
+impl Rectangle {
+    /// The rectangle that a mesh is, if it is two triangles that make one, with straight texture.
+    pub fn of_mesh(mesh: &Mesh) -> Option<Self> {
+        let [first, second] = mesh.triangles() else { return None };
+        let vertex = |at: &u32| &mesh.vertices()[*at as usize];
+        let corners: Vec<&Vertex> = first.iter().chain(second).map(vertex).collect();
+        let normal = corners[0].normal;
+        let uvs = corners.iter().map(|corner| corner.uv.as_dvec2());
+        let [from, to] = uvs.fold([DVec2::INFINITY, DVec2::NEG_INFINITY], |[least, greatest], uv| {
+            [least.min(uv), greatest.max(uv)]
+        });
+        let at = |u: f64, v: f64| {
+            let mut there = corners.iter().filter(|corner| corner.uv.as_dvec2() == DVec2::new(u, v));
+            let position = there.next()?.position;
+            there.all(|corner| corner.position == position).then_some(position.as_dvec3())
+        };
+        let [corner, right, below, across] =
+            [at(from.x, from.y)?, at(to.x, from.y)?, at(from.x, to.y)?, at(to.x, to.y)?];
+        let sides = [right - corner, below - corner];
+        let size = sides[0].length() + sides[1].length();
+        let up = sides[1].cross(sides[0]);
+        let is_straight = (corner + sides[0] + sides[1] - across).length() <= ROUNDING * size
+            && sides[0].dot(sides[1]).abs() <= ROUNDING * sides[0].length() * sides[1].length()
+            && corners.iter().all(|corner| corner.normal == normal)
+            && up.normalize_or_zero().cross(normal.as_dvec3()).length() <= ROUNDING;
+        // Seen along growing u and v a triangle runs one way or the other; both of them the same.
+        let turn = |corners: &[&Vertex]| {
+            let [a, b, c] = [0, 1, 2].map(|k| corners[k].uv.as_dvec2());
+            (b - a).perp_dot(c - a)
+        };
+        let turns = [turn(&corners[..3]), turn(&corners[3..])];
+        let area = (to - from).x * (to - from).y;
+        // The corner that a half has not is its own, turned around the middle.
+        let left_out = |half: &[&Vertex]| {
+            let sum: DVec2 = half.iter().map(|corner| corner.uv.as_dvec2()).sum();
+            2.0 * (from + to) - sum
+        };
+        let is_whole = turns[0] * turns[1] > 0.0
+            && turns.iter().all(|turn| turn.abs() == area)
+            && left_out(&corners[..3]) + left_out(&corners[3..]) == from + to;
+        (is_straight && is_whole && up != DVec3::ZERO).then(|| Self {
+            corner,
+            tangents: [sides[0] / (to - from).x, sides[1] / (to - from).y],
+            normal: normal.as_dvec3(),
+            uvs: [from, to],
+            is_turned: turns[0] > 0.0,
+        })
+    }
+
+    /// The length of the direction of displacement.
+    pub fn reach(&self) -> f64 {
+        self.normal.length()
+    }
+
+    /// From where to where a part of it goes along `u` and `v`, in texels, `i + ½` the centre of texel `i`.
+    /// Parts meet at centres.
+    pub fn range(&self, relief: &Relief, part: Part) -> Result<[[f64; 2]; 2], MesherError> {
+        let sides = relief.sides();
+        let mut range = [[0.0; 2]; 2];
+        for axis in 0..2 {
+            let [from, to] = [0, 1].map(|end| self.uvs[end][axis] * sides[axis]);
+            let (of, at) = (part.of[axis], part.at[axis]);
+            if at >= of {
+                return Err(MesherError::NoPart { part });
+            }
+            let cut = |number: u32| match number {
+                0 => from,
+                last if last == of => to,
+                _ => centre(from + (to - from) * f64::from(number) / f64::from(of)),
+            };
+            range[axis] = [cut(at), cut(at + 1)];
+            // Parts of less than a texel have no centre to meet at.
+            if of > 1 && (to - from) / f64::from(of) < 2.0 {
+                return Err(MesherError::TooManyParts { part });
+            }
+        }
+        Ok(range)
+    }
+
+    fn base(&self, relief: &Relief, [x, y]: [f64; 2]) -> BasePoint {
+        let sides = relief.sides();
+        let uv = DVec2::new(x / sides[0], y / sides[1]);
+        let along = uv - self.uvs[0];
+        let position = self.corner + self.tangents[0] * along.x + self.tangents[1] * along.y;
+        BasePoint { position, normal: self.normal, uv }
+    }
+
+    /// The position of a place at a height of the map.
+    pub fn position(&self, relief: &Relief, place: [f64; 2], height: f64) -> glam::Vec3 {
+        point::stored(relief.displaced_by(&self.base(relief, place), relief.metres(height)))
+    }
+
+    /// The vertex of a place at a height of the map.
+    pub fn vertex(&self, relief: &Relief, place: [f64; 2], height: f64) -> Vertex {
+        let base = self.base(relief, place);
+        let position = relief.displaced_by(&base, relief.metres(height));
+        let frame = Frame { normal: self.normal, tangents: self.tangents, turns: [DVec3::ZERO; 2] };
+        relief.vertex(position, &base, place.map(|at| at - 0.5), &frame, 0.0)
+    }
+}
+
+/// The centre of a texel that is nearest to a place.
+fn centre(place: f64) -> f64 {
+    (place - 0.5).round() + 0.5
+}
