@@ -1,4 +1,4 @@
-//! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `cost`, `cracks`, `detail`, `embree`,
+//! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`, `embree`,
 //! `frame`, `judge`, `mesh`, `probe`, `pyramid`, `quadrics`, `shadow`, `sheet`, `surfaces` and `trace`.
 //! Results are kept in `docs/`.
 
@@ -7,6 +7,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 mod accuracy;
+mod adapt;
 mod bake;
 mod cost;
 mod cracks;
@@ -40,6 +41,8 @@ struct Arguments {
 enum Command {
     /// How near every method comes to the truth, and whether the survey's order holds
     Accuracy(accuracy::Arguments),
+    /// Triangles and seconds that a plane to an error takes, beside packages of PyPI
+    Adapt(adapt::Arguments),
     /// Time and memory of every kind of map
     Bake(bake::Arguments),
     /// Time of a frame of every surface, beside one of `plane`
@@ -75,6 +78,7 @@ enum Command {
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Accuracy(arguments) => accuracy::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Adapt(arguments) => adapt::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Cost(arguments) => cost::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Cracks(arguments) => cracks::run(&arguments),

@@ -413,6 +413,10 @@ impl Adapted {
     fn window(&self, relief: &Relief, tile: usize) -> Window {
         let spans = self.spans_of(tile);
         let [from, to] = [0, 1].map(|end| spans.map(|span| span.steps[end]));
+        if let [Some(i0), Some(j0)] = spans.map(|span| span.first_texel()) {
+            let map = relief.map();
+            return Window::new(from, to, |[i, j]| map.texel(i0 + i as i64, j0 + j as i64));
+        }
         let place = |axis: usize, corner: usize| {
             let (span, step) = (&spans[axis], corner as i32 * STEPS);
             // Beyond the ends there are texels, too.

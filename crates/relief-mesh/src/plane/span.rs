@@ -40,6 +40,11 @@ impl Span {
         }
     }
 
+    /// The texel at step 0, unless this is a strip.
+    pub fn first_texel(&self) -> Option<i64> {
+        (self.step == 1.0 / f64::from(STEPS)).then_some((self.origin - 0.5) as i64)
+    }
+
     fn strip(from: f64, to: f64) -> Self {
         Self { ends: [from, to], steps: [0, STEPS], origin: from, step: (to - from) / f64::from(STEPS) }
     }
@@ -113,8 +118,8 @@ mod tests {
                     assert!(place > before, "{span:?}: {step}");
                     before = place;
                 }
-                if span.step == 1.0 / f64::from(STEPS) {
-                    assert_eq!(span.origin.fract().abs(), 0.5, "{span:?}");
+                if let Some(texel) = span.first_texel() {
+                    assert_eq!(span.origin, texel as f64 + 0.5, "{span:?}");
                 } else {
                     let centre = (span.ends[0] - 0.5).floor() + 1.5;
                     assert!(span.ends[1] <= centre, "{span:?}: a crease inside");

@@ -102,7 +102,7 @@ impl Fit<'_, '_> {
             };
             let corners = points.map(|point| tile.corner(point));
             let at = corners.map(|(at, _)| at.map(f64::from));
-            let Gaps { above, below } = within::<f32>(tile.window, corners);
+            let Gaps { above, below } = within(tile.window, corners);
             for gap in [above, below] {
                 take(gap, weights(at, gap.place));
             }

@@ -5,9 +5,6 @@
 //! quadratic. So it is enough to look at the corners of cells within the triangle, at the places where its
 //! edges cross lines between cells, and at the vertices of the quadratics along the edges.
 
-use std::fmt::Debug;
-use std::ops::{Add, Mul, Sub};
-
 use super::window::{STEPS, Window, bilinear};
 
 /// A distance of the surface from a triangle, along the direction of displacement: greater than 0 where the
@@ -43,19 +40,6 @@ impl Gaps {
         }
     }
 
-    /// Takes one more distance.
-    pub fn take_gap(&mut self, gap: Gap) {
-        self.take(gap.height, || gap.place);
-    }
-
-    /// Those of both.
-    pub fn with(self, other: Self) -> Self {
-        Self {
-            above: if other.above.height > self.above.height { other.above } else { self.above },
-            below: if other.below.height < self.below.height { other.below } else { self.below },
-        }
-    }
-
     /// The farther one, if there is any.
     pub fn worst(&self) -> Option<Gap> {
         let gap = if self.above.height >= -self.below.height { self.above } else { self.below };
@@ -66,63 +50,51 @@ impl Gaps {
 /// A corner of a triangle: where, and how high.
 pub type Corner = ([i32; 2], f64);
 
-/// What a corner of a cell may lie outside of a triangle by rounding, in cells. Corners that lie outside are
-/// farther away: edges have lattice points for ends.
-const ROUNDING: f64 = 1e-7;
-
-/// Numbers that distances are worked out in.
-pub trait Number:
-    Copy + PartialOrd + Debug + From<f32> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
-{
-    const INFINITY: Self;
-    const NEG_INFINITY: Self;
-    fn of(value: f64) -> Self;
-    fn value(self) -> f64;
-}
-
-impl Number for f32 {
-    const INFINITY: Self = f32::INFINITY;
-    const NEG_INFINITY: Self = f32::NEG_INFINITY;
-    fn of(value: f64) -> Self {
-        value as f32
-    }
-    fn value(self) -> f64 {
-        f64::from(self)
-    }
-}
-
-impl Number for f64 {
-    const INFINITY: Self = f64::INFINITY;
-    const NEG_INFINITY: Self = f64::NEG_INFINITY;
-    fn of(value: f64) -> Self {
-        value
-    }
-    fn value(self) -> f64 {
-        self
-    }
-}
-
-/// Distances at the corners of cells within a triangle, and on its edges: in `f32` they are found twice as
-/// fast, in `f64` exactly.
-pub fn within<N: Number>(window: &Window, corners: [Corner; 3]) -> Gaps {
-    let mut best = [Best::<N>::NONE; 2];
+/// The greatest and the least distance at the corners of cells within a triangle, and on its edges, in `f32`.
+pub fn within(window: &Window, corners: [Corner; 3]) -> Gaps {
+    let mut best = [None::<Best>; 2];
     rows(window, corners, |row, heights| {
-        let Row { j, from, start, slope } = row;
-        let row = Row { j, from, start: N::of(start), slope: N::of(slope) };
-        let [above, below] = row.extremes(heights);
-        if best[0].row.is_none() || above > best[0].height {
-            best[0] = Best { height: above, row: Some(row) };
+        let line = row.line();
+        let [above, below] = line.extremes(heights);
+        if best[0].is_none_or(|best| above > best.height) {
+            best[0] = Some(Best { height: above, row });
         }
-        if best[1].row.is_none() || below < best[1].height {
-            best[1] = Best { height: below, row: Some(row) };
+        if best[1].is_none_or(|best| below < best.height) {
+            best[1] = Some(Best { height: below, row });
         }
     });
-    let [above, below] = best.map(|best| best.gap(window));
+    let [above, below] = best.map(|best| best.and_then(|best| best.gap(window)));
     Gaps { above: above.unwrap_or(Gaps::NONE.above), below: below.unwrap_or(Gaps::NONE.below) }
 }
 
+/// The farthest distance at the corners of cells within a triangle, and on its edges: as fast as can be, in
+/// `f32`.
+pub fn worst_within(window: &Window, corners: [Corner; 3]) -> Option<Gap> {
+    let mut worst = -1.0_f32;
+    let mut found = (0.0, [0; 2]);
+    rows(window, corners, |row, heights| {
+        let line = row.line();
+        // Most rows are short. In long ones the place is looked for only where there is one.
+        if heights.len() >= 2 * LANES {
+            let [above, below] = line.extremes(heights);
+            if above.max(-below) <= worst {
+                return;
+            }
+        }
+        for (k, &height) in heights.iter().enumerate() {
+            let gap = line.gap(k as f32, height);
+            if gap.abs() > worst {
+                worst = gap.abs();
+                found = (gap, [row.from + k as i32, row.j]);
+            }
+        }
+    });
+    let (height, at) = found;
+    (worst >= 0.0).then(|| Gap { height: f64::from(height), place: at.map(|at| f64::from(at * STEPS)) })
+}
+
 /// The rows of cells' corners within a triangle, and on its edges, with their heights.
-pub fn rows(window: &Window, corners: [Corner; 3], mut each: impl FnMut(Row<f64>, &[f32])) {
+pub fn rows(window: &Window, corners: [Corner; 3], mut each: impl FnMut(Row, &[f32])) {
     let mut sorted = corners;
     sorted.sort_unstable_by_key(|(at, _)| at[1]);
     let first = (sorted[0].0[1] + STEPS - 1) / STEPS;
@@ -130,57 +102,122 @@ pub fn rows(window: &Window, corners: [Corner; 3], mut each: impl FnMut(Row<f64>
     if first > last {
         return;
     }
-    let at = sorted.map(|(at, _)| at.map(|at| f64::from(at) / f64::from(STEPS)));
-    let [slope, down] = slopes(at, sorted.map(|(_, height)| height));
-    let lean = |a: [f64; 2], b: [f64; 2]| if b[1] > a[1] { (b[0] - a[0]) / (b[1] - a[1]) } else { 0.0 };
-    let leans = [lean(at[0], at[1]), lean(at[1], at[2]), lean(at[0], at[2])];
-    for j in first..=last {
-        let y = f64::from(j);
-        let short = usize::from(y > at[1][1] || at[0][1] == at[1][1]);
-        let ends = [at[short][0] + (y - at[short][1]) * leans[short], at[0][0] + (y - at[0][1]) * leans[2]];
-        let (left, right) = if ends[0] < ends[1] { (ends[0], ends[1]) } else { (ends[1], ends[0]) };
-        // Conversion rounds towards 0.
-        let from = (left + (1.0 - ROUNDING)) as i32;
-        let to = (right + ROUNDING) as i32;
-        if from <= to {
-            let start = sorted[0].1 + (y - at[0][1]) * down + (f64::from(from) - at[0][0]) * slope;
-            each(Row { j, from, start, slope }, &window.row(j as usize)[from as usize..=to as usize]);
+    let at = sorted.map(|(at, _)| at);
+    let [slope, down] = slopes(sorted);
+    let origin = {
+        let [x, y] = at[0].map(|at| f64::from(at) / f64::from(STEPS));
+        sorted[0].1 - slope * x - down * y
+    };
+    // The corner in the middle lies on one side of the long edge.
+    let [ab, ac] = [1, 2].map(|k| [0, 1].map(|axis| i64::from(at[k][axis] - at[0][axis])));
+    let is_left = ab[0] * ac[1] < ab[1] * ac[0];
+    let long = Edge::new(at[0], at[2]);
+    let middle = if at[1][1] > at[0][1] { at[1][1] / STEPS } else { first - 1 };
+    for (short, rows) in [([0, 1], first..=middle.min(last)), ([1, 2], middle + 1..=last)] {
+        if rows.is_empty() {
+            continue;
+        }
+        let short = Edge::new(at[short[0]], at[short[1]]);
+        let (left, right) = if is_left { (&short, &long) } else { (&long, &short) };
+        for j in rows {
+            let from = ((left.at(j) + (CELL - 1 - ROUNDING)) >> CELL_BITS) as i32;
+            let to = ((right.at(j) + ROUNDING) >> CELL_BITS) as i32;
+            if from <= to {
+                let start = origin + slope * f64::from(from) + down * f64::from(j);
+                each(Row { j, from, start, slope }, &window.row(j as usize)[from as usize..=to as usize]);
+            }
         }
     }
 }
 
-/// The slopes of a triangle along both axes.
-pub fn slopes(at: [[f64; 2]; 3], heights: [f64; 3]) -> [f64; 2] {
-    let [b, c] = [1, 2].map(|k| [at[k][0] - at[0][0], at[k][1] - at[0][1]]);
-    let [rise_b, rise_c] = [heights[1] - heights[0], heights[2] - heights[0]];
-    let area = b[0] * c[1] - b[1] * c[0];
-    [(rise_b * c[1] - rise_c * b[1]) / area, (rise_c * b[0] - rise_b * c[0]) / area]
+/// Bits of a step of the lattice behind the point.
+const STEP_BITS: u32 = 32;
+
+/// Bits of a cell behind the point.
+const CELL_BITS: u32 = STEP_BITS + STEPS.ilog2();
+
+/// A cell.
+const CELL: i64 = 1 << CELL_BITS;
+
+/// What an edge is wrong by at most. A corner of a cell that is not on an edge is farther from it: the edge's
+/// ends are lattice points, fewer than 2¹³ steps apart.
+const ROUNDING: i64 = 1 << 16;
+
+/// Where an edge crosses rows, with [`STEP_BITS`] bits behind the point.
+#[derive(Clone, Copy, Debug)]
+struct Edge {
+    x: i64,
+    y: i64,
+    lean: i64,
+}
+
+impl Edge {
+    /// An edge between lattice points, the upper one first.
+    fn new([x, y]: [i32; 2], [to_x, to_y]: [i32; 2]) -> Self {
+        let run = i64::from(to_x - x) << STEP_BITS;
+        Self { x: i64::from(x) << STEP_BITS, y: i64::from(y), lean: run / i64::from(to_y - y).max(1) }
+    }
+
+    fn at(&self, row: i32) -> i64 {
+        self.x + (i64::from(row * STEPS) - self.y) * self.lean
+    }
+}
+
+/// The slopes of a triangle along both axes, in heights a cell.
+fn slopes([(a, za), (b, zb), (c, zc)]: [Corner; 3]) -> [f64; 2] {
+    let cells = |from: i32, to: i32| f64::from(to - from) / f64::from(STEPS);
+    let [b, c] = [b, c].map(|to| [cells(a[0], to[0]), cells(a[1], to[1])]);
+    let scale = 1.0 / (b[0] * c[1] - b[1] * c[0]);
+    let [rise_b, rise_c] = [zb - za, zc - za];
+    [(rise_b * c[1] - rise_c * b[1]) * scale, (rise_c * b[0] - rise_b * c[0]) * scale]
 }
 
 /// A row of cells' corners within a triangle.
 #[derive(Clone, Copy, Debug)]
-pub struct Row<N> {
+pub struct Row {
     /// Which row.
     pub j: i32,
     /// The first corner.
     pub from: i32,
     /// The triangle's height at the first corner.
-    pub start: N,
+    start: f64,
     /// How much it rises at each.
-    pub slope: N,
+    slope: f64,
+}
+
+impl Row {
+    /// How far a height lies above the triangle, so many corners from the first.
+    pub fn gap(&self, k: usize, height: f32) -> f64 {
+        f64::from(height) - (self.start + self.slope * k as f64)
+    }
+
+    fn line(&self) -> Line {
+        Line { start: self.start as f32, slope: self.slope as f32 }
+    }
+}
+
+/// A triangle along a row, in `f32`: half as exact, and twice as fast.
+#[derive(Clone, Copy, Debug)]
+struct Line {
+    start: f32,
+    slope: f32,
 }
 
 /// Corners that are looked at together.
 const LANES: usize = 8;
 
-impl<N: Number> Row<N> {
+impl Line {
+    fn gap(&self, k: f32, height: f32) -> f32 {
+        height - (self.start + self.slope * k)
+    }
+
     /// The greatest and the least distance of these heights.
-    fn extremes(&self, heights: &[f32]) -> [N; 2] {
-        let (mut above, mut below) = (N::NEG_INFINITY, N::INFINITY);
+    fn extremes(&self, heights: &[f32]) -> [f32; 2] {
+        let (mut above, mut below) = (f32::NEG_INFINITY, f32::INFINITY);
         let mut done = 0.0_f32;
         let (lanes, rest) = heights.as_chunks::<LANES>();
         if !lanes.is_empty() {
-            let (mut most, mut least) = ([N::NEG_INFINITY; LANES], [N::INFINITY; LANES]);
+            let (mut most, mut least) = ([above; LANES], [below; LANES]);
             for chunk in lanes {
                 for k in 0..LANES {
                     let gap = self.gap(done + k as f32, chunk[k]);
@@ -189,10 +226,8 @@ impl<N: Number> Row<N> {
                 }
                 done += LANES as f32;
             }
-            for k in 0..LANES {
-                above = if most[k] > above { most[k] } else { above };
-                below = if least[k] < below { least[k] } else { below };
-            }
+            above = most.into_iter().fold(above, f32::max);
+            below = least.into_iter().fold(below, f32::min);
         }
         for (k, &height) in rest.iter().enumerate() {
             let gap = self.gap(done + k as f32, height);
@@ -201,30 +236,24 @@ impl<N: Number> Row<N> {
         }
         [above, below]
     }
-
-    fn gap(&self, k: f32, height: f32) -> N {
-        N::from(height) - (self.start + self.slope * N::from(k))
-    }
 }
 
 /// The greatest distance so far, and its row.
 #[derive(Clone, Copy, Debug)]
-struct Best<N> {
-    height: N,
-    row: Option<Row<N>>,
+struct Best {
+    height: f32,
+    row: Row,
 }
 
-impl<N: Number> Best<N> {
-    const NONE: Self = Self { height: N::INFINITY, row: None };
-
+impl Best {
     /// With the place in its row.
     fn gap(&self, window: &Window) -> Option<Gap> {
-        let row = self.row?;
+        let (row, line) = (self.row, self.row.line());
         let heights = &window.row(row.j as usize)[row.from as usize..];
-        let is_there = |(k, &height): (usize, &f32)| row.gap(k as f32, height) == self.height;
+        let is_there = |(k, &height): (usize, &f32)| line.gap(k as f32, height) == self.height;
         let k = heights.iter().enumerate().position(is_there)?;
         let place = [row.from + k as i32, row.j].map(|at| f64::from(at * STEPS));
-        Some(Gap { height: self.height.value(), place })
+        Some(Gap { height: f64::from(self.height), place })
     }
 }
 
@@ -235,7 +264,7 @@ pub fn along(window: &Window, [a, b]: [Corner; 2]) -> Gaps {
     let run = [to[0] - from[0], to[1] - from[1]];
     let length = run.map(i32::abs);
     let steps = run.map(|run| f64::from(run) / f64::from(STEPS));
-    let scale = f64::from(length[0].max(1)) * f64::from(length[1].max(1));
+    let scale = 1.0 / (f64::from(length[0].max(1)) * f64::from(length[1].max(1)));
     let place = |t: f64| [0, 1].map(|axis| f64::from(from[axis]) + t * f64::from(run[axis]));
     // The first cell, and how far it is to the next line across each axis; times the other axis's run, so
     // that both are compared as whole numbers.
@@ -262,7 +291,7 @@ pub fn along(window: &Window, [a, b]: [Corner; 2]) -> Gaps {
     loop {
         let nearest = ahead[0].min(ahead[1]);
         let is_last = nearest >= full;
-        let until = if is_last { 1.0 } else { nearest as f64 / scale };
+        let until = if is_last { 1.0 } else { nearest as f64 * scale };
         let next = gap_at(heights, cell, until);
         gaps.take(next, || place(until));
         // Over the segment the distance is `gap + b s + a s²`, `s` from 0 to 1.

@@ -6,7 +6,7 @@
 use std::collections::BinaryHeap;
 
 use super::delaunay::{Delaunay, Location, NONE};
-use super::judge::{Corner, Gap, Gaps, along, rows, within};
+use super::judge::{Corner, Gap, along, rows, worst_within};
 use super::window::{STEPS, Window};
 use crate::Judge;
 
@@ -27,6 +27,9 @@ pub struct Refined<'a> {
     /// Triangles by their worst, as a number that grows with it.
     queue: BinaryHeap<(u32, u32)>,
     changed: Vec<u32>,
+    /// How often changed triangles were looked at, and the last time that each was.
+    turn: u32,
+    looked: Vec<u32>,
 }
 
 /// What triangles show.
@@ -64,6 +67,8 @@ impl<'a> Refined<'a> {
             edges: Vec::new(),
             queue: BinaryHeap::new(),
             changed: Vec::new(),
+            turn: 0,
+            looked: Vec::new(),
         }
     }
 
@@ -109,24 +114,27 @@ impl<'a> Refined<'a> {
     fn look(&mut self) {
         let mut changed = std::mem::take(&mut self.changed);
         self.mesh.take_changed(&mut changed);
-        changed.sort_unstable();
-        changed.dedup();
+        self.turn += 1;
         let count = self.mesh.count() as usize;
         self.worst.resize(count, LEVEL);
+        self.looked.resize(count, 0);
         self.edges.resize(3 * count, ([NONE; 2], LEVEL));
         for &triangle in &changed {
+            if std::mem::replace(&mut self.looked[triangle as usize], self.turn) == self.turn {
+                continue;
+            }
             let corners = self.mesh.triangle(triangle).map(|point| self.corner(point));
-            let mut gaps = within::<f32>(self.window, corners);
+            let mut worst = worst_within(self.window, corners).unwrap_or(LEVEL);
             if self.judge == Judge::Surface {
                 for edge in 3 * triangle..3 * triangle + 3 {
-                    if let Some(gap) = self.edge(edge) {
-                        gaps.take_gap(gap);
+                    let gap = self.edge(edge).unwrap_or(LEVEL);
+                    if gap.height.abs() > worst.height.abs() {
+                        worst = gap;
                     }
                 }
             }
-            let gap = gaps.worst().unwrap_or(LEVEL);
-            self.worst[triangle as usize] = gap;
-            self.queue.push((key_of(gap), triangle));
+            self.worst[triangle as usize] = worst;
+            self.queue.push((key_of(worst), triangle));
         }
         changed.clear();
         self.changed = changed;
@@ -178,24 +186,24 @@ impl<'a> Refined<'a> {
 
     /// What all triangles together show, worked out in `f64`.
     pub fn seen(&self) -> Seen {
-        let mut gaps = Gaps::NONE;
         let to = self.window.to;
         let columns = (to[0] / STEPS + 1) as usize;
         let mut is_counted = vec![false; columns * (to[1] / STEPS + 1) as usize];
-        let (mut sum, mut count) = (0.0, 0);
+        let mut seen = Seen { worst: LEVEL, sum: 0.0, count: 0 };
         for triangle in 0..self.mesh.count() {
             let corners = self.mesh.triangle(triangle).map(|point| self.corner(point));
-            gaps = gaps.with(within::<f64>(self.window, corners));
             rows(self.window, corners, |row, heights| {
-                for (k, &height) in heights.iter().enumerate() {
+                let first = row.j as usize * columns + row.from as usize;
+                for (k, (&height, is_counted)) in heights.iter().zip(&mut is_counted[first..]).enumerate() {
+                    let gap = row.gap(k, height);
                     // A corner on an edge is one of both triangles.
-                    let is_first = !std::mem::replace(
-                        &mut is_counted[row.j as usize * columns + row.from as usize + k],
-                        true,
-                    );
-                    if is_first {
-                        sum += (f64::from(height) - row.start - row.slope * k as f64).abs();
-                        count += 1;
+                    if !std::mem::replace(is_counted, true) {
+                        seen.sum += gap.abs();
+                        seen.count += 1;
+                    }
+                    if gap.abs() > seen.worst.height.abs() {
+                        let place = [row.from + k as i32, row.j].map(|at| f64::from(at * STEPS));
+                        seen.worst = Gap { height: gap, place };
                     }
                 }
             });
@@ -205,11 +213,13 @@ impl<'a> Refined<'a> {
             for edge in 3 * triangle..3 * triangle + 3 {
                 let [a, b] = self.mesh.ends(edge);
                 if self.mesh.opposite(edge) == NONE || a < b {
-                    gaps = gaps.with(along(self.window, [a, b].map(|point| self.corner(point))));
+                    let gap = along(self.window, [a, b].map(|point| self.corner(point))).worst();
+                    seen.worst =
+                        gap.filter(|gap| gap.height.abs() > seen.worst.height.abs()).unwrap_or(seen.worst);
                 }
             }
         }
-        Seen { worst: gaps.worst().unwrap_or(LEVEL), sum, count }
+        seen
     }
 }
 

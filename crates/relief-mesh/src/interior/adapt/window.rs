@@ -37,7 +37,13 @@ impl Window {
     pub fn cell(&self, [i, j]: [i32; 2]) -> [f64; 4] {
         let at = j as usize * self.corners[0] + i as usize;
         let below = at + self.corners[0];
-        [self.heights[at], self.heights[at + 1], self.heights[below], self.heights[below + 1]].map(f64::from)
+        let ([h00, h10], [h01, h11]) = (self.pair(at), self.pair(below));
+        [h00, h10, h01, h11].map(f64::from)
+    }
+
+    fn pair(&self, at: usize) -> [f32; 2] {
+        let pair = &self.heights[at..at + 2];
+        [pair[0], pair[1]]
     }
 
     /// The height at a lattice point.
