@@ -71,6 +71,9 @@ choice! {
     /// Of the bilinear surface and the base's frame, where the vertex lies, however coarse the mesh is.
     #[default]
     Exact = "exact",
+    /// The same without what the direction of displacement turns by: equation 9 of Szirmay-Kalos and
+    /// Umenhoffer 2008. It is off by as much as the relief is high beside the radius of a curved base.
+    Derivative = "derivative",
     /// Of the triangles that are made: the mean over those at a vertex, weighted by their angles there.
     Mesh = "mesh",
 }
@@ -104,6 +107,29 @@ choice! {
     Heights = "heights",
     /// Those of the surface.
     None = "none",
+}
+
+choice! {
+    /// On which side of the relief triangles lie that are made to a tolerance.
+    Side, "side":
+    /// On both, as far as the tolerance allows: the nearest.
+    #[default]
+    Both = "both",
+    /// Above it or on it: nothing that stands on the triangles sinks into them.
+    Above = "above",
+    /// Below it or on it.
+    Below = "below",
+}
+
+impl Side {
+    /// The way that triangles are moved off the relief, along the displacement.
+    pub(crate) fn sign(self) -> f64 {
+        match self {
+            Self::Both => 0.0,
+            Self::Above => 1.0,
+            Self::Below => -1.0,
+        }
+    }
 }
 
 #[cfg(test)]

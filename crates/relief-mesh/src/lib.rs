@@ -44,7 +44,7 @@ mod surface;
 mod triangles;
 mod watch;
 
-pub use choices::{BaseSurface, Directions, Fit, Judge, Seams, Shading};
+pub use choices::{BaseSurface, Directions, Fit, Judge, Seams, Shading, Side};
 pub use crack::{CrackPart, CrackTest, Cracks};
 pub use edge::{EDGE_RULES, EdgeRule, Spacing, edge_rule};
 pub use error::{MesherError, StreamError};

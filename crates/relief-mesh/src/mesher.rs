@@ -128,7 +128,7 @@ impl Mesher {
         if mesh.triangles().is_empty() {
             return Err(MesherError::Empty);
         }
-        let relief = Relief::new(map, settings.directions);
+        let relief = Relief::new(map, settings.directions, settings.shading);
         let rectangle = Rectangle::of_mesh(mesh);
         if rectangle.is_none() && settings.part != Part::WHOLE {
             return Err(MesherError::PartOfNoPlane);

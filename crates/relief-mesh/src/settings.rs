@@ -1,6 +1,6 @@
 //! How a mesh is made.
 
-use crate::{BaseSurface, Directions, EdgeRule, Fit, Interior, Judge, Seams, Shading, edge, interior};
+use crate::{BaseSurface, Directions, EdgeRule, Fit, Interior, Judge, Seams, Shading, Side, edge, interior};
 
 /// How a mesh is made.
 #[derive(Clone, Copy, Debug)]
@@ -18,6 +18,8 @@ pub struct MeshSettings {
     pub judge: Judge,
     /// For the same: which heights points get.
     pub fit: Fit,
+    /// For the same: on which side of the relief triangles lie.
+    pub side: Side,
     /// Which part of a plane is made.
     pub part: Part,
     /// The most memory, in bytes, that may be held of a mesh whose triangles must be made to be counted.
@@ -64,6 +66,7 @@ impl Default for MeshSettings {
             error_m: f64::INFINITY,
             judge: Judge::default(),
             fit: Fit::default(),
+            side: Side::default(),
             part: Part::WHOLE,
             max_bytes: u64::MAX,
             base: BaseSurface::default(),

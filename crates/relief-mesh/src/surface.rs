@@ -4,13 +4,14 @@ use glam::DVec3;
 use relief_core::HeightMap;
 use relief_core::mesh::{BasePoint, Vertex};
 
-use crate::{Directions, point};
+use crate::{Directions, Shading, point};
 
 /// A height map as it displaces.
 #[derive(Clone, Debug)]
 pub struct Relief {
     map: HeightMap,
     directions: Directions,
+    shading: Shading,
 }
 
 /// The base's frame at a point, to shade it by: numbers of its corners, interpolated.
@@ -40,8 +41,8 @@ impl Frame {
 }
 
 impl Relief {
-    pub fn new(map: &HeightMap, directions: Directions) -> Self {
-        Self { map: map.clone(), directions }
+    pub fn new(map: &HeightMap, directions: Directions, shading: Shading) -> Self {
+        Self { map: map.clone(), directions, shading }
     }
 
     /// Columns and rows of the map.
@@ -100,9 +101,9 @@ impl Relief {
     /// the displaced surface, its tangents are the derivatives of the position by `u` and `v`.
     ///
     /// With the displacement `D` along `M` they are `T + D_u M + D M_u`, and the same for `v`: equation 9 of
-    /// Szirmay-Kalos and Umenhoffer 2008 without its last simplification, that `M` does not turn. `T` is the
-    /// base's derivative in the plane at right angles to its normal, so that where there is no relief the
-    /// normal is the base's.
+    /// Szirmay-Kalos and Umenhoffer 2008 without its last simplification, that `M` does not turn; the shading
+    /// `derivative` has that, too. `T` is the base's derivative in the plane at right angles to its normal,
+    /// so that where there is no relief the normal is the base's.
     pub fn vertex(
         &self,
         position: DVec3,
@@ -114,7 +115,7 @@ impl Relief {
         let up = frame.normal.normalize_or_zero();
         let [x, y] = place;
         let (slope, sides, scale_m) = (self.map.slope_at_place(x, y), self.sides(), self.map.scale_m());
-        let metres = self.metres_at(place, more_m);
+        let metres = if self.shading == Shading::Derivative { 0.0 } else { self.metres_at(place, more_m) };
         let length = base.normal.length();
         let derivative = |axis: usize| {
             let flat = frame.tangents[axis] - up * up.dot(frame.tangents[axis]);

@@ -7,7 +7,7 @@ use glam::{DVec2, Vec2, Vec3};
 use rayon::ThreadPoolBuilder;
 use relief_core::mesh::{Mesh, rectangle, torus};
 use relief_core::{HeightMap, Wrap};
-use relief_mesh::{Certificate, Fit, Judge, MeshSettings, Mesher, MesherError, Part, Shading, Watch};
+use relief_mesh::{Certificate, Fit, Judge, MeshSettings, Mesher, MesherError, Part, Shading, Side, Watch};
 use relief_tests::maps;
 
 /// Metres of displacement between heights 0 and 1.
@@ -132,6 +132,39 @@ fn no_sample_is_farther_than_the_mesh_says() {
                     assert!(found <= certificate.error_m + ROUNDING * SCALE_M, "{about}: {found}");
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn nothing_sinks_into_a_mesh_above_the_relief() {
+    for named in ["natural 101x67", "single spike 33x31", "steps 61x40", "constant half 16x9"] {
+        let named = maps::ALL.iter().find(|map| map.name == named).expect("a map");
+        let map = displaced(&named.build(Wrap::Mirror));
+        let error_m = 0.03 * SCALE_M;
+        for side in [Side::Above, Side::Below] {
+            let (mesh, certificate) = made(&map, &MeshSettings { side, ..MeshSettings::within(error_m) });
+            let about = format!("{}, {side}: {certificate:?}", named.name);
+            assert!(certificate.error_m <= error_m && certificate.mean_m <= certificate.error_m, "{about}");
+            let sign = if side == Side::Above { -1.0 } else { 1.0 };
+            let pieces = pieces(&map, &mesh);
+            let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+            for piece in &pieces {
+                let [a, b, c] = piece.map(|(place, _)| place);
+                for k in 0..=64 {
+                    let (i, j) = (f64::from(k % 8) / 8.0, f64::from(k / 8) / 8.0);
+                    let at = a + (b - a) * i + (c - a) * (j * (1.0 - i));
+                    let distance = gap(&map, *piece, at).map(|gap| gap * sign);
+                    least = distance.map_or(least, |distance| least.min(distance));
+                    most = distance.map_or(most, |distance| most.max(distance));
+                }
+            }
+            assert!(least >= -ROUNDING * SCALE_M, "{about}: {least}");
+            assert!(most <= certificate.error_m + ROUNDING * SCALE_M, "{about}: {most}");
+            let there = DVec2::from(certificate.uv) * DVec2::new(map.width().into(), map.height().into());
+            let there = pieces.iter().filter_map(|piece| gap(&map, *piece, there));
+            let there = there.fold(0.0_f64, |most, gap| most.max(gap * sign));
+            assert!((there - certificate.error_m).abs() <= ROUNDING * SCALE_M, "{about}: {there}");
         }
     }
 }

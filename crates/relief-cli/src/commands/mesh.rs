@@ -14,7 +14,7 @@ use relief_core::registry::UnknownName;
 use relief_io::{DEFAULT_MAX_BYTES, MeshFormat};
 use relief_mesh::{
     BaseSurface, Directions, EDGE_RULES, EdgeRule, Fit, INTERIORS, Interior, Judge, MeshSettings, Mesher,
-    MesherError, Seams, Shading, Spacing,
+    MesherError, Seams, Shading, Side, Spacing,
 };
 use relief_render::scene::{MeshChoice, SceneSpec, Surface, SurfaceSpec};
 
@@ -80,6 +80,10 @@ pub struct Arguments {
     /// enough, or none, those of the relief [default: heights]
     #[arg(long, value_name = "heights|none", help_heading = "Triangles", hide_short_help = true)]
     fit: Option<Fit>,
+    /// On which side of the relief the triangles of --error and --triangles lie: both; above, so that nothing
+    /// that stands on them sinks into it; or below [default: both]
+    #[arg(long, value_name = "both|above|below", help_heading = "Triangles")]
+    side: Option<Side>,
     /// Cut a plane into columns and rows, a file each: FILE-0-0.glb, FILE-1-0.glb and so on. Where they meet
     /// they have the same vertices
     #[arg(
@@ -115,9 +119,9 @@ pub struct Arguments {
     /// Along what: raw, the interpolated normals as they are, or unit, these normalised [default: raw]
     #[arg(long, value_name = "raw|unit", help_heading = "Triangles", hide_short_help = true)]
     directions: Option<Directions>,
-    /// Normals of the vertices: exact, of the relief between the texels, or mesh, of the triangles
-    /// [default: exact]
-    #[arg(long, value_name = "exact|mesh", help_heading = "Triangles")]
+    /// Normals of the vertices: exact, of the relief between the texels; derivative, the same as if the mesh
+    /// were level; or mesh, of the triangles [default: exact]
+    #[arg(long, value_name = "exact|derivative|mesh", help_heading = "Triangles")]
     shading: Option<Shading>,
     /// Hard edges and seams of the texture: weld gives a position one displacement, so that a closed mesh
     /// stays closed; keep gives each side its own, and gapes [default: weld]
@@ -270,12 +274,16 @@ impl Arguments {
         let idle = [
             ("--error", self.error.is_some() && even),
             ("--triangles", self.triangles.is_some() && even),
+            ("--judge", self.judge.is_some() && even),
+            ("--fit", self.fit.is_some() && even),
+            ("--side", self.side.is_some() && even),
             ("--texels", self.texels.is_some() && !even),
         ];
         if let Some((flag, _)) = idle.into_iter().find(|(_, is_idle)| *is_idle) {
             let (edges, interior) = (edges.name, interior.name);
             return Err(Failure::Usage(format!(
-                "{flag} cannot be used with --edges {edges} --interior {interior}: leave these out"
+                "{flag} is not for the edges '{edges}' and the interior '{interior}', which --texels, --edges \
+                 or --interior ask for: leave one out"
             )));
         }
         if self.tiles.is_some() && self.shading == Some(Shading::Mesh) {
@@ -287,7 +295,8 @@ impl Arguments {
 
     /// Whether triangles are made to an error.
     fn is_measured(&self) -> bool {
-        self.error.is_some() || self.triangles.is_some()
+        let asks = self.judge.is_some() || self.fit.is_some() || self.side.is_some();
+        self.error.is_some() || self.triangles.is_some() || (self.texels.is_none() && asks)
     }
 
     /// The edge rule and the interior: where none is named those of a tolerance, or of a fixed distance.
@@ -321,6 +330,7 @@ impl Arguments {
             error_m: self.error.unwrap_or_default().metres(map.scale_m(), size),
             judge: self.judge.unwrap_or_default(),
             fit: self.fit.unwrap_or_default(),
+            side: self.side.unwrap_or_default(),
             max_bytes: self.limit().saturating_sub(held),
             base: self.base.unwrap_or_default(),
             directions: self.directions.unwrap_or_default(),

@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use relief_core::registry::{Publication, UnknownName};
 
-pub use adapt::{Filled, Gap, INTERIOR as ADAPT, STEPS, Wanted, Window};
+pub use adapt::{Filled, Gap, INTERIOR as ADAPT, STEPS, Seen, Wanted, Window};
 pub use dice::INTERIOR as DICE;
 
 use crate::patch::{Patch, PatchPoint};

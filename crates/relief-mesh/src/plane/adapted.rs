@@ -10,9 +10,9 @@ use super::Rectangle;
 use super::span::{Span, TILE, spans};
 use crate::edge::{Knot, LONGEST};
 use crate::error::MOST;
-use crate::interior::{Fill, Filled, Gap, STEPS, Wanted, Window};
+use crate::interior::{Fill, Filled, Gap, STEPS, Seen, Wanted, Window};
 use crate::surface::Relief;
-use crate::{Judge, MeshSettings, MesherError, Watch};
+use crate::{Judge, MeshSettings, MesherError, Side, Watch};
 
 /// The least tolerance, as a height of the map: below it numbers of `f32` are too coarse.
 const LEAST: f64 = 1e-6;
@@ -69,6 +69,8 @@ pub struct Adapted {
     /// The number of the first vertex of each side, and one more.
     first_of_side: Vec<u32>,
     tiles: Vec<Filled>,
+    /// What all heights are raised by.
+    raise: f64,
     /// The number of the first vertex within each tile, and one more.
     first_of_tile: Vec<u32>,
     certificate: Certificate,
@@ -93,10 +95,15 @@ impl Adapted {
         // A height of the map in metres.
         let metres = relief.map().scale_m().abs() * relief.reach(rectangle.reach());
         let tolerance = (settings.error_m / metres).min(1e6);
+        // Above alone is the same as on both sides of a surface that is higher by half of the tolerance.
+        let (whole, tolerance) = match settings.side {
+            Side::Both => (tolerance, tolerance),
+            Side::Above | Side::Below => (tolerance, 0.5 * tolerance),
+        };
         let twist = if settings.judge == Judge::Surface { greatest_twist(relief) } else { 0.0 };
         let least = LEAST.max(FINEST * twist);
         if tolerance < least {
-            let (error_m, least_m) = (settings.error_m, least * metres);
+            let (error_m, least_m) = (settings.error_m, least * metres * whole / tolerance);
             return Err(MesherError::TooFine { error_m, least_m });
         }
         let mut adapted = Self {
@@ -105,6 +112,7 @@ impl Adapted {
             sides: Vec::new(),
             first_of_side: Vec::new(),
             tiles: Vec::new(),
+            raise: settings.side.sign() * tolerance * relief.map().scale_m().signum(),
             first_of_tile: Vec::new(),
             certificate: Certificate { error_m: 0.0, uv: [0.0; 2], mean_m: 0.0, judge: settings.judge },
         };
@@ -160,15 +168,19 @@ impl Adapted {
 
     /// Gathers what the tiles know of their errors.
     fn certify(&mut self, relief: &Relief, metres: f64) {
-        let gap = |tile: &usize| self.tiles[*tile].worst.height.abs();
+        // How far the relief is from the triangles where they are, and where.
+        let farthest = |seen: &Seen| -> Gap {
+            let [above, below] = [seen.above, seen.below].map(|gap| (gap.height - self.raise, gap.place));
+            let (height, place) = if above.0.abs() >= below.0.abs() { above } else { below };
+            Gap { height, place }
+        };
+        let gap = |tile: usize| farthest(&self.tiles[tile].seen).height.abs();
         let all = 0..self.tiles.len();
-        let Some(worst) = all.reduce(|worst, tile| if gap(&tile) > gap(&worst) { tile } else { worst })
-        else {
+        let Some(worst) = all.reduce(|worst, tile| if gap(tile) > gap(worst) { tile } else { worst }) else {
             return;
         };
-        let Gap { height, place } = self.tiles[worst].worst;
-        let spans = self.spans_of(worst);
-        let sides = relief.sides();
+        let Gap { height, place } = farthest(&self.tiles[worst].seen);
+        let (spans, sides) = (self.spans_of(worst), relief.sides());
         let uv = [0, 1].map(|axis| {
             let span: Span = spans[axis];
             // Between two steps, which may have places of their own at the ends.
@@ -177,13 +189,13 @@ impl Adapted {
             let part = place[axis] - step;
             (if part == 0.0 { here } else { here + (next - here) * part }) / sides[axis]
         });
-        let sum = self
-            .tiles
-            .iter()
-            .fold((0.0, 0), |(sum, count), tile| (sum + tile.at_texels.0, count + tile.at_texels.1));
-        let mean_m = metres * sum.0 / (sum.1.max(1)) as f64;
-        self.certificate =
-            Certificate { error_m: height.abs() * metres, uv, mean_m, judge: self.certificate.judge };
+        let seen = self.tiles.iter().fold(Seen::NOTHING, |seen, tile| seen.with(&tile.seen));
+        let count = seen.count.max(1) as f64;
+        // On one side all distances have the same sign.
+        let mean =
+            if self.raise == 0.0 { seen.sum / count } else { (self.raise - seen.signed / count).abs() };
+        let judge = self.certificate.judge;
+        self.certificate = Certificate { error_m: height.abs() * metres, uv, mean_m: metres * mean, judge };
     }
 
     /// How far the relief is from the triangles.
@@ -239,13 +251,13 @@ impl Adapted {
     /// The vertex at a corner of tiles.
     pub fn corner_vertex(&self, relief: &Relief, number: u32) -> Vertex {
         let (place, height) = self.corner(relief, number as usize);
-        self.rectangle.vertex(relief, place, f64::from(height))
+        self.rectangle.vertex(relief, place, f64::from(height) + self.raise)
     }
 
     /// A vertex along a side.
     pub fn side_vertex(&self, relief: &Relief, side: u32, at: u32) -> Vertex {
         let (step, height) = self.sides[side as usize][at as usize];
-        self.rectangle.vertex(relief, self.place_on(side as usize, step), f64::from(height))
+        self.rectangle.vertex(relief, self.place_on(side as usize, step), f64::from(height) + self.raise)
     }
 
     /// A vertex within a tile.
@@ -254,7 +266,7 @@ impl Adapted {
         let at = self.border_count(tile as usize) + at as usize;
         let spans = self.spans_of(tile as usize);
         let place = [0, 1].map(|axis| spans[axis].place(i32::from(filled.points[at][axis])));
-        self.rectangle.vertex(relief, place, f64::from(filled.heights[at]))
+        self.rectangle.vertex(relief, place, f64::from(filled.heights[at]) + self.raise)
     }
 
     /// The border of a tile, in the order of its points: numbers and positions.
@@ -263,12 +275,12 @@ impl Adapted {
         let mut all = Vec::with_capacity(self.border_count(tile));
         for corner in self.corners_of(tile) {
             let (place, height) = self.corner(relief, corner);
-            all.push((corner as u32, self.rectangle.position(relief, place, f64::from(height))));
+            all.push((corner as u32, self.rectangle.position(relief, place, f64::from(height) + self.raise)));
         }
         for side in self.sides_of(tile) {
             for (number, &(step, height)) in (self.first_of_side[side]..).zip(&self.sides[side]) {
                 let place = self.place_on(side, step);
-                all.push((number, self.rectangle.position(relief, place, f64::from(height))));
+                all.push((number, self.rectangle.position(relief, place, f64::from(height) + self.raise)));
             }
         }
         all

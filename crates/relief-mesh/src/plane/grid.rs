@@ -120,8 +120,8 @@ impl Grid {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Directions;
     use crate::edge::Divides;
+    use crate::{Directions, Shading};
     use glam::{Quat, Vec2};
     use relief_core::mesh::{Mesh, Placement, cube, rectangle};
     use relief_core::{HeightMap, Wrap};
@@ -135,7 +135,7 @@ mod tests {
     #[test]
     fn planes_are_told_from_other_meshes() {
         let map = HeightMap::from_fn(300, 7, Wrap::Repeat, |_, _| 0.5).expect("a valid map");
-        let relief = Relief::new(&map, Directions::Raw);
+        let relief = Relief::new(&map, Directions::Raw, Shading::Exact);
         let plane = |mesh: &Mesh| Rectangle::of_mesh(mesh).map(|found| grid(found, &relief));
         let mesh = rectangle([1.0, 0.3], 1).expect("a mesh");
         let found = plane(&mesh).expect("a plane");
@@ -159,7 +159,7 @@ mod tests {
     #[test]
     fn vertices_are_numbered_tile_by_tile_without_a_gap() {
         let map = HeightMap::from_fn(300, 200, Wrap::Repeat, |_, _| 0.5).expect("a valid map");
-        let relief = Relief::new(&map, Directions::Raw);
+        let relief = Relief::new(&map, Directions::Raw, Shading::Exact);
         let mesh = rectangle([1.0, 1.0], 1).expect("a mesh");
         let plane = grid(Rectangle::of_mesh(&mesh).expect("a plane"), &relief);
         assert_eq!(plane.tile_count(), 6);

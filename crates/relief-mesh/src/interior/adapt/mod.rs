@@ -17,6 +17,7 @@ use super::{Fills, Interior};
 use crate::{Fit, Judge, Spacing};
 pub use judge::Gap;
 use refine::Refined;
+pub use refine::Seen;
 pub use window::{STEPS, Window};
 
 pub const INTERIOR: Interior = Interior {
@@ -59,10 +60,8 @@ pub struct Filled {
     pub heights: Vec<f32>,
     /// Triangles by their points, turning from `u` to `v`.
     pub triangles: Vec<[u32; 3]>,
-    /// The farthest that the surface lies from the triangles, and where: exact, in `f64`.
-    pub worst: Gap,
-    /// The sum of the distances at the texels, and how many there are.
-    pub at_texels: (f64, u64),
+    /// The farthest that the surface lies above the triangles and below them, and where.
+    pub seen: Seen,
 }
 
 /// Fills a tile, whose border's points are its corners, by rows, and then any others. None where it would
@@ -86,14 +85,13 @@ pub fn fill(window: &Window, border: &[([i32; 2], f32)], wanted: Wanted) -> Opti
     };
     let (mut tile, mut seen) = refined(wanted.fit)?;
     // A point whose height was moved may lie too far off, and nothing can be inserted where it is.
-    if seen.worst.height.abs() > wanted.tolerance && wanted.fit != Fit::None {
+    if seen.greatest() > wanted.tolerance && wanted.fit != Fit::None {
         (tile, seen) = refined(Fit::None)?;
     }
     Some(Filled {
         points: tile.mesh.points().iter().map(|point| point.map(|at| at as u16)).collect(),
         heights: tile.heights.iter().map(|&height| height as f32).collect(),
         triangles: (0..tile.mesh.count()).map(|triangle| tile.mesh.triangle(triangle)).collect(),
-        worst: seen.worst,
-        at_texels: (seen.sum, seen.count),
+        seen,
     })
 }

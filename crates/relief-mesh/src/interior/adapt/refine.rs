@@ -32,15 +32,49 @@ pub struct Refined<'a> {
     looked: Vec<u32>,
 }
 
-/// What triangles show.
+/// What triangles show, exact in `f64`.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen {
-    /// The farthest that the surface is from them.
-    pub worst: Gap,
+    /// The farthest that the surface is above them.
+    pub above: Gap,
+    /// The farthest that it is below them, less than 0.
+    pub below: Gap,
     /// The sum of the distances at the corners of cells.
     pub sum: f64,
+    /// The sum of what the surface is above there, less what it is below.
+    pub signed: f64,
     /// How many corners there are.
     pub count: u64,
+}
+
+impl Seen {
+    /// Of nothing.
+    pub const NOTHING: Self = Self { above: LEVEL, below: LEVEL, sum: 0.0, signed: 0.0, count: 0 };
+
+    /// The farthest that the surface is from them.
+    pub fn greatest(&self) -> f64 {
+        self.above.height.max(-self.below.height)
+    }
+
+    /// Takes one more distance.
+    fn take(&mut self, gap: Gap) {
+        if gap.height > self.above.height {
+            self.above = gap;
+        }
+        if gap.height < self.below.height {
+            self.below = gap;
+        }
+    }
+
+    /// What both show.
+    pub fn with(mut self, other: &Self) -> Self {
+        self.take(other.above);
+        self.take(other.below);
+        self.sum += other.sum;
+        self.signed += other.signed;
+        self.count += other.count;
+        self
+    }
 }
 
 /// No gap.
@@ -189,7 +223,8 @@ impl<'a> Refined<'a> {
         let to = self.window.to;
         let columns = (to[0] / STEPS + 1) as usize;
         let mut is_counted = vec![false; columns * (to[1] / STEPS + 1) as usize];
-        let mut seen = Seen { worst: LEVEL, sum: 0.0, count: 0 };
+        let level = Gap { height: 0.0, place: self.window.from.map(f64::from) };
+        let mut seen = Seen { above: level, below: level, ..Seen::NOTHING };
         for triangle in 0..self.mesh.count() {
             let corners = self.mesh.triangle(triangle).map(|point| self.corner(point));
             rows(self.window, corners, |row, heights| {
@@ -199,11 +234,12 @@ impl<'a> Refined<'a> {
                     // A corner on an edge is one of both triangles.
                     if !std::mem::replace(is_counted, true) {
                         seen.sum += gap.abs();
+                        seen.signed += gap;
                         seen.count += 1;
                     }
-                    if gap.abs() > seen.worst.height.abs() {
+                    if gap > seen.above.height || gap < seen.below.height {
                         let place = [row.from + k as i32, row.j].map(|at| f64::from(at * STEPS));
-                        seen.worst = Gap { height: gap, place };
+                        seen.take(Gap { height: gap, place });
                     }
                 }
             });
@@ -213,9 +249,9 @@ impl<'a> Refined<'a> {
             for edge in 3 * triangle..3 * triangle + 3 {
                 let [a, b] = self.mesh.ends(edge);
                 if self.mesh.opposite(edge) == NONE || a < b {
-                    let gap = along(self.window, [a, b].map(|point| self.corner(point))).worst();
-                    seen.worst =
-                        gap.filter(|gap| gap.height.abs() > seen.worst.height.abs()).unwrap_or(seen.worst);
+                    let gaps = along(self.window, [a, b].map(|point| self.corner(point)));
+                    seen.take(gaps.above);
+                    seen.take(gaps.below);
                 }
             }
         }
