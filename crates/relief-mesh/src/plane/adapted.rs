@@ -112,7 +112,7 @@ impl Adapted {
             sides: Vec::new(),
             first_of_side: Vec::new(),
             tiles: Vec::new(),
-            raise: settings.side.sign() * tolerance * relief.map().scale_m().signum(),
+            raise: settings.side.sign() * tolerance,
             first_of_tile: Vec::new(),
             certificate: Certificate { error_m: 0.0, uv: [0.0; 2], mean_m: 0.0, judge: settings.judge },
         };

@@ -96,7 +96,11 @@ pub fn worst_within(window: &Window, corners: [Corner; 3]) -> Option<Gap> {
 /// The rows of cells' corners within a triangle, and on its edges, with their heights.
 pub fn rows(window: &Window, corners: [Corner; 3], mut each: impl FnMut(Row, &[f32])) {
     let mut sorted = corners;
-    sorted.sort_unstable_by_key(|(at, _)| at[1]);
+    for [a, b] in [[0, 1], [1, 2], [0, 1]] {
+        if sorted[a].0[1] > sorted[b].0[1] {
+            sorted.swap(a, b);
+        }
+    }
     let first = (sorted[0].0[1] + STEPS - 1) / STEPS;
     let last = sorted[2].0[1] / STEPS;
     if first > last {

@@ -24,7 +24,7 @@ pub struct Refined<'a> {
     worst: Vec<Gap>,
     /// The worst of each half-edge, with the points at its ends, as far as they are known.
     edges: Vec<([u32; 2], Gap)>,
-    /// Triangles by their worst, as a number that grows with it.
+    /// Triangles that are too far off by their worst, as a number that grows with it.
     queue: BinaryHeap<(u32, u32)>,
     changed: Vec<u32>,
     /// How often changed triangles were looked at, and the last time that each was.
@@ -117,21 +117,17 @@ impl<'a> Refined<'a> {
     /// Inserts points until no triangle is farther from the surface than `tolerance`, or none of those that
     /// are can be cut. None where there are more triangles than `most` by then.
     pub fn refine(&mut self, tolerance: f64, most: u32) -> Option<()> {
-        self.look();
+        self.look(tolerance);
         while let Some((key, triangle)) = self.queue.pop() {
             let gap = self.worst[triangle as usize];
             if key_of(gap) != key {
                 continue;
             }
-            if gap.height.abs() <= tolerance {
-                self.queue.push((key, triangle));
-                break;
-            }
             if self.mesh.count() > most {
                 return None;
             }
             if self.insert(triangle, gap.place) {
-                self.look();
+                self.look(tolerance);
             }
         }
         Some(())
@@ -144,8 +140,8 @@ impl<'a> Refined<'a> {
         self.changed.extend(0..self.mesh.count());
     }
 
-    /// Looks at the triangles that are new.
-    fn look(&mut self) {
+    /// Looks at the triangles that are new, and queues those that are too far off.
+    fn look(&mut self, tolerance: f64) {
         let mut changed = std::mem::take(&mut self.changed);
         self.mesh.take_changed(&mut changed);
         self.turn += 1;
@@ -168,7 +164,9 @@ impl<'a> Refined<'a> {
                 }
             }
             self.worst[triangle as usize] = worst;
-            self.queue.push((key_of(worst), triangle));
+            if worst.height.abs() > tolerance {
+                self.queue.push((key_of(worst), triangle));
+            }
         }
         changed.clear();
         self.changed = changed;
