@@ -22,7 +22,10 @@ const LEAST: f64 = 1e-6;
 const FINEST: f64 = 0.25 / (STEPS * STEPS) as f64;
 
 /// Bytes that a triangle takes while its tile is filled.
-const BYTES_PER_TRIANGLE: u64 = 200;
+const BYTES_MADE: u64 = 200;
+
+/// Bytes that a triangle takes afterwards, with its part of the points.
+const BYTES_HELD: u64 = 20;
 
 /// Bytes that a tile of two triangles takes, with its sides.
 const BYTES_PER_TILE: u64 = 400;
@@ -127,32 +130,37 @@ impl Adapted {
         }
         adapted.first_of_side.push(numbered(vertices, 0)?);
         let (triangles, done) = (AtomicU64::new(0), AtomicU64::new(0));
-        let fits = settings.max_bytes / BYTES_PER_TRIANGLE;
+        // Half of the memory is for what is held, a quarter for any tile in work: numbers of triangles, so that it
+        // does not matter which tile comes first.
+        let limit = settings.max_bytes;
+        let [held, made] = [limit / 2 / BYTES_HELD, limit / 4 / BYTES_MADE];
+        let check = |triangles: u64, fits: u64| match triangles {
+            too_many if too_many > most => Err(MesherError::MoreThan { most }),
+            too_many if too_many > fits => Err(MesherError::NoMemory { limit }),
+            _ => Ok(()),
+        };
         let tiles: Result<Vec<Filled>, MesherError> = (0..across * down)
             .into_par_iter()
             .map(|tile| {
                 if watch.cancel.load(Ordering::Relaxed) {
                     return Err(MesherError::Cancelled);
                 }
-                let before = triangles.load(Ordering::Relaxed);
-                let room = fits.min(most).saturating_sub(before).min(u64::from(u32::MAX / 4)) as u32;
-                let wanted = Wanted { tolerance, judge: settings.judge, fit: settings.fit, most: room };
-                let too_many = || {
-                    let limit = settings.max_bytes;
-                    if most < fits { MesherError::MoreThan { most } } else { MesherError::NoMemory { limit } }
-                };
+                let room = made.min(most).min(u64::from(u32::MAX / 4));
+                let wanted =
+                    Wanted { tolerance, judge: settings.judge, fit: settings.fit, most: room as u32 };
                 let filled = fill(&adapted.window(relief, tile), &adapted.border(relief, tile), wanted);
-                let filled = filled.ok_or_else(too_many)?;
-                triangles.fetch_add(filled.triangles.len() as u64, Ordering::Relaxed);
+                let Some(filled) = filled else {
+                    check(room + 1, made)?;
+                    return Err(MesherError::NoMemory { limit });
+                };
+                let own = filled.triangles.len() as u64;
+                check(triangles.fetch_add(own, Ordering::Relaxed) + own, held)?;
                 (watch.tell)((done.fetch_add(1, Ordering::Relaxed) + 1) as f32 / (across * down) as f32);
                 Ok(filled)
             })
             .collect();
         adapted.tiles = tiles?;
         let triangles = triangles.into_inner();
-        if triangles > most {
-            return Err(MesherError::MoreThan { most });
-        }
         for tile in 0..across * down {
             adapted.first_of_tile.push(numbered(vertices, triangles)?);
             vertices += (adapted.tiles[tile].points.len() - adapted.border_count(tile)) as u64;
