@@ -149,6 +149,8 @@ fn what_cannot_be_made_is_refused() {
         ("hills.png --side above --mesh cube -o out/a.glb", 1, ["rectangle", "--texels"]),
         ("hills.png --texels 2 --judge texels -o out/a.glb", 2, ["--judge", "--texels"]),
         ("hills.png --texels 2 --fit none -o out/a.glb", 2, ["--fit", "--texels"]),
+        ("hills.png --solid 0 -o out/a.stl", 2, ["--solid", "0"]),
+        ("hills.png --solid 3 --mesh cube -o out/a.stl", 1, ["--solid", "closed"]),
         ("hills.png --tiles 0x1 -o out/a.glb", 2, ["--tiles", "4x2"]),
         ("hills.png --tiles 2 -o out/a.glb", 2, ["--tiles", "4x2"]),
         ("hills.png --tiles 2x2 --mesh cube -o out/a.glb", 1, ["--tiles", "planes"]),
@@ -205,6 +207,11 @@ fn an_error_is_kept_in_lengths_of_the_file_and_by_each_of_its_tiles() {
     let print = made("--scale 0.2 --print-size 50 --error 0.1mm -o out/print.stl");
     assert!(error(&print) <= 0.0001 && error(&print) > 0.000_05, "{print}");
     assert!((print["size_m"][0].as_f64().expect("a size") - 0.05).abs() < 1e-6, "{print}");
+    // Made solid it is closed, and as thick as it was asked to be.
+    let solid = made("--scale 0.2 --print-size 50 --solid 4 -o out/solid.stl");
+    assert_eq!(solid["open_edges"], 0, "{solid}");
+    let thick = solid["size_m"][1].as_f64().expect("a size") - print["size_m"][1].as_f64().expect("a size");
+    assert!((0.0039..0.0042).contains(&thick), "{solid}");
     let few = made("--scale 0.2 --triangles 500 -o out/few.ply");
     assert!(few["triangles"].as_u64().is_some_and(|count| (400..=500).contains(&count)), "{few}");
     assert!(error(&few) > error(&usual));
@@ -213,7 +220,7 @@ fn an_error_is_kept_in_lengths_of_the_file_and_by_each_of_its_tiles() {
     let counted: u64 = files.iter().map(|file| file["triangles"].as_u64().expect("a count")).sum();
     assert_eq!((files.len(), Some(counted)), (2, tiles["triangles"].as_u64()));
     assert!(error(&tiles) <= 0.001, "{tiles}");
-    assert_eq!(entries(&folder.path("out")).len(), 5);
+    assert_eq!(entries(&folder.path("out")).len(), 6);
     for name in ["tile-0-0.glb", "tile-1-0.glb"] {
         let found = json_of(&folder.relief(&format!("inspect out/{name} --json")).fine());
         assert!(files.iter().any(|file| file["triangles"] == found["triangles"]), "{found}");

@@ -60,6 +60,18 @@ pub enum MesherError {
         /// Name of the interior.
         interior: &'static str,
     },
+    /// A solid that is none.
+    #[error("a solid {solid_m} m thick cannot be made: it must be greater than 0, and finite")]
+    BadSolid {
+        /// How thick it would be.
+        solid_m: f64,
+    },
+    /// A solid of a mesh that is not a plane.
+    #[error(
+        "only planes are made solid: two triangles that make a rectangle with straight texture; a closed mesh is \
+         solid as it is"
+    )]
+    SolidOfNoPlane,
     /// A part of a mesh that is not a plane.
     #[error("only planes are cut into parts: two triangles that make a rectangle with straight texture")]
     PartOfNoPlane,

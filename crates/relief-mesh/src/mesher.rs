@@ -14,7 +14,7 @@ use crate::error::MOST;
 use crate::interior::{Cut, Fills, Pattern};
 use crate::patch::{Patch, PatchPoint};
 use crate::plan::{Plan, Work};
-use crate::plane::{Adapted, Filling, Grid, Rectangle, Tile};
+use crate::plane::{Adapted, Faces, Filling, Grid, Rectangle, Solid, Tile};
 use crate::smooth::{self, Normals};
 use crate::surface::Relief;
 use crate::triangles::{Numbered, Triangles};
@@ -30,6 +30,7 @@ const BLOCKS_PER_THREAD: usize = 2;
 #[derive(Debug)]
 pub struct Mesher {
     base: Base,
+    solid: Option<Solid>,
     relief: Relief,
     shading: Shading,
     blocks: Vec<Work>,
@@ -43,6 +44,32 @@ enum Base {
     Triangles(Triangles, Pattern),
     Grid(Grid, Pattern),
     Adapted(Adapted),
+}
+
+impl Base {
+    /// Walls and a bottom under a plane.
+    fn solid(&self, relief: &Relief, solid_m: f64) -> Option<Solid> {
+        let map = relief.map();
+        let lowest_m = relief.metres(f64::from(map.extremes()[0]));
+        match self {
+            Self::Triangles(..) => None,
+            Self::Grid(grid, _) => Some(Solid::new(grid.walls(relief), lowest_m - solid_m)),
+            Self::Adapted(plane) => {
+                // Triangles may lie below the relief by their error.
+                let lowest_m = lowest_m - plane.certificate().error_m;
+                Some(Solid::new(plane.walls(relief), lowest_m - solid_m))
+            }
+        }
+    }
+
+    /// The rectangle of a plane.
+    fn rectangle(&self) -> Option<&Rectangle> {
+        match self {
+            Self::Triangles(..) => None,
+            Self::Grid(grid, _) => Some(grid.rectangle()),
+            Self::Adapted(plane) => Some(plane.rectangle()),
+        }
+    }
 }
 
 /// How a mesh is handed over.
@@ -133,6 +160,12 @@ impl Mesher {
         if rectangle.is_none() && settings.part != Part::WHOLE {
             return Err(MesherError::PartOfNoPlane);
         }
+        if let Some(solid_m) = settings.solid_m.filter(|solid_m| !(*solid_m > 0.0 && solid_m.is_finite())) {
+            return Err(MesherError::BadSolid { solid_m });
+        }
+        if rectangle.is_none() && settings.solid_m.is_some() {
+            return Err(MesherError::SolidOfNoPlane);
+        }
         let base = match (settings.interior.fills, settings.edges.divides, rectangle) {
             (Fills::Patch(pattern), Divides::Evenly(evenly), Some(rectangle)) => {
                 Base::Grid(Grid::new(rectangle, &relief, &evenly, settings)?, pattern)
@@ -152,11 +185,15 @@ impl Mesher {
                 return Err(MesherError::NoPlane { edges, interior });
             }
         };
+        let solid = settings.solid_m.and_then(|solid_m| base.solid(&relief, solid_m));
         let mut plan = Plan::default();
         match &base {
             Base::Triangles(triangles, pattern) => plan.triangles(triangles, pattern)?,
             Base::Grid(grid, pattern) => plan.grid(grid, pattern)?,
             Base::Adapted(plane) => plan.adapted(plane),
+        }
+        if let Some(solid) = &solid {
+            plan.solid(solid)?;
         }
         let Plan { blocks, vertices, triangles, largest } = plan;
         let at_hand = rayon::current_num_threads() * BLOCKS_PER_THREAD;
@@ -168,7 +205,7 @@ impl Mesher {
             + of_normals
             + of_tiles
             + at_hand as u64 * largest * BYTES_IN_A_BLOCK;
-        Ok(Self { base, relief, shading: settings.shading, blocks, vertices, triangles, bytes })
+        Ok(Self { base, solid, relief, shading: settings.shading, blocks, vertices, triangles, bytes })
     }
 
     /// Whether a mesh is a plane: two triangles that make a rectangle with straight texture.
@@ -318,6 +355,11 @@ impl Mesher {
                 }
             }
             (Base::Adapted(plane), Work::Tile(number)) => self.filled(plane, *number, &mut making),
+            (base, Work::Solid(first)) => {
+                if let (Some(solid), Some(rectangle)) = (&self.solid, base.rectangle()) {
+                    making.faces(solid.faces(rectangle, &self.relief), *first, rectangle.is_turned);
+                }
+            }
             // The plan of one base has no work of the other.
             _ => {}
         }
@@ -427,6 +469,16 @@ impl Making<'_> {
         }
         self.block.vertices.push(vertex);
         vertex.position
+    }
+
+    /// Adds faces that have all of their vertices, of which the first has that number.
+    fn faces(&mut self, faces: Faces, first: u32, is_turned: bool) {
+        let points: Vec<(Numbered, Vec3)> = (first..)
+            .map(Numbered::both)
+            .zip(faces.vertices)
+            .map(|(numbered, vertex)| (numbered, self.vertex(vertex, numbered)))
+            .collect();
+        self.triangles(&faces.triangles, &points, is_turned);
     }
 
     fn triangles(&mut self, triangles: &[[u32; 3]], points: &[(Numbered, Vec3)], is_turned: bool) {

@@ -6,7 +6,7 @@ use crate::MesherError;
 use crate::error::MOST;
 use crate::interior::Pattern;
 use crate::patch::Patch;
-use crate::plane::{Adapted, Grid};
+use crate::plane::{Adapted, Grid, Solid};
 use crate::triangles::Triangles;
 
 /// Vertices and triangles of a block, together, at which it ends.
@@ -23,6 +23,8 @@ pub enum Work {
     Patches { from: [u32; 2], to: [u32; 2], first_inner: u32, first_vertex: u32 },
     /// A tile of a plane.
     Tile(u32),
+    /// Walls and a bottom, whose first vertex has that number.
+    Solid(u32),
 }
 
 /// A plan of blocks.
@@ -114,6 +116,16 @@ impl Plan {
             self.triangles += triangles;
             self.add(Work::Tile(tile), points + triangles);
         }
+    }
+
+    /// Plans walls and a bottom after everything else.
+    pub fn solid(&mut self, solid: &Solid) -> Result<(), MesherError> {
+        let first = self.vertices;
+        self.vertices += solid.vertices();
+        self.triangles += solid.triangles();
+        self.check()?;
+        self.add(Work::Solid(first as u32), solid.vertices() + solid.triangles());
+        Ok(())
     }
 
     /// Plans a mesh over a grid on a plane.

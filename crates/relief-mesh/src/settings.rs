@@ -20,6 +20,8 @@ pub struct MeshSettings {
     pub fit: Fit,
     /// For the same: on which side of the relief triangles lie.
     pub side: Side,
+    /// Walls and a flat bottom under a plane, so many metres below the lowest point of the relief at least.
+    pub solid_m: Option<f64>,
     /// Which part of a plane is made.
     pub part: Part,
     /// The most memory, in bytes, that may be held of a mesh whose triangles must be made to be counted.
@@ -67,6 +69,7 @@ impl Default for MeshSettings {
             judge: Judge::default(),
             fit: Fit::default(),
             side: Side::default(),
+            solid_m: None,
             part: Part::WHOLE,
             max_bytes: u64::MAX,
             base: BaseSurface::default(),

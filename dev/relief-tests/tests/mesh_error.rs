@@ -7,7 +7,9 @@ use glam::{DVec2, Vec2, Vec3};
 use rayon::ThreadPoolBuilder;
 use relief_core::mesh::{Mesh, rectangle, torus};
 use relief_core::{HeightMap, Wrap};
-use relief_mesh::{Certificate, Fit, Judge, MeshSettings, Mesher, MesherError, Part, Shading, Side, Watch};
+use relief_mesh::{
+    Certificate, CrackTest, Fit, Judge, MeshSettings, Mesher, MesherError, Part, Shading, Side, Watch,
+};
 use relief_tests::maps;
 
 /// Metres of displacement between heights 0 and 1.
@@ -286,6 +288,57 @@ fn parts_of_a_grid_meet_too() {
         let settings = MeshSettings { texels, ..MeshSettings::default() };
         let open = open_edges(&parts(&plane(), &map, &settings, [2, 3]));
         assert!(open.iter().all(|edge| is_on_border(*edge)), "{texels}: {open:?}");
+    }
+}
+
+#[test]
+fn solids_are_closed_and_as_thick_as_they_say() {
+    let map = displaced(&maps::ALL[0].build(Wrap::Repeat));
+    for (tiles, mirrored) in [([1.0, 1.0], false), ([1.37, 0.61], false), ([1.0, 1.0], true)] {
+        let mut base = plane().tiled(Vec2::from(tiles)).expect("tiled");
+        if mirrored {
+            let mut vertices = base.vertices().to_vec();
+            vertices.iter_mut().for_each(|vertex| vertex.uv.x = 1.0 - vertex.uv.x);
+            base = Mesh::new(vertices, base.triangles().to_vec()).expect("a mesh");
+        }
+        let within = MeshSettings::within(0.05 * SCALE_M);
+        for settings in [within, MeshSettings { texels: 2, ..MeshSettings::default() }] {
+            for part in [Part::WHOLE, Part { of: [2, 1], at: [1, 0] }] {
+                let settings = MeshSettings { solid_m: Some(0.01), part, ..settings };
+                let mesher = Mesher::new(&base, &map, &settings).expect("a mesh");
+                let mesh = mesher.mesh().expect("finite");
+                let about = format!("{tiles:?} {mirrored} {}", settings.edges.name);
+                assert_eq!(mesh.vertices().len() as u64, mesher.vertices());
+                assert_eq!(mesh.triangles().len() as u64, mesher.triangles());
+                let cracks = CrackTest::of_mesh(&mesh);
+                assert!(cracks.is_closed() && cracks.pieces == 1, "{about}: {cracks:?}");
+                // As much as lies between the relief and the bottom, and the right way round.
+                let volume: f64 = triangles(&mesh)
+                    .iter()
+                    .map(|[a, b, c]| a.as_dvec3().dot(b.as_dvec3().cross(c.as_dvec3())) / 6.0)
+                    .sum();
+                let bottom = mesh.vertices().iter().map(|vertex| vertex.position.y).fold(f32::MAX, f32::min);
+                let [low, _] = map.extremes().map(|height| map.displacement_m(f64::from(height)));
+                let thick = low - f64::from(bottom);
+                assert!(thick >= 0.01 - 1e-6 && thick <= 0.01 + 0.05 * SCALE_M + 1e-6, "{about}: {thick}");
+                let mean = map.displacement_m(f64::from(map.mean())) - f64::from(bottom);
+                let area = if part == Part::WHOLE { 1.0 } else { 0.5 };
+                assert!((volume - mean * area).abs() < 0.15 * mean * area, "{about}: {volume} {mean}");
+                for (corners, vertices) in triangles(&mesh).iter().zip(mesh.triangles()) {
+                    let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+                    let walls = vertices.map(|at| mesh.vertices()[at as usize].normal);
+                    let is_face = walls[0] == walls[1] && walls[1] == walls[2] && walls[0].y.abs() != 1.0;
+                    assert!(!is_face || normal.dot(walls[0]) >= 0.0, "{about}: {corners:?}");
+                }
+            }
+        }
+    }
+    let ring = torus(16, 8).expect("a mesh");
+    let solid = |solid_m: f64| MeshSettings { solid_m: Some(solid_m), ..MeshSettings::default() };
+    let refused = |base: &Mesh, settings| Mesher::new(base, &map, &settings).expect_err("refused");
+    assert!(matches!(refused(&ring, solid(0.01)), MesherError::SolidOfNoPlane));
+    for solid_m in [0.0, -1.0, f64::NAN] {
+        assert!(matches!(refused(&plane(), solid(solid_m)), MesherError::BadSolid { .. }));
     }
 }
 

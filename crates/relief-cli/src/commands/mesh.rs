@@ -84,6 +84,16 @@ pub struct Arguments {
     /// that stands on them sinks into it; or below [default: both]
     #[arg(long, value_name = "both|above|below", help_heading = "Triangles")]
     side: Option<Side>,
+    /// Close a plane below with walls and a flat bottom, so many millimetres of the file under its lowest point
+    /// at least, or with a unit, as in 1cm
+    #[arg(
+        long,
+        value_name = "MM",
+        value_parser = units::millimetres,
+        allow_hyphen_values = true,
+        help_heading = "Triangles"
+    )]
+    solid: Option<f64>,
     /// Cut a plane into columns and rows, a file each: FILE-0-0.glb, FILE-1-0.glb and so on. Where they meet
     /// they have the same vertices
     #[arg(
@@ -155,7 +165,7 @@ pub struct Arguments {
 const AFTER_HELP: &str = "Examples:\n  \
     relief mesh dem.tif -o dem.glb                                    # as fine as half a percent asks\n  \
     relief mesh dem.tif --error 2m --tiles 4x4 -o dem.glb             # to 2 m, in 16 files\n  \
-    relief mesh dem.tif --triangles 50000 --print-size 150 -o dem.stl # 15 cm long, to print\n  \
+    relief mesh dem.tif --print-size 150 --solid 3 -o dem.stl         # 15 cm long, to print\n  \
     relief mesh dem.tif --texels 1 -o dem.glb                         # every texel of it\n  \
     relief mesh bark.png --mesh tree.obj --scale 2cm -o tree.glb      # on a mesh with a texture\n  \
     relief mesh wall.png --mesh sphere --tile 8,4 --base lift -o ball.ply\n\n\
@@ -262,6 +272,11 @@ impl Arguments {
             let must = "it must be from 0.001 to 1e9 millimetres";
             return Err(Failure::Usage(format!("--print-size: {size} cannot be used: {must}")));
         }
+        if let Some(solid) = self.solid.filter(|solid| *solid <= 0.0) {
+            return Err(Failure::Usage(format!(
+                "--solid: {solid} cannot be used: it must be greater than 0"
+            )));
+        }
         if self.texels == Some(0) {
             return Err(of_mesher(MesherError::NoTexels));
         }
@@ -331,6 +346,7 @@ impl Arguments {
             judge: self.judge.unwrap_or_default(),
             fit: self.fit.unwrap_or_default(),
             side: self.side.unwrap_or_default(),
+            solid_m: self.solid.map(|mm| mm / 1000.0 / size),
             max_bytes: self.limit().saturating_sub(held),
             base: self.base.unwrap_or_default(),
             directions: self.directions.unwrap_or_default(),
@@ -397,6 +413,9 @@ fn of_mesher(error: MesherError) -> Failure {
         }
         MesherError::PartOfNoPlane | MesherError::TooManyParts { .. } => {
             Failure::Work(format!("--tiles: {error}"))
+        }
+        MesherError::BadSolid { .. } | MesherError::SolidOfNoPlane => {
+            Failure::Work(format!("--solid: {error}"))
         }
         MesherError::MoreThan { .. } => Failure::Work(format!("--triangles: {error}")),
         MesherError::NoMemory { limit } => Failure::Work(format!(

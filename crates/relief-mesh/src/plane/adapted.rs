@@ -6,8 +6,8 @@ use glam::Vec3;
 use rayon::prelude::*;
 use relief_core::mesh::Vertex;
 
-use super::Rectangle;
 use super::span::{Span, TILE, spans};
+use super::{BorderPoint, Rectangle};
 use crate::edge::{Knot, LONGEST};
 use crate::error::MOST;
 use crate::interior::{Fill, Filled, Gap, STEPS, Seen, Wanted, Window};
@@ -254,6 +254,42 @@ impl Adapted {
 
     pub fn is_turned(&self) -> bool {
         self.rectangle.is_turned
+    }
+
+    /// The rectangle.
+    pub fn rectangle(&self) -> &Rectangle {
+        &self.rectangle
+    }
+
+    /// The border, in the order of [`Solid`](super::Solid).
+    pub fn walls(&self, relief: &Relief) -> [Vec<BorderPoint>; 4] {
+        let [across, down] = self.across();
+        let corner = |i: usize, j: usize| {
+            let (place, height) = self.corner(relief, j * (across + 1) + i);
+            (place, f64::from(height) + self.raise)
+        };
+        // The corners and the points between them, as places grow.
+        let level = |j: usize| -> Vec<BorderPoint> {
+            let side = |i: usize| [corner(i, j)].into_iter().chain(self.points_on(j * across + i));
+            (0..across).flat_map(side).chain([corner(across, j)]).collect()
+        };
+        let upright = |i: usize| -> Vec<BorderPoint> {
+            let first = across * (down + 1) + i;
+            let side = |j: usize| [corner(i, j)].into_iter().chain(self.points_on(first + j * (across + 1)));
+            (0..down).flat_map(side).chain([corner(i, down)]).collect()
+        };
+        let back = |mut wall: Vec<BorderPoint>| {
+            wall.reverse();
+            wall
+        };
+        [level(0), upright(across), back(level(down)), back(upright(0))]
+    }
+
+    /// The points of a side, without its ends.
+    fn points_on(&self, side: usize) -> impl Iterator<Item = BorderPoint> {
+        self.sides[side]
+            .iter()
+            .map(move |&(step, height)| (self.place_on(side, step), f64::from(height) + self.raise))
     }
 
     /// The vertex at a corner of tiles.

@@ -3,7 +3,7 @@
 use glam::Vec3;
 use relief_core::mesh::Vertex;
 
-use super::Rectangle;
+use super::{BorderPoint, Rectangle};
 use crate::edge::Evenly;
 use crate::error::MOST;
 use crate::surface::Relief;
@@ -98,6 +98,26 @@ impl Grid {
 
     pub fn is_turned(&self) -> bool {
         self.rectangle.is_turned
+    }
+
+    /// The rectangle.
+    pub fn rectangle(&self) -> &Rectangle {
+        &self.rectangle
+    }
+
+    /// The border, in the order of [`Solid`](super::Solid).
+    pub fn walls(&self, relief: &Relief) -> [Vec<BorderPoint>; 4] {
+        let [last_i, last_j] = self.lines.each_ref().map(|lines| lines.len() - 1);
+        let point = |lines: [usize; 2]| {
+            let place = self.place(lines);
+            (place, relief.height(place))
+        };
+        [
+            (0..=last_i).map(|i| point([i, 0])).collect(),
+            (0..=last_j).map(|j| point([last_i, j])).collect(),
+            (0..=last_i).rev().map(|i| point([i, last_j])).collect(),
+            (0..=last_j).rev().map(|j| point([0, j])).collect(),
+        ]
     }
 
     fn place(&self, [i, j]: [usize; 2]) -> [f64; 2] {

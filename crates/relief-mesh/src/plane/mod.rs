@@ -2,13 +2,15 @@
 
 mod adapted;
 mod grid;
+mod solid;
 mod span;
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3};
 use relief_core::mesh::{BasePoint, Mesh, Vertex};
 
 pub use adapted::{Adapted, Certificate, Filling};
 pub use grid::{Grid, Tile};
+pub use solid::{BorderPoint, Faces, Solid};
 
 use crate::surface::{Frame, Relief};
 use crate::{MesherError, Part, point};
@@ -116,9 +118,19 @@ impl Rectangle {
         BasePoint { position, normal: self.normal, uv }
     }
 
+    /// The texture coordinates of a place.
+    fn uv(&self, relief: &Relief, place: [f64; 2]) -> DVec2 {
+        self.base(relief, place).uv
+    }
+
+    /// The position of a place displaced by so many metres.
+    fn displaced(&self, relief: &Relief, place: [f64; 2], metres: f64) -> Vec3 {
+        point::stored(relief.displaced_by(&self.base(relief, place), metres))
+    }
+
     /// The position of a place at a height of the map.
-    pub fn position(&self, relief: &Relief, place: [f64; 2], height: f64) -> glam::Vec3 {
-        point::stored(relief.displaced_by(&self.base(relief, place), relief.metres(height)))
+    pub fn position(&self, relief: &Relief, place: [f64; 2], height: f64) -> Vec3 {
+        self.displaced(relief, place, relief.metres(height))
     }
 
     /// The vertex of a place at a height of the map.

@@ -30,6 +30,9 @@ pub struct WrittenPart {
     pub bytes: u64,
 }
 
+/// What lengths of the mesh as it is written may be wrong by, as a part of them: tolerances leave more room.
+const ROUNDING: f64 = 1e-6;
+
 /// Tries to keep a tolerance that is a length of the mesh as it is written.
 const TRIES: u32 = 4;
 
@@ -51,7 +54,9 @@ pub fn write(
     let mut expected = print_m / making.expected_length();
     for _ in 0..TRIES {
         let size = print_m / making.length(files, expected)?;
-        let is_kept = arguments.error.is_none() || expected >= size * (1.0 - 1e-9);
+        let ratio = expected / size;
+        let is_kept = (arguments.error.is_none() || ratio >= 1.0 - ROUNDING)
+            && (arguments.solid.is_none() || (ratio - 1.0).abs() <= ROUNDING);
         if is_kept {
             return files.iter().map(|file| making.written(file, staged, [expected, size])).collect();
         }
