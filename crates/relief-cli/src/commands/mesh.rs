@@ -84,8 +84,8 @@ pub struct Arguments {
     /// that stands on them sinks into it; or below [default: both]
     #[arg(long, value_name = "both|above|below", help_heading = "Triangles")]
     side: Option<Side>,
-    /// Close a plane below with walls and a flat bottom, so many millimetres of the file under its lowest point
-    /// at least, or with a unit, as in 1cm
+    /// Close a plane below with walls and a flat bottom, so many millimetres of the file under its lowest
+    /// point at least, or with a unit, as in 1cm
     #[arg(
         long,
         value_name = "MM",
@@ -297,8 +297,8 @@ impl Arguments {
         if let Some((flag, _)) = idle.into_iter().find(|(_, is_idle)| *is_idle) {
             let (edges, interior) = (edges.name, interior.name);
             return Err(Failure::Usage(format!(
-                "{flag} is not for the edges '{edges}' and the interior '{interior}', which --texels, --edges \
-                 or --interior ask for: leave one out"
+                "{flag} is not for the edges '{edges}' and the interior '{interior}', which --texels, \
+                 --edges or --interior ask for: leave one out"
             )));
         }
         if self.tiles.is_some() && self.shading == Some(Shading::Mesh) {

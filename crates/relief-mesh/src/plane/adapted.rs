@@ -130,8 +130,8 @@ impl Adapted {
         }
         adapted.first_of_side.push(numbered(vertices, 0)?);
         let (triangles, done) = (AtomicU64::new(0), AtomicU64::new(0));
-        // Half of the memory is for what is held, a quarter for any tile in work: numbers of triangles, so that
-        // it does not matter which tile comes first.
+        // Half of the memory is for what is held, a quarter for any tile in work: numbers of triangles, so
+        // that it does not matter which tile comes first.
         let limit = settings.max_bytes;
         let [held, made] = [limit / 2 / BYTES_HELD, limit / 4 / BYTES_MADE];
         let check = |triangles: u64, fits: u64| match triangles {
