@@ -68,8 +68,8 @@ pub enum MesherError {
     },
     /// A solid of a mesh that is not a plane.
     #[error(
-        "only planes are made solid: two triangles that make a rectangle with straight texture; a closed mesh \
-         is solid as it is"
+        "only planes are made solid: two triangles that make a rectangle with straight texture; a closed \
+         mesh is solid as it is"
     )]
     SolidOfNoPlane,
     /// A part of a mesh that is not a plane.
