@@ -32,7 +32,7 @@ impl Mesher {
         most: u64,
         watch: &Watch,
     ) -> Result<Self, MesherError> {
-        let scale_m = map.scale_m().abs();
+        let scale_m = map.scale_m();
         let mut error_m = if scale_m > 0.0 { FIRST * scale_m } else { 1.0 };
         // The greatest tolerance with too many triangles, and the least with few enough.
         let (mut fine, mut coarse) = (None, None);
@@ -49,7 +49,7 @@ impl Mesher {
                     if triangles >= ENOUGH * most as f64 {
                         break;
                     }
-                    // Triangles are about as many as the tolerance goes into the relief.
+                    // Half of the tolerance takes about twice as many triangles.
                     let guess = error_m * (triangles / most as f64).max(1.0 / MOST_STEP) / 1.01;
                     error_m = between(guess, fine, coarse);
                 }
@@ -57,7 +57,7 @@ impl Mesher {
                     fine = Some(error_m);
                     error_m = between(2.0 * error_m, fine, coarse);
                 }
-                // As fine as it can be.
+                // Finer than it can be.
                 Err(MesherError::TooFine { .. } | MesherError::NotReached { .. }) if best.is_some() => {
                     fine = Some(error_m);
                     error_m = between(2.0 * error_m, fine, coarse);

@@ -1,6 +1,6 @@
-//! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`, `embree`,
-//! `frame`, `judge`, `mesh`, `probe`, `pyramid`, `quadrics`, `shadow`, `sheet`, `surfaces` and `trace`.
-//! Results are kept in `docs/`.
+//! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
+//! `embree`, `frame`, `judge`, `mesh`, `probe`, `pyramid`, `quadrics`, `shadow`, `sheet`, `surfaces` and
+//! `trace`. Results are kept in `docs/`.
 
 use std::process::ExitCode;
 
@@ -19,6 +19,7 @@ mod memory;
 mod mesh;
 mod probe;
 mod pyramid;
+mod python;
 mod quadrics;
 mod samples;
 mod shadow;

@@ -96,7 +96,7 @@ impl Adapted {
         check_tiles(range, settings.max_bytes)?;
         let spans = range.map(|[from, to]| spans(from, to));
         // A height of the map in metres.
-        let metres = relief.map().scale_m().abs() * relief.reach(rectangle.reach());
+        let metres = relief.map().scale_m() * relief.reach(rectangle.reach());
         let tolerance = (settings.error_m / metres).min(1e6);
         // Above alone is the same as on both sides of a surface that is higher by half of the tolerance.
         let (whole, tolerance) = match settings.side {

@@ -16,6 +16,7 @@ use relief_tests::maps::fractal;
 use relief_tests::{accuracy, data_dir};
 
 use self::distance::{Piece, distance};
+use crate::python;
 use crate::samples::Samples;
 use crate::table::table;
 
@@ -47,9 +48,11 @@ const FILES: [&str; 4] = ["earth-topology.png", "canyon_height.jpg", "t3d_terrai
 
 /// Prints the tables.
 pub fn run(arguments: &Arguments) -> Result<(), String> {
-    if let Some(missing) = peers::missing(&arguments.python) {
-        return Err(missing);
-    }
+    python::require(
+        &arguments.python,
+        "import pydelatin, pymartini, fast_simplification, meshoptimizer",
+        "pydelatin pymartini fast-simplification meshoptimizer",
+    )?;
     to_an_error(arguments)?;
     at_one_count(arguments)
 }

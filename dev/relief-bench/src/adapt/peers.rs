@@ -20,22 +20,6 @@ pub struct Answer {
     pub pieces: Vec<Piece>,
 }
 
-/// Why there is no such Python with these packages, and how to get one; nothing where there is.
-pub fn missing(python: &Path) -> Option<String> {
-    let install = "make one with `python3 -m venv VENV && VENV/bin/pip install pydelatin pymartini \
-                   fast-simplification meshoptimizer` and give VENV/bin/python";
-    let check = "import pydelatin, pymartini, fast_simplification, meshoptimizer";
-    match Command::new(python).args(["-c", check]).output() {
-        Err(error) => Some(format!("{} cannot be run ({error}): {install}", python.display())),
-        Ok(output) if !output.status.success() => {
-            let text = String::from_utf8_lossy(&output.stderr);
-            let last = text.lines().last().unwrap_or_default();
-            Some(format!("{} lacks a package ({last}): {install}", python.display()))
-        }
-        Ok(_) => None,
-    }
-}
-
 /// Meshes a map with a package, to a tolerance or a number of triangles.
 pub fn made(python: &Path, package: &str, map: &HeightMap, number: f64) -> Result<Answer, String> {
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;

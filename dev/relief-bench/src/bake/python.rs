@@ -15,6 +15,7 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 use super::{SCALE_M, ground, measure, metric, table};
+use crate::python::require;
 
 /// The scripts, which are run as they are here.
 const EDT: &str = include_str!("../../python/edt_beside.py");
@@ -39,7 +40,7 @@ struct Times {
 
 /// Prints the table, of maps up to [`LARGEST`].
 pub fn run(python: &Path, sizes: &[u32], pool: &ThreadPool) -> Result<(), String> {
-    check(python)?;
+    require(python, "import edt, numpy, topocalc.horizon", "numpy edt topocalc")?;
     let mut table = table(&[
         "kind",
         "size",
@@ -73,21 +74,6 @@ pub fn run(python: &Path, sizes: &[u32], pool: &ThreadPool) -> Result<(), String
     );
     println!("\n{table}");
     Ok(())
-}
-
-/// Whether there is such a Python with both packages.
-fn check(python: &Path) -> Result<(), String> {
-    let install = "make one with `python3 -m venv VENV && VENV/bin/pip install numpy edt topocalc` and give VENV/bin/python";
-    let output = Command::new(python).args(["-c", "import edt, numpy, topocalc.horizon"]).output();
-    match output {
-        Err(error) => Err(format!("{} cannot be run ({error}): {install}", python.display())),
-        Ok(output) if !output.status.success() => {
-            let text = String::from_utf8_lossy(&output.stderr);
-            let last = text.lines().last().unwrap_or_default();
-            Err(format!("{} lacks a package ({last}): {install}", python.display()))
-        }
-        Ok(_) => Ok(()),
-    }
 }
 
 fn distance(python: &Path, map: &HeightMap, pool: &ThreadPool, table: &mut Table) -> Result<(), String> {

@@ -14,6 +14,7 @@ use relief_render::mesh::{Mesh, torus};
 use relief_tests::curved::{Curved, quantile};
 use relief_tests::rng::Rng;
 
+use crate::python::require;
 use crate::surfaces::Lies;
 use crate::surfaces::bases::{TILES, cobbles};
 use crate::table::table;
@@ -80,12 +81,12 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
     });
     let [tiled_ours, unique_ours] = ours;
     let ours = [tiled_ours?, unique_ours?];
-    let answer = match python::missing(&arguments.python) {
-        Some(reason) => {
+    let answer = match require(&arguments.python, "import embreex, numpy", "embreex") {
+        Err(reason) => {
             println!("Embree is left out: {reason}\n");
             None
         }
-        None => {
+        Ok(()) => {
             let shuffled = shuffled(&views.picture);
             let sets = [
                 ("picture", &views.picture[..]),

@@ -25,21 +25,6 @@ pub struct Answer {
     pub sets: BTreeMap<&'static str, (f64, Vec<f32>)>,
 }
 
-/// Why there is no such Python with embreex, and how to get one; nothing where there is.
-pub fn missing(python: &Path) -> Option<String> {
-    let install =
-        "make one with `python3 -m venv VENV && VENV/bin/pip install embreex` and give VENV/bin/python";
-    match Command::new(python).args(["-c", "import embreex, numpy"]).output() {
-        Err(error) => Some(format!("{} cannot be run ({error}): {install}", python.display())),
-        Ok(output) if !output.status.success() => {
-            let text = String::from_utf8_lossy(&output.stderr);
-            let last = text.lines().last().unwrap_or_default();
-            Some(format!("{} lacks a package ({last}): {install}", python.display()))
-        }
-        Ok(_) => None,
-    }
-}
-
 /// Builds a scene of those triangles and traces all sets of rays.
 pub fn measured(
     python: &Path,

@@ -137,12 +137,12 @@ impl Delaunay {
         }
     }
 
-    /// Adds a point that lies there, and gives its number.
-    pub fn insert(&mut self, point: [i32; 2], at: Location) -> u32 {
+    /// Adds a point that lies there, the last one from then on; nothing where one is already.
+    pub fn insert(&mut self, point: [i32; 2], at: Location) {
         debug_assert!(point.iter().all(|at| (0..=MOST).contains(at)), "{point:?}");
         let number = self.points.len() as u32;
         match at {
-            Location::Point(there) => return there,
+            Location::Point(_) => return,
             Location::Inside(triangle) => {
                 self.points.push(point);
                 let edges = [3 * triangle, 3 * triangle + 1, 3 * triangle + 2];
@@ -182,7 +182,6 @@ impl Delaunay {
             }
         }
         self.flip();
-        number
     }
 
     fn set(&mut self, triangle: u32, corners: [u32; 3], opposite: [u32; 3]) -> u32 {

@@ -2,8 +2,8 @@
 //!
 //! The points of a tile lie on a lattice of a sixteenth of a texel, so that what decides how they are joined
 //! is exact in whole numbers. The point farthest from its triangle is inserted until none is farther than the
-//! tolerance; with a fit a looser one is enough, because heights that are moved off the surface halve what a
-//! bulge exceeds.
+//! tolerance. With a fit a looser tolerance is enough at first: a triangle that lies wholly below a bulge
+//! comes nearer when its corners are raised.
 
 mod delaunay;
 mod fit;
