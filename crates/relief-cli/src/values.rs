@@ -43,6 +43,16 @@ pub fn range(text: &str) -> Result<[f64; 2], String> {
     numbers(text, "A,B").and_then(finite)
 }
 
+/// A number above 0.
+pub fn positive(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse().map_err(|_| "write it as a number, as in 2 or 0.5".to_owned())?;
+    if number > 0.0 && f64::is_finite(number) {
+        Ok(number)
+    } else {
+        Err("it must be greater than 0, and finite".to_owned())
+    }
+}
+
 /// A size in pixels `WxH`.
 pub fn size(text: &str) -> Result<[u32; 2], String> {
     let wrong = || "write it as WxH, as in 800x600".to_owned();

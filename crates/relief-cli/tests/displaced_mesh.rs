@@ -116,6 +116,8 @@ fn what_cannot_be_made_is_refused() {
     folder.write("nan.obj", "v 0 0 nan\nv 0 0 1\nv 1 0 0\nvt 0 0\nvt 0 1\nvt 1 0\nf 1/1 2/2 3/3\n");
     folder.write("point.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nvt 0 0\nvt 0 0\nvt 0 0\nf 1/1 2/2 3/3\n");
     folder.write("nan.exr", exr([2, 1], &[("Y", vec![f32::NAN, 1.0])]));
+    folder.write("eye.toml", "height = 'hills.png'\neye = [0, 0, 0]\ntarget = [0, 0, 0]\n");
+    folder.write("view.toml", "height = 'hills.png'\neye = [0.3, 0.6, 1]\nsize = [320, 240]\n");
     folder.write("broken.png", b"\x89PNG\r\n\x1a\nno more");
     for (line, code, words) in [
         ("hills.png --texels 0 -o out/a.glb", 2, ["--texels", "0"]),
@@ -149,6 +151,21 @@ fn what_cannot_be_made_is_refused() {
         ("hills.png --side above --mesh cube -o out/a.glb", 1, ["rectangle", "--texels"]),
         ("hills.png --texels 2 --judge texels -o out/a.glb", 2, ["--judge", "--texels"]),
         ("hills.png --texels 2 --fit none -o out/a.glb", 2, ["--fit", "--texels"]),
+        ("hills.png --edges pixels -o out/a.glb", 2, ["pixels", "--view"]),
+        ("hills.png --interior sweep -o out/a.glb", 2, ["pixels", "--view"]),
+        ("hills.png --edges texels --interior sweep -o out/a.glb", 2, ["sweep", "voxel"]),
+        ("hills.png --view none.toml -o out/a.glb", 1, ["none.toml", ""]),
+        ("hills.png --view hills.png -o out/a.glb", 1, ["hills.png", ""]),
+        ("hills.png --view eye.toml -o out/a.glb", 1, ["eye", "target"]),
+        ("hills.png --view view.toml --pixels 0 -o out/a.glb", 2, ["--pixels", "0"]),
+        ("hills.png --view view.toml --pixels few -o out/a.glb", 2, ["--pixels", "few"]),
+        ("hills.png --pixels 2 -o out/a.glb", 2, ["--pixels", "--view"]),
+        ("hills.png --view view.toml --texels 2 -o out/a.glb", 2, ["--view", "--texels"]),
+        ("hills.png --view view.toml --error 1% -o out/a.glb", 2, ["--view", "--error"]),
+        ("hills.png --view view.toml --side above -o out/a.glb", 2, ["--side", "pixels"]),
+        ("hills.png --view view.toml --edges texels -o out/a.glb", 2, ["--view", "texels"]),
+        ("hills.png --view view.toml --pixels 0.001 -o out/a.glb", 1, ["vertices", "--pixels"]),
+        ("hills.png --view view.toml --solid 3 -o out/a.stl", 1, ["--solid", "view"]),
         ("hills.png --solid 0 -o out/a.stl", 2, ["--solid", "0"]),
         ("hills.png --solid 3 --mesh cube -o out/a.stl", 1, ["--solid", "closed"]),
         ("hills.png --tiles 0x1 -o out/a.glb", 2, ["--tiles", "4x2"]),
@@ -225,6 +242,32 @@ fn an_error_is_kept_in_lengths_of_the_file_and_by_each_of_its_tiles() {
         let found = json_of(&folder.relief(&format!("inspect out/{name} --json")).fine());
         assert!(files.iter().any(|file| file["triangles"] == found["triangles"]), "{found}");
     }
+}
+
+#[test]
+fn a_view_makes_a_mesh_as_fine_as_it_sees() {
+    let folder = folder();
+    let count = |line: &str| {
+        let about = json_of(&folder.relief(&format!("mesh hills.png {line} --json")).fine());
+        (about["triangles"].as_u64().expect("a count"), about)
+    };
+    // Half as many pixels a side, a fourth of the triangles; and farther away fewer.
+    for (name, distance) in [("near", 1.0), ("far", 3.0)] {
+        let eye = [0.3, 0.6, 1.0].map(|along| along * distance);
+        let text = format!("height = 'none.png'\neye = {eye:?}\nsize = [320, 240]\n");
+        folder.write(&format!("{name}.toml"), text);
+    }
+    let (fine, about) = count("--mesh ring.obj --view near.toml -o out/fine.glb");
+    assert_eq!((about["open_edges"].as_u64(), about["pieces"].as_u64()), (Some(0), Some(1)), "{about}");
+    let (coarse, _) = count("--mesh ring.obj --view near.toml --pixels 2 -o out/coarse.glb");
+    let (far, _) = count("--mesh ring.obj --view far.toml -o out/far.glb");
+    let ratio = fine as f64 / coarse as f64;
+    assert!((3.0..4.5).contains(&ratio) && far * 4 < fine, "{fine} {coarse} {far}");
+    // On a plane, too, by a fixed pattern, and in parts.
+    let (sheet, about) = count("--view near.toml -o out/sheet.ply");
+    assert!(sheet > 20_000 && about["pieces"] == 1, "{about}");
+    count("--view near.toml --interior dice --tiles 2x1 -o out/parts.ply");
+    assert_eq!(entries(&folder.path("out")).len(), 6);
 }
 
 #[cfg(unix)]

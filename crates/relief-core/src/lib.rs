@@ -9,6 +9,7 @@
 pub mod area_mean;
 mod baked_map;
 mod byte_size;
+pub mod camera;
 pub mod encoding;
 pub mod exact;
 mod found;

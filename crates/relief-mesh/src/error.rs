@@ -20,6 +20,27 @@ pub enum MesherError {
     /// A point every no texels.
     #[error("a point every 0 texels: at least every texel is possible")]
     NoTexels,
+    /// Edges by voxels without a view that says what these are.
+    #[error("the edges '{edges}' need a view: a camera and the size of its picture")]
+    NoView {
+        /// Name of the edge rule.
+        edges: &'static str,
+    },
+    /// A view that sees nothing.
+    #[error(
+        "a view of {width}x{height} pixels, {pixels} to a voxel, near {near_m} m cannot be used: all must be \
+         greater than 0, and finite"
+    )]
+    BadView {
+        /// Width of its picture.
+        width: u32,
+        /// Height of its picture.
+        height: u32,
+        /// Pixels that a voxel is wide.
+        pixels: f64,
+        /// Metres to where it begins.
+        near_m: f64,
+    },
     /// A base without triangles.
     #[error("the base mesh has no triangles")]
     Empty,
@@ -72,6 +93,11 @@ pub enum MesherError {
          mesh is solid as it is"
     )]
     SolidOfNoPlane,
+    /// A solid of a mesh that is made for a view.
+    #[error(
+        "what is made for a view is not made solid: a point every so many texels, or a tolerance, can be"
+    )]
+    SolidOfView,
     /// A part of a mesh that is not a plane.
     #[error("only planes are cut into parts: two triangles that make a rectangle with straight texture")]
     PartOfNoPlane,
@@ -112,6 +138,9 @@ pub enum MesherError {
         /// Triangles that were counted until then.
         triangles: u64,
     },
+    /// A plane's tiles are no mesh.
+    #[error(transparent)]
+    Mesh(#[from] relief_core::mesh::MeshError),
     /// Nothing of that name.
     #[error(transparent)]
     Unknown(#[from] UnknownName),

@@ -42,6 +42,7 @@ mod settings;
 mod smooth;
 mod surface;
 mod triangles;
+mod view;
 mod watch;
 
 pub use choices::{BaseSurface, Directions, Fit, Judge, Seams, Shading, Side};
@@ -52,4 +53,5 @@ pub use interior::{INTERIORS, Interior, check_pair, interior};
 pub use mesher::{Mesher, Stream, Streamed};
 pub use plane::Certificate;
 pub use settings::{MeshSettings, Part};
+pub use view::View;
 pub use watch::Watch;

@@ -166,12 +166,21 @@ impl Mesher {
         if rectangle.is_none() && settings.solid_m.is_some() {
             return Err(MesherError::SolidOfNoPlane);
         }
+        if matches!(settings.edges.divides, Divides::Voxels(_)) && settings.solid_m.is_some() {
+            return Err(MesherError::SolidOfView);
+        }
+        let mut patches = mesh.triangles().len();
         let base = match (settings.interior.fills, settings.edges.divides, rectangle) {
             (Fills::Patch(pattern), Divides::Evenly(evenly), Some(rectangle)) => {
                 Base::Grid(Grid::new(rectangle, &relief, &evenly, settings)?, pattern)
             }
-            (Fills::Patch(pattern), Divides::Evenly(evenly), None) => {
-                Base::Triangles(Triangles::new(mesh, map, &evenly, settings)?, pattern)
+            (Fills::Patch(pattern), Divides::Voxels(_), Some(rectangle)) => {
+                let tiles = rectangle.tiles(&relief, settings.part)?;
+                patches = tiles.triangles().len();
+                Base::Triangles(Triangles::new(&tiles, map, settings)?, pattern)
+            }
+            (Fills::Patch(pattern), _, None) => {
+                Base::Triangles(Triangles::new(mesh, map, settings)?, pattern)
             }
             (Fills::Tile(fill), Divides::Along(side), Some(rectangle)) => Base::Adapted(Adapted::new(
                 rectangle,
@@ -200,7 +209,7 @@ impl Mesher {
         let of_normals =
             if settings.shading == Shading::Mesh { vertices * smooth::BYTES_PER_VERTEX } else { 0 };
         let of_tiles = if let Base::Adapted(plane) = &base { plane.bytes() } else { 0 };
-        let bytes = mesh.triangles().len() as u64 * Self::BYTES_PER_TRIANGLE
+        let bytes = patches as u64 * Self::BYTES_PER_TRIANGLE
             + (blocks.len() * size_of::<Work>()) as u64
             + of_normals
             + of_tiles
@@ -386,7 +395,7 @@ impl Mesher {
         let mut cut = Cut::default();
         let mut points: Vec<(Numbered, Vec3)> = Vec::new();
         for patch in from[0]..=to[0].min(base.count() - 1) {
-            let shape = Patch::Triangle(base.parts(patch));
+            let shape = base.patch(patch);
             let begin = if patch == from[0] { from[1] } else { 0 };
             let end = if patch == to[0] { to[1] } else { (pattern.steps)(&shape) };
             if begin == end {

@@ -3,9 +3,13 @@
 /// A patch: what an interior fills.
 #[derive(Clone, Copy, Debug)]
 pub enum Patch<'a> {
-    /// A base triangle, by the numbers of parts, at least 1, of its three sides: side `k` goes from corner
-    /// `k` to the next one.
-    Triangle([u32; 3]),
+    /// A base triangle.
+    Triangle {
+        /// The numbers of parts, at least 1, of its three sides: side `k` goes from corner `k` to the next.
+        parts: [u32; 3],
+        /// The voxels that its corners lie in, for edge rules that go by them.
+        voxels: [[i32; 3]; 3],
+    },
     /// A tile of a plane, by the places of the lines across `u` and across `v`, at least two of each.
     Tile([&'a [f64]; 2]),
 }

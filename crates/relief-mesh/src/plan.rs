@@ -84,7 +84,7 @@ impl Plan {
         let begun = |from: [u32; 2], inner: u64, vertices: u64| (from, inner as u32, vertices as u32);
         let (mut begin, mut size) = (begun([0, 0], 0, self.vertices), 0);
         for patch in 0..base.count() {
-            let shape = Patch::Triangle(base.parts(patch));
+            let shape = base.patch(patch);
             let steps = (pattern.steps)(&shape);
             let mut inner = 0;
             for step in 0..steps {

@@ -4,17 +4,23 @@ use std::ops::{Add, Div, Mul};
 
 use glam::{DVec3, Vec3};
 
-/// Point `k` of `n` between two ends: `(a (n - k) + b k) / n`.
+/// Point `k` of `n` between two ends, as weights of the ends: `[n - k, k]`, each times the end's share. Points
+/// at equal distances have shares of 1, those that look so in perspective the inverse depths.
+pub fn weights([a, b]: [f64; 2], k: u32, n: u32) -> [f64; 2] {
+    [a * f64::from(n - k), b * f64::from(k)]
+}
+
+/// The point between two ends that has those weights: `(a (n - k) + b k) / n` where both shares are 1.
 ///
-/// Both products are rounded by themselves and the sum does not depend on the order of its parts, so that the
-/// point is the same, bit by bit, as point `n - k` from the other end; the ends themselves are points 0 and
-/// `n`. Adding up differences, as Gumhold and Hüttner 1999 do (section 3.4), gives other bits from either
-/// end.
-pub fn between<T>(a: T, b: T, k: u32, n: u32) -> T
+/// Products are rounded by themselves and sums do not depend on the order of their parts, so that the point is
+/// the same, bit by bit, as point `n - k` from the other end; where shares are 1 the ends themselves are
+/// points 0 and `n`. Adding up differences, as Gumhold and Hüttner 1999 do (section 3.4), gives other bits
+/// from either end.
+pub fn between<T>(a: T, b: T, [of_a, of_b]: [f64; 2]) -> T
 where
     T: Mul<f64, Output = T> + Add<Output = T> + Div<f64, Output = T>,
 {
-    (a * f64::from(n - k) + b * f64::from(k)) / f64::from(n)
+    (a * of_a + b * of_b) / (of_a + of_b)
 }
 
 /// What positions are told apart and ordered by. -0 and 0 are one.
@@ -34,10 +40,14 @@ mod tests {
     #[test]
     fn points_are_the_same_from_either_end() {
         let [a, b] = [Vec3::new(0.1, -7.3, 1e-3), Vec3::new(1e3, 0.7, -0.2)].map(|end| end.as_dvec3());
+        let at = |shares, k, n| between(a, b, weights(shares, k, n));
         for n in [1, 2, 3, 7, 64, 1000] {
-            assert_eq!([between(a, b, 0, n), between(a, b, n, n)], [a, b]);
+            assert_eq!([at([1.0, 1.0], 0, n), at([1.0, 1.0], n, n)], [a, b]);
             for k in 0..=n {
-                assert_eq!(between(a, b, k, n), between(b, a, n - k, n), "{k} of {n}");
+                for shares in [[1.0, 1.0], [0.1, 0.7], [3.3, 1e-4]] {
+                    let back = between(b, a, weights([shares[1], shares[0]], n - k, n));
+                    assert_eq!(at(shares, k, n), back, "{k} of {n}");
+                }
             }
         }
         assert_eq!(bits(Vec3::new(-0.0, 0.0, 1.0)), bits(Vec3::new(0.0, -0.0, 1.0)));

@@ -1,6 +1,8 @@
 //! How a mesh is made.
 
-use crate::{BaseSurface, Directions, EdgeRule, Fit, Interior, Judge, Seams, Shading, Side, edge, interior};
+use crate::{
+    BaseSurface, Directions, EdgeRule, Fit, Interior, Judge, Seams, Shading, Side, View, edge, interior,
+};
 
 /// How a mesh is made.
 #[derive(Clone, Copy, Debug)]
@@ -11,6 +13,8 @@ pub struct MeshSettings {
     pub interior: &'static Interior,
     /// For the edge rule `texels`: a point every so many texels, at least 1.
     pub texels: u32,
+    /// For the edge rule `pixels`: where the mesh is looked at from.
+    pub view: Option<View>,
     /// For the edge rule `error` and the interior `adapt`: the farthest that the relief may lie from the
     /// triangles, along the direction of displacement, in metres.
     pub error_m: f64,
@@ -56,6 +60,11 @@ impl MeshSettings {
     pub fn within(error_m: f64) -> Self {
         Self { edges: &edge::ERROR, interior: &interior::ADAPT, error_m, ..Self::default() }
     }
+
+    /// As fine as the voxels of a view are.
+    pub fn seen_by(view: View) -> Self {
+        Self { edges: &edge::PIXELS, interior: &interior::SWEEP, view: Some(view), ..Self::default() }
+    }
 }
 
 impl Default for MeshSettings {
@@ -65,6 +74,7 @@ impl Default for MeshSettings {
             edges: &edge::TEXELS,
             interior: &interior::DICE,
             texels: 1,
+            view: None,
             error_m: f64::INFINITY,
             judge: Judge::default(),
             fit: Fit::default(),

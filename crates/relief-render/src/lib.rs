@@ -3,7 +3,6 @@
 //! A [`Scene`](scene::Scene) is built or loaded, and [`render()`] makes a picture of it. Both backends run
 //! the same shaders and give the same picture; [`picture`] turns it into bytes and channels.
 
-pub mod camera;
 pub mod cpu;
 pub mod depth_buffer;
 pub mod environment;
@@ -30,8 +29,8 @@ mod triangles;
 mod wire;
 
 pub use glam;
-/// Base meshes, of which scenes are made; they are the core's.
-pub use relief_core::mesh;
+/// Cameras, and base meshes of which scenes are made; they are the core's.
+pub use relief_core::{camera, mesh};
 pub use renderer::{Bands, Made, Progress, Reason, RenderError, Rendered, Renderer, Task, render};
 #[cfg(feature = "gpu")]
 pub use wgpu;

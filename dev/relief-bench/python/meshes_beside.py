@@ -1,10 +1,10 @@
 """Meshes a height map with a package of PyPI.
 
-Arguments: a folder, the package, columns, rows, and a number: the tolerance for pydelatin, as a height; for the
-others the triangles that are wanted. The folder holds heights.raw (f32, row by row). Writes vertices.raw (f32:
-column, row, height) and triangles.raw (u32). Prints one JSON object: the version, and the seconds that meshing
-took from beginning to end, without what is read and written. The last two simplify all triangles of the grid,
-which are made before.
+Arguments: a folder, the package, columns, rows, and a number: the tolerance for pydelatin, as a height; for
+the others the triangles that are wanted. The folder holds heights.raw (f32, row by row). Writes vertices.raw
+(f32: column, row, height) and triangles.raw (u32). Prints one JSON object: the version, and the seconds that
+meshing took from beginning to end, without what is read and written. The last two simplify all triangles of
+the grid, which are made before.
 """
 
 import json

@@ -6,10 +6,11 @@ use std::path::Path;
 use std::time::Instant;
 
 use clap::Args;
-use glam::Vec2;
+use glam::{DVec3, Vec2};
 use relief_core::HeightMap;
+use relief_core::camera::Camera;
 use relief_io::{MeshCounts, MeshFormat, write_mesh};
-use relief_mesh::{Cracks, MeshSettings, Mesher, Stream, Watch};
+use relief_mesh::{Cracks, MeshSettings, Mesher, Stream, View, Watch};
 use relief_render::mesh::{Mesh, rectangle, sphere, torus};
 use tempfile::TempDir;
 
@@ -47,16 +48,19 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         ("torus 128x64", tiled(torus(128, 64), Vec2::new(tiles, tiles / 2.0))?),
         ("sphere 128x64", tiled(sphere(128, 64), Vec2::new(tiles, tiles / 2.0))?),
     ];
-    let mut rows = table(&["base", "triangles", "work", "s", "millions/s", "peak MiB", "open", "pieces"]);
-    for (name, base) in &bases {
-        let mesher = Mesher::new(base, &map, &MeshSettings::default()).map_err(|error| error.to_string())?;
+    let mut rows =
+        table(&["base, edges", "triangles", "work", "s", "millions/s", "peak MiB", "open", "pieces"]);
+    let seen = MeshSettings::seen_by(view(arguments.tiles)?);
+    let ways = [("texels", MeshSettings::default()), ("pixels", seen)];
+    for ((name, base), (way, settings)) in bases.iter().flat_map(|base| ways.map(|way| (base, way))) {
+        let mesher = Mesher::new(base, &map, &settings).map_err(|error| error.to_string())?;
         for work in Work::all(arguments.files) {
             let (mut seconds, mut peak, mut cracks) = (Samples::default(), 0, None);
             for _ in 0..arguments.rounds {
                 let folder = TempDir::new().map_err(|error| error.to_string())?;
                 let start = Instant::now();
                 memory::reset();
-                cracks = work.done(&mesher, base, &map, folder.path())?;
+                cracks = work.done(&mesher, (base, &map, &settings), folder.path())?;
                 seconds.push(start.elapsed().as_secs_f64());
                 peak = memory::peak();
             }
@@ -64,7 +68,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
             let found =
                 |of: fn(&Cracks) -> u64| cracks.as_ref().map_or("-".to_owned(), |it| of(it).to_string());
             rows.add_row([
-                (*name).to_owned(),
+                format!("{name}, {way}"),
                 mesher.triangles().to_string(),
                 work.name(),
                 seconds.to_string(),
@@ -76,12 +80,20 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         }
     }
     println!(
-        "Every texel of cobbles, with exact normals, on {} threads; medians of {} rounds.\n\n{rows}\n\nAim: \
+        "Every texel of cobbles, or every pixel of a large picture, with exact normals, on {} threads; medians of {} rounds.\n\n{rows}\n\nAim: \
          {LEAST_MILLIONS} million triangles a second and twice that.",
         rayon::current_num_threads(),
         arguments.rounds
     );
     Ok(())
+}
+
+/// A view in whose picture a base has about as many pixels as texels.
+fn view(tiles: u32) -> Result<View, String> {
+    let camera =
+        Camera::new(DVec3::new(0.2, 1.3, 0.9), DVec3::ZERO, 40.0).map_err(|error| error.to_string())?;
+    let side = 320 * tiles;
+    Ok(View::new(camera, [side, side]))
 }
 
 /// What is done with a mesh.
@@ -116,15 +128,14 @@ impl Work {
     fn done(
         self,
         mesher: &Mesher,
-        base: &Mesh,
-        map: &HeightMap,
+        (base, map, settings): (&Mesh, &HeightMap, &MeshSettings),
         folder: &Path,
     ) -> Result<Option<Cracks>, String> {
         let check = !matches!(self, Self::Made);
         let how = Stream { size: 1.0, check, watch: Watch::NOBODY };
         match self {
             Self::Counted => {
-                let counted = Mesher::new(base, map, &MeshSettings::default());
+                let counted = Mesher::new(base, map, settings);
                 counted.map(|_| None).map_err(|error| error.to_string())
             }
             Self::Made | Self::Tested => {

@@ -14,9 +14,9 @@ use relief_core::registry::UnknownName;
 use relief_io::{DEFAULT_MAX_BYTES, MeshFormat};
 use relief_mesh::{
     BaseSurface, Directions, EDGE_RULES, EdgeRule, Fit, INTERIORS, Interior, Judge, MeshSettings, Mesher,
-    MesherError, Seams, Shading, Side, Spacing,
+    MesherError, Seams, Shading, Side, Spacing, View,
 };
-use relief_render::scene::{MeshChoice, SceneSpec, Surface, SurfaceSpec};
+use relief_render::scene::{MeshChoice, Scene, SceneSpec, Surface, SurfaceSpec, read_scene};
 
 use self::accuracy::Tolerance;
 use super::maps::{self, HeightArguments};
@@ -26,7 +26,7 @@ use super::staged::{Staged, format_of};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::streams::{Files, Written, answer};
-use crate::{interrupt, say, units};
+use crate::{interrupt, say, units, values};
 
 /// Memory for what is held of blocks between making and writing them.
 const BYTES_TO_WRITE: u64 = 32 << 20;
@@ -72,6 +72,25 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     texels: Option<u32>,
+    /// As fine as the camera of a scene file sees it, with the size of its picture: a vertex every --pixels
+    #[arg(
+        long,
+        value_name = "SCENE.toml",
+        conflicts_with_all = ["error", "triangles", "texels"],
+        help_heading = "Triangles"
+    )]
+    view: Option<PathBuf>,
+    /// A vertex every N pixels of the --view, along the mesh's edges and inside, and as far apart along the
+    /// line of sight [default: 1]
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = values::positive,
+        allow_hyphen_values = true,
+        requires = "view",
+        help_heading = "Triangles"
+    )]
+    pixels: Option<f64>,
     /// Where --error and --triangles look: surface, everywhere on the relief between the texels, or texels,
     /// at their centres alone, as other programs do [default: surface]
     #[arg(long, value_name = "surface|texels", help_heading = "Triangles", hide_short_help = true)]
@@ -167,6 +186,7 @@ const AFTER_HELP: &str = "Examples:\n  \
     relief mesh dem.tif --error 2m --tiles 4x4 -o dem.glb             # to 2 m, in 16 files\n  \
     relief mesh dem.tif --print-size 150 --solid 3 -o dem.stl         # 15 cm long, to print\n  \
     relief mesh dem.tif --texels 1 -o dem.glb                         # every texel of it\n  \
+    relief mesh dem.tif --view flight.toml --pixels 2 -o dem.glb      # every second pixel of a picture\n  \
     relief mesh bark.png --mesh tree.obj --scale 2cm -o tree.glb      # on a mesh with a texture\n  \
     relief mesh wall.png --mesh sphere --tile 8,4 --base lift -o ball.ply\n\n\
     The triangles are the relief that `relief render` shows, with the same --scale and --bias: carved into \
@@ -223,7 +243,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let started = Instant::now();
     let (_, format) = format_of("--output", &arguments.output, &FORMATS, &arguments.inputs())?;
     arguments.check()?;
-    let spec = arguments.spec();
+    let spec = arguments.spec()?;
     let scene = {
         let _reading = Progress::spinner("reading", arguments.json);
         spec.load().map_err(of_scene)?
@@ -231,13 +251,15 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if !arguments.json {
         maps::of_reading(&spec, &scene).into_iter().for_each(say::note);
     }
+    let view = arguments.view_of(&spec, &scene);
     let surface = scene.surfaces()[0].clone();
     drop(scene);
     let cancel = interrupt::catch()?;
     let files = parts::files(&arguments.output, arguments.tiles)?;
     let paths: Vec<&Path> = files.iter().map(|file| file.path.as_path()).collect();
     let mut staged = Staged::open(&paths, arguments.json, cancel)?;
-    let written = made::write(arguments, &surface, format, &files, &mut staged, cancel)?;
+    let written =
+        made::write(arguments, &made::Seen { surface: &surface, view }, format, &files, &mut staged, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
     let about = report::About { format, written: &written, seconds, surface: &surface };
@@ -263,7 +285,7 @@ impl Arguments {
             Some(MeshChoice::File(file)) => Some(file.as_path()),
             _ => None,
         };
-        [Some(self.height.as_path()), mesh].into_iter().flatten().collect()
+        [Some(self.height.as_path()), mesh, self.view.as_deref()].into_iter().flatten().collect()
     }
 
     /// Whether what is given can be used, before anything is read.
@@ -285,19 +307,24 @@ impl Arguments {
         }
         let (edges, interior) = self.rules(self.is_measured());
         relief_mesh::check_pair(edges, interior).map_err(of_mesher)?;
-        let even = edges.spacing == Spacing::Even;
+        let [is_even, is_measured, is_seen] =
+            [Spacing::Even, Spacing::Uneven, Spacing::Voxels].map(|spacing| edges.spacing == spacing);
+        if is_seen && self.view.is_none() {
+            return Err(of_mesher(MesherError::NoView { edges: edges.name }));
+        }
         let idle = [
-            ("--error", self.error.is_some() && even),
-            ("--triangles", self.triangles.is_some() && even),
-            ("--judge", self.judge.is_some() && even),
-            ("--fit", self.fit.is_some() && even),
-            ("--side", self.side.is_some() && even),
-            ("--texels", self.texels.is_some() && !even),
+            ("--error", self.error.is_some() && !is_measured),
+            ("--triangles", self.triangles.is_some() && !is_measured),
+            ("--judge", self.judge.is_some() && !is_measured),
+            ("--fit", self.fit.is_some() && !is_measured),
+            ("--side", self.side.is_some() && !is_measured),
+            ("--texels", self.texels.is_some() && !is_even),
+            ("--view", self.view.is_some() && !is_seen),
         ];
         if let Some((flag, _)) = idle.into_iter().find(|(_, is_idle)| *is_idle) {
             let (edges, interior) = (edges.name, interior.name);
             return Err(Failure::Usage(format!(
-                "{flag} is not for the edges '{edges}' and the interior '{interior}', which --texels, \
+                "{flag} is not for the edges '{edges}' and the interior '{interior}', which --texels, --view, \
                  --edges or --interior ask for: leave one out"
             )));
         }
@@ -317,11 +344,12 @@ impl Arguments {
     /// The edge rule and the interior: where none is named those of a tolerance, or of a fixed distance.
     fn rules(&self, is_measured: bool) -> (&'static EdgeRule, &'static Interior) {
         let usual = if is_measured { MeshSettings::within(1.0) } else { MeshSettings::default() };
-        match (self.edges, self.interior) {
-            // Of two that belong together one is enough.
+        let seen = || EDGE_RULES.iter().find(|edges| self.view.is_some() && edges.spacing == Spacing::Voxels);
+        match (self.edges.or_else(seen), self.interior) {
+            // Of two that belong together one is enough; interiors that take one rule alone are for that.
             (Some(edges), None) => {
                 let fits = |interior: &&Interior| relief_mesh::check_pair(edges, interior).is_ok();
-                (edges, INTERIORS.iter().find(fits).unwrap_or(usual.interior))
+                (edges, INTERIORS.iter().rfind(fits).unwrap_or(usual.interior))
             }
             (None, Some(interior)) => {
                 let fits = |edges: &&EdgeRule| relief_mesh::check_pair(edges, interior).is_ok();
@@ -332,7 +360,7 @@ impl Arguments {
     }
 
     /// How the mesh of a surface is made: `size` is the factor on lengths.
-    fn settings(&self, surface: &Surface, size: f64) -> MeshSettings {
+    fn settings(&self, made::Seen { surface, view }: &made::Seen, size: f64) -> MeshSettings {
         let usual = MeshSettings::default();
         let is_plane = Mesher::is_plane(surface.mesh());
         let (edges, interior) = self.rules(self.is_measured() || (is_plane && self.texels.is_none()));
@@ -342,6 +370,7 @@ impl Arguments {
             edges,
             interior,
             texels: self.texels.unwrap_or(usual.texels),
+            view: *view,
             error_m: self.error.unwrap_or_default().metres(map.scale_m(), size),
             judge: self.judge.unwrap_or_default(),
             fit: self.fit.unwrap_or_default(),
@@ -361,17 +390,40 @@ impl Arguments {
         self.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0)
     }
 
-    /// The height map on its mesh, as scenes have it, in the smallest of pictures.
-    fn spec(&self) -> SceneSpec {
+    /// The height map on its mesh, as scenes have it, seen by the camera of the view, or in the smallest of
+    /// pictures.
+    fn spec(&self) -> Result<SceneSpec, Failure> {
         let surface = self.placed.surface(&self.reading);
         let depth = if self.invert { Some(!self.reading.depth) } else { surface.depth };
         let surface = SurfaceSpec { height: Some(self.height.clone()), depth, ..surface };
-        SceneSpec {
-            size: Some([1, 1]),
+        let seen = match &self.view {
+            Some(file) => read_scene(file).map_err(Failure::work)?,
+            None => SceneSpec { size: Some([1, 1]), ..SceneSpec::default() },
+        };
+        let SceneSpec { view, eye, target, projection, fov, view_height, near, far, size, .. } = seen;
+        Ok(SceneSpec {
+            view,
+            eye,
+            target,
+            projection,
+            fov,
+            view_height,
+            near,
+            far,
+            size,
             samples: Some(1),
             max_memory: self.max_memory,
             ..SceneSpec::of_surface(surface)
-        }
+        })
+    }
+
+    /// From where the mesh is looked at.
+    fn view_of(&self, spec: &SceneSpec, scene: &Scene) -> Option<View> {
+        self.view.as_ref()?;
+        let view = View::new(*scene.camera(), scene.size());
+        // Parallel rays see what is near as large as anything.
+        let near_m = spec.near.filter(|_| !view.camera.is_orthographic()).unwrap_or(view.near_m);
+        Some(View { pixels: self.pixels.unwrap_or(view.pixels), near_m, ..view })
     }
 
     /// Whether the mesh can be made within the memory that is allowed.
@@ -397,13 +449,15 @@ fn bytes_of(surface: &Surface) -> u64 {
 }
 
 /// What helps where a mesh is too large.
-const COARSER: &str = "a larger --error or --texels makes the mesh coarser, --tiles cuts it";
+const COARSER: &str = "a larger --error, --texels or --pixels makes the mesh coarser, --tiles cuts it";
 
 /// What there can be no mesh of.
 fn of_mesher(error: MesherError) -> Failure {
     match error {
         MesherError::NoTexels => Failure::Usage(format!("--texels: {error}")),
         MesherError::Pair { .. } => Failure::usage(error),
+        MesherError::NoView { .. } => Failure::Usage(format!("{error}: --view SCENE.toml names one")),
+        MesherError::BadView { .. } => Failure::Work(format!("--view: {error}")),
         MesherError::BadTolerance { .. } => Failure::Usage(format!("--error: {error}")),
         MesherError::TooFine { .. } | MesherError::NotReached { .. } => {
             Failure::Work(format!("--error: {error} (a larger one, or --texels 1)"))
@@ -414,7 +468,7 @@ fn of_mesher(error: MesherError) -> Failure {
         MesherError::PartOfNoPlane | MesherError::TooManyParts { .. } => {
             Failure::Work(format!("--tiles: {error}"))
         }
-        MesherError::BadSolid { .. } | MesherError::SolidOfNoPlane => {
+        MesherError::BadSolid { .. } | MesherError::SolidOfNoPlane | MesherError::SolidOfView => {
             Failure::Work(format!("--solid: {error}"))
         }
         MesherError::MoreThan { .. } => Failure::Work(format!("--triangles: {error}")),

@@ -1,9 +1,11 @@
 //! The edge rules, one file each. A new one is a file here and its name in the list below.
 
 mod error;
+mod pixels;
 mod texels;
 
 pub use error::{LONGEST, RULE as ERROR};
+pub use pixels::RULE as PIXELS;
 use relief_core::registry::{Publication, UnknownName};
 pub use texels::RULE as TEXELS;
 
@@ -16,6 +18,8 @@ pub enum Spacing {
     Even,
     /// Where they are needed.
     Uneven,
+    /// One in every voxel along the side's main direction, in the grid space of a view.
+    Voxels,
 }
 
 /// Where the sides of patches are divided. What it says of a side follows from the side's two ends alone.
@@ -38,6 +42,8 @@ pub struct EdgeRule {
 pub enum Divides {
     /// At equal distances.
     Evenly(Evenly),
+    /// By the voxels that their ends lie in: in how many parts.
+    Voxels(fn([[i32; 3]; 2]) -> u64),
     /// By what lies along the side of a tile of a plane: which knots are its points, the first and the last
     /// among them, rising. The tolerance is a height of the map.
     Along(fn(knots: &[Knot], tolerance: f64) -> Vec<usize>),
@@ -69,7 +75,7 @@ pub struct Knot {
 }
 
 /// All edge rules.
-pub const EDGE_RULES: &[EdgeRule] = &[TEXELS, ERROR];
+pub const EDGE_RULES: &[EdgeRule] = &[TEXELS, PIXELS, ERROR];
 
 /// The edge rule of that name.
 ///

@@ -25,7 +25,7 @@ pub const INTERIOR: Interior = Interior {
     name: "dice",
     summary: "a fixed pattern: rows along the side of fewest parts, and on a plane a grid",
     publication: Publication { paper: "Relief", section: "" },
-    takes: &[Spacing::Even],
+    takes: &[Spacing::Even, Spacing::Voxels],
     why: "a fixed pattern needs sides that are divided evenly",
     fills: Fills::Patch(Pattern { steps, counts, cut }),
 };
@@ -157,14 +157,14 @@ fn zip(above: &[u32], below: &[u32], shared: [bool; 2], cut: &mut Cut) {
 
 fn steps(patch: &Patch) -> u32 {
     match patch {
-        Patch::Triangle(parts) => Rows::new(*parts).count(),
+        Patch::Triangle { parts, .. } => Rows::new(*parts).count(),
         Patch::Tile(_) => 1,
     }
 }
 
 fn counts(patch: &Patch, step: u32) -> PatchCounts {
     match patch {
-        Patch::Triangle(parts) => {
+        Patch::Triangle { parts, .. } => {
             let rows = Rows::new(*parts);
             let points = u64::from(rows.inner(step + 1));
             PatchCounts { points, triangles: rows.triangles(step + 1) }
@@ -178,7 +178,7 @@ fn counts(patch: &Patch, step: u32) -> PatchCounts {
 
 fn cut(patch: &Patch, steps: Range<u32>, first: u32, cut: &mut Cut) {
     match patch {
-        Patch::Triangle(parts) => Rows::new(*parts).cut(steps, first, cut),
+        Patch::Triangle { parts, .. } => Rows::new(*parts).cut(steps, first, cut),
         Patch::Tile(lines) => {
             let [across, down] = lines.map(|lines| lines.len() as u32);
             for at in 0..down {
@@ -217,7 +217,7 @@ mod tests {
 
     fn all(parts: [u32; 3]) -> Cut {
         let mut all = Cut::default();
-        let patch = Patch::Triangle(parts);
+        let patch = Patch::Triangle { parts, voxels: [[0; 3]; 3] };
         cut(&patch, 0..steps(&patch), 0, &mut all);
         all
     }
@@ -242,7 +242,7 @@ mod tests {
                     assert!(cut.triangles.iter().flatten().any(is_used), "{parts:?}: {side} {at}");
                 }
             }
-            let patch = Patch::Triangle(parts);
+            let patch = Patch::Triangle { parts, voxels: [[0; 3]; 3] };
             let counted = (0..steps(&patch)).map(|step| counts(&patch, step));
             let [points, triangles] = counted
                 .fold([0, 0], |[points, triangles], step| [points + step.points, triangles + step.triangles]);
@@ -268,7 +268,7 @@ mod tests {
     #[test]
     fn steps_by_themselves_make_what_they_make_together() {
         let parts = [9, 31, 27];
-        let patch = Patch::Triangle(parts);
+        let patch = Patch::Triangle { parts, voxels: [[0; 3]; 3] };
         let shown = |cut: &Cut| -> Vec<[PatchPoint; 3]> {
             cut.triangles.iter().map(|corners| corners.map(|at| cut.points[at as usize])).collect()
         };

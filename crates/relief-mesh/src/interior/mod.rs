@@ -2,6 +2,7 @@
 
 mod adapt;
 mod dice;
+mod sweep;
 
 use std::ops::Range;
 
@@ -9,6 +10,7 @@ use relief_core::registry::{Publication, UnknownName};
 
 pub use adapt::{Filled, Gap, INTERIOR as ADAPT, STEPS, Seen, Wanted, Window};
 pub use dice::INTERIOR as DICE;
+pub use sweep::INTERIOR as SWEEP;
 
 use crate::patch::{Patch, PatchPoint};
 use crate::{EdgeRule, MesherError, Spacing};
@@ -97,8 +99,8 @@ impl Cut {
     }
 }
 
-/// All interiors.
-pub const INTERIORS: &[Interior] = &[DICE, ADAPT];
+/// All interiors; those that take more edge rules come first.
+pub const INTERIORS: &[Interior] = &[DICE, SWEEP, ADAPT];
 
 /// The interior of that name.
 ///

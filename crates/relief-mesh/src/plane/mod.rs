@@ -12,8 +12,12 @@ pub use adapted::{Adapted, Certificate, Filling};
 pub use grid::{Grid, Tile};
 pub use solid::{BorderPoint, Faces, Solid};
 
+use crate::error::MOST;
 use crate::surface::{Frame, Relief};
 use crate::{MesherError, Part, point};
+
+/// Texels of a tile along a side.
+const TILE: f64 = 128.0;
 
 /// How much the corners of a rectangle may differ from one, as a part of its sides.
 const ROUNDING: f64 = 1e-5;
@@ -108,6 +112,50 @@ impl Rectangle {
             }
         }
         Ok(range)
+    }
+
+    /// A part of it cut into tiles of texels, two triangles each. Lines between them go through the same
+    /// centres, whatever the part.
+    pub fn tiles(&self, relief: &Relief, part: Part) -> Result<Mesh, MesherError> {
+        let range = self.range(relief, part)?;
+        // Before memory is taken for them.
+        let most = range.map(|[from, to]| ((to - from) / TILE) as u64 + 2);
+        let vertices = most[0].saturating_mul(most[1]);
+        if vertices > MOST / 2 {
+            return Err(MesherError::TooLarge { vertices, triangles: vertices.saturating_mul(2) });
+        }
+        let lines = range.map(|[from, to]| {
+            let first = (from / TILE).floor();
+            let inside = (0..).map(|k| (first + f64::from(k)) * TILE + 0.5).take_while(|at| *at < to);
+            let inside = inside.filter(|at| *at > from);
+            [from].into_iter().chain(inside).chain([to]).collect::<Vec<f64>>()
+        });
+        let tangents = self.tangents.map(|tangent| tangent.as_vec3());
+        let normal = self.normal.as_vec3();
+        let mut vertices = Vec::with_capacity(lines[0].len() * lines[1].len());
+        for &y in &lines[1] {
+            for &x in &lines[0] {
+                let BasePoint { position, uv, .. } = self.base(relief, [x, y]);
+                let [tangent, bitangent] = tangents;
+                let position = point::stored(position);
+                vertices.push(Vertex { position, normal, tangent, bitangent, uv: uv.as_vec2() });
+            }
+        }
+        let across = lines[0].len() as u32;
+        let mut triangles = Vec::with_capacity(2 * vertices.len());
+        for row in 0..lines[1].len() as u32 - 1 {
+            for column in 0..across - 1 {
+                let here = row * across + column;
+                let below = here + across;
+                for mut corners in [[here, below, below + 1], [here, below + 1, here + 1]] {
+                    if self.is_turned {
+                        corners.swap(1, 2);
+                    }
+                    triangles.push(corners);
+                }
+            }
+        }
+        Ok(Mesh::new(vertices, triangles)?)
     }
 
     fn base(&self, relief: &Relief, [x, y]: [f64; 2]) -> BasePoint {

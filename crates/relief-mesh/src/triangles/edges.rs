@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 
-use relief_core::HeightMap;
 use relief_core::mesh::Mesh;
 
 use super::corners::Corners;
@@ -56,8 +55,7 @@ impl Edges {
         mesh: &Mesh,
         point_of: &[u32],
         corners: &Corners,
-        map: &HeightMap,
-        parts_of: impl Fn([f64; 2]) -> u64,
+        parts_of: impl Fn([u32; 2]) -> u64,
     ) -> Result<Self, MesherError> {
         let count = mesh.triangles().len();
         if count > (u32::MAX / 3) as usize {
@@ -68,7 +66,6 @@ impl Edges {
         let mut edges: Vec<Edge> = Vec::with_capacity(count + count / 2);
         let mut seams: Vec<Seam> = Vec::with_capacity(count + count / 2);
         let mut sides = vec![[0; 3]; count];
-        let texels = [map.width(), map.height()].map(f64::from);
         for (at, side) in all.iter().enumerate() {
             let before = at.checked_sub(1).map(|before| &all[before]);
             let is_new_seam = before.is_none_or(|before| before.points != side.points);
@@ -80,9 +77,7 @@ impl Edges {
                 let seam = seams.len() - 1;
                 // An edge without a length has no points but its ends.
                 if side.points[0] != side.points[1] {
-                    let [a, b] = side.ends.map(|end| corners.vertex(end).uv.as_dvec2());
-                    let along = [(b.x - a.x) * texels[0], (b.y - a.y) * texels[1]];
-                    let parts = counted(parts_of(along))?;
+                    let parts = counted(parts_of(side.ends))?;
                     seams[seam].parts = seams[seam].parts.max(parts);
                 }
                 let lift = lifts[triangle][(place + 2) % 3];

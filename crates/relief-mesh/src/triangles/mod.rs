@@ -9,9 +9,11 @@ use relief_core::mesh::{BasePoint, Mesh, Vertex};
 
 use self::corners::Corners;
 use self::edges::Edges;
-use crate::edge::Evenly;
+use crate::edge::Divides;
 use crate::error::MOST;
+use crate::patch::Patch;
 use crate::surface::{Frame, Relief};
+use crate::view::Voxel;
 use crate::{BaseSurface, MeshSettings, MesherError, Seams, point};
 
 /// A base of triangles, with the points of its sides counted.
@@ -20,6 +22,8 @@ pub struct Triangles {
     corners: Corners,
     edges: Edges,
     triangles: Vec<[u32; 3]>,
+    /// Where the vertices are in grid space; empty where the sides do not go by it.
+    voxels: Vec<Voxel>,
     is_lifted: bool,
     is_welded: bool,
 }
@@ -40,18 +44,36 @@ impl Numbered {
 }
 
 impl Triangles {
-    pub fn new(
-        mesh: &Mesh,
-        map: &HeightMap,
-        evenly: &Evenly,
-        settings: &MeshSettings,
-    ) -> Result<Self, MesherError> {
+    pub fn new(mesh: &Mesh, map: &HeightMap, settings: &MeshSettings) -> Result<Self, MesherError> {
         let is_welded = settings.seams == Seams::Weld;
         let point_of = mesh.welded();
         let corners = Corners::new(mesh, &point_of, is_welded);
-        let edges = Edges::new(mesh, &point_of, &corners, map, |texels| (evenly.parts)(texels, settings))?;
+        let mut voxels = Vec::new();
+        let sides = [map.width(), map.height()].map(f64::from);
+        let edges = match settings.edges.divides {
+            Divides::Evenly(evenly) => Edges::new(mesh, &point_of, &corners, |ends| {
+                let [a, b] = ends.map(|end| corners.vertex(end).uv.as_dvec2());
+                (evenly.parts)([(b.x - a.x) * sides[0], (b.y - a.y) * sides[1]], settings)
+            })?,
+            Divides::Voxels(parts) => {
+                let view = settings.view.ok_or(MesherError::NoView { edges: settings.edges.name })?;
+                let grid = view.voxels()?;
+                let places = mesh.vertices().iter().map(|vertex| grid.of(vertex.position.as_dvec3()));
+                voxels = places.collect();
+                Edges::new(mesh, &point_of, &corners, |ends| parts(ends.map(|end| voxels[end as usize].at)))?
+            }
+            Divides::Along(_) => {
+                let (edges, interior) = (settings.edges.name, settings.interior.name);
+                return Err(MesherError::NoPlane { edges, interior });
+            }
+        };
         let is_lifted = settings.base == BaseSurface::Lift;
-        Ok(Self { corners, edges, triangles: mesh.triangles().to_vec(), is_lifted, is_welded })
+        Ok(Self { corners, edges, triangles: mesh.triangles().to_vec(), voxels, is_lifted, is_welded })
+    }
+
+    /// What a vertex counts along the sides that it is an end of.
+    fn share(&self, vertex: u32) -> f64 {
+        self.voxels.get(vertex as usize).map_or(1.0, |voxel| voxel.share)
     }
 
     /// How many patches there are.
@@ -59,9 +81,11 @@ impl Triangles {
         self.triangles.len() as u32
     }
 
-    /// The parts of the sides of a patch.
-    pub fn parts(&self, patch: u32) -> [u32; 3] {
-        self.edges.sides(patch).map(|edge| self.edges.parts(edge))
+    /// A patch as interiors see it.
+    pub fn patch(&self, patch: u32) -> Patch<'static> {
+        let parts = self.edges.sides(patch).map(|edge| self.edges.parts(edge));
+        let voxel = |vertex: u32| self.voxels.get(vertex as usize).map_or([0; 3], |voxel| voxel.at);
+        Patch::Triangle { parts, voxels: self.triangles[patch as usize].map(voxel) }
     }
 
     /// Vertices at corners of the base.
@@ -88,15 +112,22 @@ impl Triangles {
     /// see the same. With it the metres that the smooth base lies above.
     fn on_edge(&self, edge: u32, at: u32) -> (BasePoint, f64) {
         let seen = if self.is_welded { self.edges.first_at_seam(edge) } else { edge };
-        let parts = self.edges.parts(edge);
+        let weights = self.along(edge, at);
         let [a, b] = self.edges.ends(seen).map(|end| self.corners.base(end));
         let base = BasePoint {
-            position: point::between(a.position, b.position, at, parts),
-            normal: point::between(a.normal, b.normal, at, parts),
-            uv: point::between(a.uv, b.uv, at, parts),
+            position: point::between(a.position, b.position, weights),
+            normal: point::between(a.normal, b.normal, weights),
+            uv: point::between(a.uv, b.uv, weights),
         };
-        let [n, k] = [parts, at].map(f64::from);
-        (base, self.lift(seen) * (k * (n - k) / (n * n)))
+        let [of_a, of_b] = weights;
+        let sum = of_a + of_b;
+        (base, self.lift(seen) * (of_b * of_a / (sum * sum)))
+    }
+
+    /// The weights that the ends of an edge have at a point of it.
+    fn along(&self, edge: u32, at: u32) -> [f64; 2] {
+        let shares = self.edges.ends(edge).map(|end| self.share(end));
+        point::weights(shares, at, self.edges.parts(edge))
     }
 
     fn lift(&self, edge: u32) -> f64 {
@@ -130,13 +161,13 @@ impl Triangles {
     pub fn edge_vertex(&self, relief: &Relief, edge: u32, at: u32) -> Vertex {
         let seen = self.on_edge(edge, at);
         let position = self.position(relief, &seen);
-        let parts = self.edges.parts(edge);
-        let part = f64::from(at) / f64::from(parts);
+        let weights = self.along(edge, at);
+        let part = weights[1] / (weights[0] + weights[1]);
         let [a, b] = self.edges.ends(edge);
         let frames = [a, b, a].map(|end| self.corners.frame(end));
         let frame = Frame::weighted(frames, [1.0 - part, part, 0.0]);
         let [a, b] = [a, b].map(|end| self.corners.base(end));
-        let base = BasePoint { uv: point::between(a.uv, b.uv, at, parts), ..seen.0 };
+        let base = BasePoint { uv: point::between(a.uv, b.uv, weights), ..seen.0 };
         relief.vertex(position, &base, relief.place(base.uv.to_array()), &frame, seen.1)
     }
 
@@ -158,8 +189,13 @@ impl Triangles {
 
     /// The base point of an inner point, the metres that the smooth base lies above it, and its weights.
     fn inside(&self, patch: u32, [b, c]: [f64; 2]) -> (BasePoint, f64, [f64; 3]) {
-        let weights = [1.0 - b - c, b, c];
         let corners = self.triangles[patch as usize];
+        let mut weights = [1.0 - b - c, b, c];
+        if !self.voxels.is_empty() {
+            let of_corners = [0, 1, 2].map(|k| weights[k] * self.share(corners[k]));
+            let sum = of_corners[0] + of_corners[1] + of_corners[2];
+            weights = of_corners.map(|of| of / sum);
+        }
         let base = BasePoint::weighted(corners.map(|vertex| self.corners.base(vertex)), weights);
         let sides = self.edges.sides(patch);
         let seen = |edge| if self.is_welded { self.edges.first_at_seam(edge) } else { edge };

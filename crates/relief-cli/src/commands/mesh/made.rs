@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::Vec3;
 use relief_io::{MeshCounts, MeshFormat, write_mesh};
-use relief_mesh::{Certificate, Mesher, Stream, StreamError, Streamed, Watch};
+use relief_mesh::{Certificate, Mesher, Stream, StreamError, Streamed, View, Watch};
 use relief_render::scene::Surface;
 
 use super::parts::PartFile;
@@ -30,6 +30,12 @@ pub struct WrittenPart {
     pub bytes: u64,
 }
 
+/// What a mesh is made of, and from where it is looked at.
+pub struct Seen<'a> {
+    pub surface: &'a Surface,
+    pub view: Option<View>,
+}
+
 /// What lengths of the mesh as it is written may be wrong by, as a part of them: tolerances leave more room.
 const ROUNDING: f64 = 1e-6;
 
@@ -39,13 +45,13 @@ const TRIES: u32 = 4;
 /// Makes the mesh of a surface, part by part, and writes each into its file.
 pub fn write(
     arguments: &Arguments,
-    surface: &Surface,
+    seen: &Seen,
     format: MeshFormat,
     files: &[PartFile],
     staged: &mut Staged,
     cancel: &AtomicBool,
 ) -> Result<Vec<WrittenPart>, Failure> {
-    let making = Making { arguments, surface, format, cancel };
+    let making = Making { arguments, seen, format, cancel };
     let print_m = arguments.print_size.map(|mm| mm / 1000.0);
     let Some(print_m) = print_m else {
         return files.iter().map(|file| making.written(file, staged, [1.0, 1.0])).collect();
@@ -70,7 +76,7 @@ pub fn write(
 
 struct Making<'a> {
     arguments: &'a Arguments,
-    surface: &'a Surface,
+    seen: &'a Seen<'a>,
     format: MeshFormat,
     cancel: &'a AtomicBool,
 }
@@ -78,8 +84,9 @@ struct Making<'a> {
 impl Making<'_> {
     /// Counts a part of the mesh; a tolerance is a length of a mesh that is larger by `size`.
     fn mesher(&self, file: &PartFile, size: f64) -> Result<Mesher, Failure> {
-        let Self { arguments, surface, .. } = self;
-        let settings = arguments.settings(surface, size);
+        let Self { arguments, seen, .. } = self;
+        let Seen { surface, .. } = seen;
+        let settings = arguments.settings(seen, size);
         let settings = relief_mesh::MeshSettings { part: file.part, ..settings };
         let (mesh, map) = (surface.mesh(), surface.height_map());
         let bar = Progress::bar("fitting", arguments.json);
@@ -157,9 +164,9 @@ impl Making<'_> {
 
     /// The longest side of a box around the base, displaced as far as the map goes: about that of the mesh.
     fn expected_length(&self) -> f64 {
-        let map = self.surface.height_map();
+        let map = self.seen.surface.height_map();
         let ends = map.extremes().map(|height| map.displacement_m(f64::from(height)) as f32);
-        let vertices = self.surface.mesh().vertices().iter();
+        let vertices = self.seen.surface.mesh().vertices().iter();
         let corners = vertices.flat_map(|vertex| ends.map(|metres| vertex.position + vertex.normal * metres));
         let [least, greatest] = corners
             .fold([Vec3::INFINITY, Vec3::NEG_INFINITY], |[least, greatest], at| {

@@ -28,7 +28,7 @@ pub const INTERIOR: Interior = Interior {
         section: "4",
     },
     takes: &[Spacing::Uneven],
-    why: "sides that are divided evenly have more points than the tolerance asks for, or too few",
+    why: "sides that do not go by the tolerance have more points than it asks for, or too few",
     fills: Fills::Tile(fill),
 };
 

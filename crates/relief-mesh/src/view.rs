@@ -1,0 +1,190 @@
+//! Views, and the voxels of grid space that they see a mesh in.
+//!
+//! Source: Gumhold and Hüttner 1999, section 3.1. Grid space is the picture's pixels, and along the view axis
+//! voxels as deep as they are wide: in perspective that is the logarithm of the depth (equation 4).
+
+use glam::DVec3;
+use relief_core::camera::Camera;
+
+use crate::MesherError;
+
+/// Where a mesh is looked at from: the edge rule `pixels` divides its sides by it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// The camera.
+    pub camera: Camera,
+    /// Width and height of the picture, in pixels.
+    pub size: [u32; 2],
+    /// Pixels that a voxel is wide.
+    pub pixels: f64,
+    /// Metres from the eye along the view axis from which on voxels are as large as pixels are there. What is
+    /// nearer or behind the eye is divided as if it were there. Without a meaning for parallel rays.
+    pub near_m: f64,
+}
+
+/// The part of the way from the eye to the point looked at that nothing is expected within.
+const NEAR: f64 = 1e-3;
+
+/// Corners are not told apart farther from the middle of the picture, in voxels.
+const FARTHEST: f64 = (1 << 18) as f64;
+
+impl View {
+    /// A view with voxels of one pixel, near from a thousandth of the way to the point looked at.
+    pub fn new(camera: Camera, size: [u32; 2]) -> Self {
+        Self { camera, size, pixels: 1.0, near_m: camera.eye().distance(camera.target()) * NEAR }
+    }
+
+    /// Its voxels.
+    pub(crate) fn voxels(&self) -> Result<Voxels, MesherError> {
+        let Self { camera, size: [width, height], pixels, near_m } = *self;
+        let is_positive = |of: f64| of > 0.0 && of.is_finite();
+        if width == 0 || height == 0 || !is_positive(pixels) || !is_positive(near_m) {
+            return Err(MesherError::BadView { width, height, pixels, near_m });
+        }
+        // Of the voxel's width where its depth is 1: equation 3.
+        let size = 2.0 * camera.half_height() / f64::from(height) * pixels;
+        Ok(Voxels {
+            camera,
+            middle: [f64::from(width) / pixels / 2.0, f64::from(height) / pixels / 2.0],
+            per_m: 1.0 / size,
+            per_doubling: 1.0 / log2(1.0 + size),
+            near_m,
+        })
+    }
+}
+
+/// Grid space, in voxels.
+#[derive(Clone, Copy, Debug)]
+pub struct Voxels {
+    camera: Camera,
+    middle: [f64; 2],
+    /// Voxels a metre, in perspective at a depth of 1 m.
+    per_m: f64,
+    /// Voxels along the view axis from a depth to twice that.
+    per_doubling: f64,
+    near_m: f64,
+}
+
+/// A point of the base in grid space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Voxel {
+    /// The voxel that it lies in: right, down and away from the eye.
+    pub at: [i32; 3],
+    /// What it counts where points are divided in the picture: the inverse of its depth in perspective.
+    pub share: f64,
+}
+
+impl Voxels {
+    pub fn of(&self, position: DVec3) -> Voxel {
+        let Self { camera, middle, per_m, per_doubling, near_m } = self;
+        let from_eye = position - camera.eye();
+        let [right, up, depth] =
+            [camera.right(), camera.up(), camera.forward()].map(|axis| axis.dot(from_eye));
+        let (share, away) = if camera.is_orthographic() {
+            (1.0, depth * per_m)
+        } else {
+            let depth = depth.max(*near_m);
+            (1.0 / depth, log2(depth / near_m) * per_doubling)
+        };
+        let at = [right * per_m * share + middle[0], middle[1] - up * per_m * share, away];
+        // What is not a number becomes 0.
+        Voxel { at: at.map(|at| at.clamp(-FARTHEST, FARTHEST).round() as i32), share }
+    }
+}
+
+/// The logarithm of a number above 0. By additions, products and quotients alone, so that it has the same bits
+/// on every machine.
+fn log2(of: f64) -> f64 {
+    // Halved or doubled until it lies between the roots of 1/2 and 2.
+    let bits = of.to_bits();
+    let mut exponent = (bits >> 52) as i32 - 1023;
+    let mut rest = f64::from_bits((bits & ((1 << 52) - 1)) | (1023 << 52));
+    if rest > std::f64::consts::SQRT_2 {
+        rest /= 2.0;
+        exponent += 1;
+    }
+    // ln x = 2 artanh((x - 1) / (x + 1)), and its argument is at most 0.172.
+    let part = (rest - 1.0) / (rest + 1.0);
+    let square = part * part;
+    let sum = (0..12).rev().fold(0.0, |sum, k| sum * square + 1.0 / f64::from(2 * k + 1));
+    f64::from(exponent) + 2.0 * std::f64::consts::LOG2_E * part * sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use relief_core::camera::Projection;
+
+    #[test]
+    fn logarithms_are_those_of_the_machine() {
+        for k in 1..2000 {
+            for of in
+                [f64::from(k) / 97.0, f64::from(k) * 1e9, 1e-12 * f64::from(k), 1.0 + 1e-7 * f64::from(k)]
+            {
+                assert!((log2(of) - of.log2()).abs() <= 1e-15 * of.log2().abs().max(1.0), "{of}");
+            }
+        }
+    }
+
+    #[test]
+    fn voxels_are_as_deep_as_they_are_wide() {
+        // The camera of the paper's figure 7: near 1, far 100, 90 degrees, 300 pixels.
+        let camera = Camera::new(DVec3::ZERO, DVec3::NEG_Z, 90.0).expect("a camera");
+        let view = View { near_m: 1.0, ..View::new(camera, [300, 300]) };
+        let voxels = view.voxels().expect("a view");
+        let depth = |z: f64| {
+            let from_near = log2(z) * voxels.per_doubling;
+            from_near - log2(z - 2.0 * z / 300.0) * voxels.per_doubling
+        };
+        for z in [2.0, 10.0, 50.0, 100.0] {
+            // Where the depth grows by the width of a pixel there, it is one voxel.
+            assert!((depth(z) - 1.0).abs() < 0.01, "{z}: {}", depth(z));
+        }
+        // Equation 2: the planes between voxels, one after the other.
+        let mut plane = 1.0;
+        for k in 0..600 {
+            assert_eq!(voxels.of(DVec3::new(0.0, 0.0, -plane)).at, [150, 150, k]);
+            plane += plane * 2.0 / 300.0;
+        }
+    }
+
+    #[test]
+    fn pixels_are_those_of_the_camera() {
+        let eye = DVec3::new(0.3, 2.0, 1.5);
+        for projection in
+            [Projection::Perspective { fov_degrees: 35.0 }, Projection::Orthographic { height_m: 0.7 }]
+        {
+            let camera = Camera::with(eye, DVec3::ZERO, projection).expect("a camera");
+            let voxels = View::new(camera, [640, 480]).voxels().expect("a view");
+            for [x, y] in [[0, 0], [639, 0], [320, 240], [17, 401]] {
+                // Centres of pixels lie half a voxel beyond whole numbers, and are rounded up.
+                let at = camera.ray(x, y, 640, 480).at(1.7 + 1e-9);
+                let [column, row, _] = voxels.of(at).at;
+                assert!((0..=1).contains(&(column - x as i32)) && (0..=1).contains(&(row - y as i32)));
+            }
+        }
+    }
+
+    #[test]
+    fn views_that_see_nothing_are_refused() {
+        let camera = Camera::new(DVec3::ONE, DVec3::ZERO, 40.0).expect("a camera");
+        let view = View::new(camera, [100, 100]);
+        for bad in [
+            View { size: [0, 100], ..view },
+            View { size: [100, 0], ..view },
+            View { pixels: 0.0, ..view },
+            View { pixels: f64::NAN, ..view },
+            View { pixels: -1.0, ..view },
+            View { near_m: 0.0, ..view },
+            View { near_m: f64::INFINITY, ..view },
+        ] {
+            assert!(matches!(bad.voxels(), Err(MesherError::BadView { .. })), "{bad:?}");
+        }
+        // What is behind the eye, or far beside the picture, has voxels, too.
+        let voxels = view.voxels().expect("a view");
+        for position in [DVec3::ONE, DVec3::splat(3.0), DVec3::new(1e30, -1e30, 0.0)] {
+            let voxel = voxels.of(position);
+            assert!(voxel.share > 0.0 && voxel.at.iter().all(|at| at.abs() <= 1 << 18), "{voxel:?}");
+        }
+    }
+}

@@ -1,0 +1,291 @@
+//! Meshes that are divided by the voxels of a view: closed from wherever they are looked at, as fine as they
+//! were asked to be, and on the base.
+
+use glam::{DVec2, DVec3, Vec2, Vec3};
+use relief_core::camera::{Camera, Projection};
+use relief_core::mesh::{BasePoint, Builtin, Mesh, Vertex, cube, cylinder, sphere, torus};
+use relief_core::{HeightMap, Wrap};
+use relief_io::{MeshOptions, read_mesh};
+use relief_mesh::{
+    BaseSurface, CrackTest, EDGE_RULES, INTERIORS, Interior, MeshSettings, Mesher, MesherError, Part, Seams,
+    Spacing, View, check_pair,
+};
+use relief_tests::maps;
+
+/// The interiors that fill sides which are divided by voxels.
+fn interiors() -> Vec<&'static Interior> {
+    let rule = EDGE_RULES.iter().find(|rule| rule.spacing == Spacing::Voxels).expect("it is listed");
+    INTERIORS.iter().filter(|interior| check_pair(rule, interior).is_ok()).collect()
+}
+
+fn map(name: &str, wrap: Wrap, scale_m: f64) -> HeightMap {
+    let named = maps::ALL.iter().find(|map| map.name == name).expect("it is listed");
+    named.build(wrap).with_displacement(scale_m, -scale_m / 2.0).expect("lengths")
+}
+
+/// Cameras all around the origin, every fifth of them orthographic, some near it.
+fn cameras(count: usize) -> impl Iterator<Item = Camera> {
+    (0..count).map(move |k| {
+        let part = (k as f64 + 0.5) / count as f64;
+        let (up, turn) = (1.0 - 2.0 * part, k as f64 * 2.399_963);
+        let aside = (1.0 - up * up).sqrt();
+        let distance = [1.4, 3.0, 0.9, 8.0][k % 4];
+        let eye = DVec3::new(aside * turn.cos(), up, aside * turn.sin()) * distance;
+        let projection = if k % 5 == 4 {
+            Projection::Orthographic { height_m: 1.5 }
+        } else {
+            Projection::Perspective { fov_degrees: 40.0 }
+        };
+        Camera::with(eye, DVec3::new(0.1, -0.05, 0.0), projection).expect("a camera")
+    })
+}
+
+fn seen(camera: Camera, side: u32, pixels: f64) -> View {
+    View { pixels, ..View::new(camera, [side, side]) }
+}
+
+#[test]
+fn meshes_are_closed_from_everywhere() {
+    let bases = [cube(2), cylinder(12, 2), sphere(16, 8), torus(16, 8)].map(|mesh| mesh.expect("a mesh"));
+    let map = map("natural 101x67", Wrap::Mirror, 0.05);
+    let mut triangles = 0;
+    for (at, camera) in cameras(50).enumerate() {
+        for base in &bases {
+            for interior in interiors() {
+                let view = seen(camera, 150, [1.0, 3.7, 40.0][at % 3]);
+                let base_surface = BaseSurface::ALL[at % 2];
+                let settings = MeshSettings { interior, base: base_surface, ..MeshSettings::seen_by(view) };
+                let mesher = Mesher::new(base, &map, &settings).expect("a mesh");
+                let mesh = mesher.mesh().expect("finite");
+                assert_eq!(mesh.triangles().len() as u64, mesher.triangles());
+                assert_eq!(mesh.vertices().len() as u64, mesher.vertices());
+                let cracks = CrackTest::of_mesh(&mesh);
+                assert!(cracks.is_closed() && cracks.pieces == 1, "{camera:?} {}: {cracks:?}", interior.name);
+                triangles += cracks.triangles;
+            }
+        }
+    }
+    println!("{triangles} triangles");
+}
+
+#[test]
+fn eyes_within_the_surface_or_before_it_make_no_crack() {
+    let map = map("white noise 37x53", Wrap::Repeat, 0.1);
+    let base = sphere(12, 6).expect("a mesh");
+    for eye in [DVec3::ZERO, DVec3::new(0.3, 0.2, 0.1), DVec3::new(0.0, 0.5, 0.0), DVec3::new(0.5, 0.0, 0.0)]
+    {
+        let camera = Camera::new(eye, DVec3::new(0.6, 0.3, 0.2), 60.0).expect("a camera");
+        for interior in interiors() {
+            let view = View { near_m: 0.1, ..seen(camera, 100, 3.0) };
+            let settings = MeshSettings { interior, ..MeshSettings::seen_by(view) };
+            let mesh = Mesher::new(&base, &map, &settings).expect("a mesh").mesh().expect("finite");
+            let cracks = CrackTest::of_mesh(&mesh);
+            assert!(cracks.is_closed() && cracks.pieces == 1, "{eye}: {cracks:?}");
+        }
+    }
+}
+
+#[test]
+fn spot_has_no_crack_but_its_own() {
+    let Some(folder) = relief_tests::data_dir() else {
+        println!("skipped: RELIEF_DATA names no folder of data");
+        return;
+    };
+    let entries = std::fs::read_dir(folder.join("spot")).expect("the folder is there");
+    let path = entries.map(|entry| entry.expect("an entry").path()).find(|path| {
+        path.extension().is_some_and(|ending| ending == "obj") && path.to_string_lossy().contains("tri")
+    });
+    let base = read_mesh(path.expect("a mesh").as_path(), &MeshOptions::default()).expect("a mesh").mesh;
+    let was = CrackTest::of_mesh(&base);
+    let map = map("natural 128x128", Wrap::Repeat, 0.03);
+    for (at, camera) in cameras(12).enumerate() {
+        let view = seen(camera, 300, [1.5, 5.0][at % 2]);
+        let mesh = Mesher::new(&base, &map, &MeshSettings::seen_by(view)).expect("a mesh").mesh();
+        let cracks = CrackTest::of_mesh(&mesh.expect("finite"));
+        assert_eq!((cracks.open, cracks.branching, cracks.pieces), (was.open, was.branching, was.pieces));
+    }
+}
+
+/// Corners of ten triangles around a point, and two whose sweeps go other ways, as in figure 4 of the paper.
+fn fan(spokes: u32) -> Mesh {
+    let vertex = |position: DVec3| Vertex {
+        position: position.as_vec3(),
+        normal: Vec3::Y,
+        tangent: Vec3::X,
+        bitangent: Vec3::Z,
+        uv: (DVec2::new(position.x, position.z) + 0.5).as_vec2(),
+    };
+    let around = (0..spokes).map(|k| {
+        let (sine, cosine) = (f64::from(k) / f64::from(spokes) * std::f64::consts::TAU).sin_cos();
+        vertex(DVec3::new(0.5 * cosine, 0.2 * (2.0 * sine).sin(), 0.5 * sine))
+    });
+    let vertices = [vertex(DVec3::Y * 0.3)].into_iter().chain(around).collect();
+    let triangles = (0..spokes).map(|k| [0, (k + 1) % spokes + 1, k + 1]).collect();
+    Mesh::new(vertices, triangles).expect("a mesh")
+}
+
+/// Parts of an edge, counted from the longest of its three ways in grid space.
+fn parts_of(base: &Mesh, view: &View, ends: [u32; 2]) -> u64 {
+    let camera = view.camera;
+    let voxels = ends.map(|end| {
+        let from_eye = base.vertices()[end as usize].position.as_dvec3() - camera.eye();
+        let depth = from_eye.dot(camera.forward());
+        let size = 2.0 * camera.half_height() / f64::from(view.size[1]) * view.pixels;
+        let half = f64::from(view.size[0]) / 2.0 / view.pixels;
+        let (share, away) = if camera.is_orthographic() {
+            (1.0, depth / size)
+        } else {
+            (1.0 / depth, (depth / view.near_m).ln() / (1.0 + size).ln())
+        };
+        let [right, down] = [from_eye.dot(camera.right()), -from_eye.dot(camera.up())];
+        [right / size * share + half, down / size * share + half, away].map(f64::round)
+    });
+    (0..3).map(|axis| (voxels[1][axis] - voxels[0][axis]).abs()).fold(1.0, f64::max) as u64
+}
+
+#[test]
+fn corners_of_ten_triangles_and_other_remeshing_planes_meet() {
+    let map = map("needles in a pit 64x64", Wrap::Clamp, 0.1);
+    for spokes in [3, 4, 10] {
+        let base = fan(spokes);
+        for (at, camera) in cameras(30).enumerate() {
+            for interior in interiors() {
+                let view = seen(camera, 300, [1.0, 2.0, 7.0][at % 3]);
+                let settings = MeshSettings { interior, ..MeshSettings::seen_by(view) };
+                let mesh = Mesher::new(&base, &map, &settings).expect("a mesh").mesh().expect("finite");
+                let cracks = CrackTest::of_mesh(&mesh);
+                // Open along the rim alone: each triangle by itself is open along its spokes, too.
+                let alone = |k: u32| {
+                    let corners = base.triangles()[k as usize];
+                    let one = Mesh::new(base.vertices().to_vec(), vec![corners]).expect("a mesh");
+                    let mesh = Mesher::new(&one, &map, &settings).expect("a mesh").mesh().expect("finite");
+                    CrackTest::of_mesh(&mesh).open
+                };
+                let parts: u64 = (0..spokes).map(alone).sum();
+                let of_spokes: u64 = (0..spokes).map(|k| parts_of(&base, &view, [0, k + 1])).sum();
+                assert_eq!((cracks.branching, cracks.pieces), (0, 1), "{camera:?}");
+                assert_eq!(cracks.open, parts - 2 * of_spokes, "{camera:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn points_lie_on_the_base_and_as_far_apart_in_the_picture_as_voxels() {
+    let level = HeightMap::from_fn(64, 64, Wrap::Repeat, |_, _| 0.0).expect("a valid map");
+    let level = level.with_displacement(0.0, 0.0).expect("lengths");
+    let base = Builtin::Plane.build([1.0, 1.0]).expect("a mesh");
+    for (at, camera) in cameras(24).enumerate() {
+        if camera.eye().y.abs() < 0.2 {
+            continue;
+        }
+        let view = seen(camera, 400, [1.0, 5.0][at % 2]);
+        let mesh = Mesher::new(&base, &level, &MeshSettings::seen_by(view)).expect("a mesh");
+        let mesh = mesh.mesh().expect("finite");
+        for vertex in mesh.vertices() {
+            // In perspective texture is no other than position.
+            let uv = DVec2::new(vertex.position.x.into(), vertex.position.z.into()) + 0.5;
+            assert!(
+                (uv - vertex.uv.as_dvec2()).length() < 1e-5 && vertex.position.y.abs() < 1e-6,
+                "{vertex:?}"
+            );
+        }
+        let pixel = |corner: u32| {
+            let from_eye = mesh.vertices()[corner as usize].position.as_dvec3() - camera.eye();
+            let depth = if camera.is_orthographic() { 1.0 } else { from_eye.dot(camera.forward()) };
+            let per_m = 400.0 / 2.0 / camera.half_height() / depth;
+            DVec2::new(from_eye.dot(camera.right()), from_eye.dot(camera.up())) * per_m / view.pixels
+        };
+        let mut lengths: Vec<f64> = Vec::new();
+        for corners in mesh.triangles() {
+            let corners = corners.map(pixel);
+            lengths.extend((0..3).map(|k| corners[k].distance(corners[(k + 1) % 3])));
+        }
+        lengths.sort_by(f64::total_cmp);
+        // A voxel and its diagonal, stretched by at most the root of 5; corners are rounded to voxels.
+        let longest = lengths[lengths.len() - 1];
+        let usual = lengths[lengths.len() / 2];
+        assert!(longest < 3.3 && usual < 1.6, "{camera:?}: {longest} {usual}");
+    }
+}
+
+#[test]
+fn vertices_are_displaced_as_the_judge_has_it() {
+    let map = map("natural 101x67", Wrap::Repeat, 0.1);
+    let base = torus(10, 6).expect("a mesh");
+    let camera = Camera::new(DVec3::new(0.3, 0.9, 1.2), DVec3::ZERO, 40.0).expect("a camera");
+    let mesh = Mesher::new(&base, &map, &MeshSettings::seen_by(seen(camera, 300, 3.0))).expect("a mesh");
+    let mesh = mesh.mesh().expect("finite");
+    // Each vertex is a displaced base point of one of the triangles, by its texture coordinates.
+    let mut checked = 0;
+    for vertex in mesh.vertices().iter().step_by(7) {
+        let uv = vertex.uv.as_dvec2();
+        let nearest = (0..base.triangles().len() as u32).map(|triangle| {
+            let corners = base.corners(triangle).map(|corner| BasePoint::from(corner));
+            let [a, b, c] = [corners[0].uv, corners[1].uv, corners[2].uv];
+            let area = (b - a).perp_dot(c - a);
+            let weights = [(b - uv).perp_dot(c - uv), (c - uv).perp_dot(a - uv), (a - uv).perp_dot(b - uv)];
+            let weights = weights.map(|weight| weight / area);
+            if !weights.iter().all(|weight| *weight > -1e-4) {
+                return f64::INFINITY;
+            }
+            let point = BasePoint::weighted(corners, weights);
+            let [x, y] = [point.uv.x * f64::from(map.width()), point.uv.y * f64::from(map.height())];
+            let expected = point.displaced(map.displacement_m(map.height_at_place(x - 0.5, y - 0.5)));
+            expected.distance(vertex.position.as_dvec3())
+        });
+        let nearest = nearest.fold(f64::INFINITY, f64::min);
+        assert!(nearest < 2e-5, "{vertex:?}: {nearest}");
+        checked += 1;
+    }
+    assert!(checked > 500, "{checked}");
+}
+
+#[test]
+fn planes_are_one_sheet_and_their_parts_meet() {
+    for name in ["natural 101x67", "one texel", "one row 1x29"] {
+        let map = map(name, Wrap::Clamp, 0.1);
+        let base = Builtin::Plane.build(map.proportions()).expect("a mesh");
+        for camera in cameras(8) {
+            let settings = MeshSettings::seen_by(seen(camera, 300, 2.0));
+            let whole = Mesher::new(&base, &map, &settings).expect("a mesh").mesh().expect("finite");
+            let cracks = CrackTest::of_mesh(&whole);
+            assert_eq!((cracks.branching, cracks.pieces), (0, 1), "{name}");
+        }
+    }
+    let map = map("white noise 128x128", Wrap::Clamp, 0.1);
+    let base = Builtin::Plane.build(map.proportions()).expect("a mesh").tiled(Vec2::new(2.7, 1.9));
+    let base = base.expect("a mesh");
+    for camera in cameras(6) {
+        let settings = MeshSettings::seen_by(seen(camera, 300, 2.0));
+        let mut triangles = Vec::new();
+        let mut alone = 0;
+        for at in [[0, 0], [1, 0], [0, 1], [1, 1]] {
+            let part = Part { of: [2, 2], at };
+            let mesh = Mesher::new(&base, &map, &MeshSettings { part, ..settings }).expect("a mesh");
+            let mesh = mesh.mesh().expect("finite");
+            alone += CrackTest::of_mesh(&mesh).open;
+            let corner = |corner: u32| mesh.vertices()[corner as usize].position;
+            triangles.extend(mesh.triangles().iter().map(|corners| corners.map(corner)));
+        }
+        let cracks = CrackTest::of_triangles(triangles);
+        assert_eq!((cracks.branching, cracks.pieces), (0, 1));
+        assert!(cracks.open < alone, "{} {alone}", cracks.open);
+    }
+}
+
+#[test]
+fn what_cannot_be_seen_is_refused() {
+    let map = map("natural 101x67", Wrap::Clamp, 0.1);
+    let base = Builtin::Plane.build(map.proportions()).expect("a mesh");
+    let camera = Camera::new(DVec3::ONE, DVec3::ZERO, 40.0).expect("a camera");
+    let settings = MeshSettings::seen_by(View::new(camera, [300, 200]));
+    let refused = |settings: &MeshSettings| Mesher::new(&base, &map, settings).expect_err("it is refused");
+    assert!(matches!(refused(&MeshSettings { view: None, ..settings }), MesherError::NoView { .. }));
+    assert!(matches!(refused(&MeshSettings { solid_m: Some(0.1), ..settings }), MesherError::SolidOfView));
+    let finer = View { pixels: 1e-3, ..View::new(camera, [300, 200]) };
+    let found = Mesher::new(&base, &map, &MeshSettings::seen_by(finer));
+    assert!(matches!(found, Err(MesherError::TooLarge { .. })));
+    let kept = MeshSettings { seams: Seams::Keep, ..settings };
+    assert!(Mesher::new(&base, &map, &kept).is_ok());
+}
