@@ -1,6 +1,6 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
-//! `embree`, `frame`, `judge`, `mesh`, `probe`, `pyramid`, `quadrics`, `shadow`, `sheet`, `surfaces` and
-//! `trace`. Results are kept in `docs/`.
+//! `embree`, `frame`, `judge`, `mesh`, `probe`, `pyramid`, `quadrics`, `remesh`, `shadow`, `sheet`, `surfaces`
+//! and `trace`. Results are kept in `docs/`.
 
 use std::process::ExitCode;
 
@@ -21,6 +21,7 @@ mod probe;
 mod pyramid;
 mod python;
 mod quadrics;
+mod remesh;
 mod samples;
 mod shadow;
 mod sheet;
@@ -66,6 +67,8 @@ enum Command {
     Pyramid(pyramid::Arguments),
     /// What Oliveira and Policarpo 2005 say of their quadrics, beside what they are
     Quadrics(quadrics::Arguments),
+    /// What Gumhold and Hüttner 1999 say of their remesher, beside what it does
+    Remesh(remesh::Arguments),
     /// How near every shadow comes to rays of the exact search
     Shadow(shadow::Arguments),
     /// What a new user sees of every map in a folder
@@ -91,6 +94,7 @@ fn main() -> ExitCode {
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Pyramid(arguments) => pyramid::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Quadrics(arguments) => quadrics::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Remesh(arguments) => remesh::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Shadow(arguments) => shadow::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Sheet(arguments) => sheet::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Surfaces(arguments) => surfaces::run(&arguments).map(|()| ExitCode::SUCCESS),

@@ -1,0 +1,24 @@
+//! `remesh`: what Gumhold and Hüttner 1999 say of their remesher, beside what it does.
+
+mod claims;
+mod silhouettes;
+
+use clap::Args;
+
+/// What `remesh` is given.
+#[derive(Args)]
+pub struct Arguments {
+    /// Random triangles that are looked at
+    #[arg(long, default_value_t = 3_000_000, value_parser = clap::value_parser!(u32).range(1..))]
+    triangles: u32,
+    /// Width of the pictures, in pixels; they are three quarters as high
+    #[arg(long, default_value_t = 800, value_parser = clap::value_parser!(u32).range(8..=8192))]
+    width: u32,
+}
+
+/// Prints the tables.
+pub fn run(arguments: &Arguments) -> Result<(), String> {
+    println!("{}\n", claims::table(arguments.triangles));
+    println!("{}", silhouettes::table(arguments.width)?);
+    Ok(())
+}
