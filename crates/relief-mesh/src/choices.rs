@@ -52,6 +52,10 @@ choice! {
     /// The smooth surface that the mesh's normals promise: see
     /// [`Mesh::lifts`](relief_core::mesh::Mesh::lifts).
     Lift = "lift",
+    /// Cubic triangles through the corners, at right angles to the normals there: the smooth base that
+    /// Gumhold and Hüttner 1999 ask for (section 6), by the curved point-normal triangles of Vlachos, Peters,
+    /// Boyd and Mitchell 2001 (section 3). A side follows from its two ends.
+    Pn = "pn",
 }
 
 choice! {

@@ -79,6 +79,25 @@ fn over_a_triangle(base: &Mesh, mesh: &Mesh) -> Vec<(Vertex, [f64; 3])> {
     mesh.vertices().iter().map(|vertex| (*vertex, weights(vertex.uv.as_dvec2()))).collect()
 }
 
+/// The point of a curved point-normal triangle, by the coefficients of its ten Bernstein polynomials.
+fn curved_point(vertices: &[Vertex; 3], w: [f64; 3]) -> DVec3 {
+    let [p, n] = [0, 1].map(|of| {
+        vertices.map(|vertex| if of == 0 { vertex.position.as_dvec3() } else { vertex.normal.as_dvec3() })
+    });
+    let mut point = (0..3).map(|i| p[i] * w[i].powi(3)).sum::<DVec3>();
+    let mut edges = DVec3::ZERO;
+    for i in 0..3 {
+        for j in (0..3).filter(|&j| j != i) {
+            let unit = n[i].normalize();
+            let control = (2.0 * p[i] + p[j] - (p[j] - p[i]).dot(unit) * unit) / 3.0;
+            point += 3.0 * control * w[i] * w[i] * w[j];
+            edges += control / 6.0;
+        }
+    }
+    let middle = (p[0] + p[1] + p[2]) / 3.0;
+    point + 6.0 * (edges + (edges - middle) / 2.0) * w[0] * w[1] * w[2]
+}
+
 #[test]
 fn vertices_are_where_an_evaluation_of_its_own_says() {
     let whole = torus(7, 5).expect("a mesh");
@@ -88,9 +107,11 @@ fn vertices_are_where_an_evaluation_of_its_own_says() {
             let corners = whole.triangles()[at % whole.triangles().len()];
             let vertices = corners.map(|corner| whole.vertices()[corner as usize]);
             let base = Mesh::new(vertices.to_vec(), vec![[0, 1, 2]]).expect("a mesh");
-            for (base_surface, directions) in
-                [(BaseSurface::Flat, Directions::Raw), (BaseSurface::Lift, Directions::Unit)]
-            {
+            for (base_surface, directions) in [
+                (BaseSurface::Flat, Directions::Raw),
+                (BaseSurface::Lift, Directions::Unit),
+                (BaseSurface::Pn, Directions::Raw),
+            ] {
                 let settings = MeshSettings { base: base_surface, directions, ..MeshSettings::default() };
                 let mesh = mesh_of(&base, &map, &settings);
                 assert!(mesh.vertices().len() >= 3);
@@ -111,7 +132,11 @@ fn vertices_are_where_an_evaluation_of_its_own_says() {
                             metres += 0.5 * along.dot(turn) * w[i] * w[j];
                         }
                     }
-                    let expected = sum(&|vertex| vertex.position.as_dvec3()) + metres * normal;
+                    let base = match base_surface {
+                        BaseSurface::Pn => curved_point(&vertices, w),
+                        _ => sum(&|vertex| vertex.position.as_dvec3()),
+                    };
+                    let expected = base + metres * normal;
                     let error = (vertex.position.as_dvec3() - expected).length();
                     // Texture coordinates are rounded, and steep maps show it.
                     let steep = relief_tests::steepest(&map) * 0.06 * 64.0 * 2e-7;

@@ -141,9 +141,9 @@ pub struct Arguments {
         help = interior_help(),
     )]
     interior: Option<&'static Interior>,
-    /// What is displaced: the flat triangles of the mesh, or lift, the smooth surface that its normals
-    /// promise [default: flat]
-    #[arg(long, value_name = "flat|lift", help_heading = "Triangles")]
+    /// What is displaced: the flat triangles of the mesh; lift, the smooth surface that its normals promise;
+    /// or pn, cubic triangles at right angles to them [default: flat]
+    #[arg(long, value_name = "flat|lift|pn", help_heading = "Triangles")]
     base: Option<BaseSurface>,
     /// Along what: raw, the interpolated normals as they are, or unit, these normalised [default: raw]
     #[arg(long, value_name = "raw|unit", help_heading = "Triangles", hide_short_help = true)]

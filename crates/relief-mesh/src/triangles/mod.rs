@@ -1,6 +1,7 @@
 //! Bases of triangles: which sides meet, and the points of patches.
 
 mod corners;
+mod cubic;
 mod edges;
 
 use glam::{DVec3, Vec3};
@@ -24,7 +25,7 @@ pub struct Triangles {
     triangles: Vec<[u32; 3]>,
     /// Where the vertices are in grid space; empty where the sides do not go by it.
     voxels: Vec<Voxel>,
-    is_lifted: bool,
+    base: BaseSurface,
     is_welded: bool,
 }
 
@@ -67,8 +68,8 @@ impl Triangles {
                 return Err(MesherError::NoPlane { edges, interior });
             }
         };
-        let is_lifted = settings.base == BaseSurface::Lift;
-        Ok(Self { corners, edges, triangles: mesh.triangles().to_vec(), voxels, is_lifted, is_welded })
+        let triangles = mesh.triangles().to_vec();
+        Ok(Self { corners, edges, triangles, voxels, base: settings.base, is_welded })
     }
 
     /// What a vertex counts along the sides that it is an end of.
@@ -111,17 +112,31 @@ impl Triangles {
     /// The base point of a corner or along an edge as the displacement sees it: in a welded mesh all sides
     /// see the same. With it the metres that the smooth base lies above.
     fn on_edge(&self, edge: u32, at: u32) -> (BasePoint, f64) {
-        let seen = if self.is_welded { self.edges.first_at_seam(edge) } else { edge };
+        let seen = self.seen(edge);
         let weights = self.along(edge, at);
         let [a, b] = self.edges.ends(seen).map(|end| self.corners.base(end));
-        let base = BasePoint {
+        let mut base = BasePoint {
             position: point::between(a.position, b.position, weights),
             normal: point::between(a.normal, b.normal, weights),
             uv: point::between(a.uv, b.uv, weights),
         };
         let [of_a, of_b] = weights;
         let sum = of_a + of_b;
+        if self.base == BaseSurface::Pn {
+            base.position =
+                cubic::on_side([a.position, b.position], self.bent(edge), weights.map(|of| of / sum));
+        }
         (base, self.lift(seen) * (of_b * of_a / (sum * sum)))
+    }
+
+    /// The edge between the same positions that says where the points of an edge are.
+    fn seen(&self, edge: u32) -> u32 {
+        if self.is_welded { self.edges.first_at_seam(edge) } else { edge }
+    }
+
+    /// The inner control points of an edge that is a cubic, as its ends are ordered.
+    fn bent(&self, edge: u32) -> [DVec3; 2] {
+        cubic::bent(self.edges.ends(self.seen(edge)).map(|end| self.corners.base(end)))
     }
 
     /// The weights that the ends of an edge have at a point of it.
@@ -131,7 +146,7 @@ impl Triangles {
     }
 
     fn lift(&self, edge: u32) -> f64 {
-        if self.is_lifted { self.edges.lift(edge) } else { 0.0 }
+        if self.base == BaseSurface::Lift { self.edges.lift(edge) } else { 0.0 }
     }
 
     fn position(&self, relief: &Relief, (base, lift_m): &(BasePoint, f64)) -> DVec3 {
@@ -196,10 +211,18 @@ impl Triangles {
             let sum = of_corners[0] + of_corners[1] + of_corners[2];
             weights = of_corners.map(|of| of / sum);
         }
-        let base = BasePoint::weighted(corners.map(|vertex| self.corners.base(vertex)), weights);
+        let mut base = BasePoint::weighted(corners.map(|vertex| self.corners.base(vertex)), weights);
         let sides = self.edges.sides(patch);
-        let seen = |edge| if self.is_welded { self.edges.first_at_seam(edge) } else { edge };
-        let lifts = [0, 1, 2].map(|k| self.lift(seen(sides[k])) * weights[k] * weights[(k + 1) % 3]);
+        if self.base == BaseSurface::Pn {
+            let bent = [0, 1, 2].map(|k| {
+                let [first, second] = self.bent(sides[k]);
+                let is_forth = self.edges.ends(sides[k])[0] == corners[k];
+                if is_forth { [first, second] } else { [second, first] }
+            });
+            base.position =
+                cubic::inside(corners.map(|vertex| self.corners.base(vertex).position), bent, weights);
+        }
+        let lifts = [0, 1, 2].map(|k| self.lift(self.seen(sides[k])) * weights[k] * weights[(k + 1) % 3]);
         (base, lifts[0] + lifts[1] + lifts[2], weights)
     }
 

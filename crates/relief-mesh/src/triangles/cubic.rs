@@ -1,0 +1,79 @@
+//! Cubic triangles over base triangles.
+//!
+//! Source: Vlachos, Peters, Boyd and Mitchell 2001, Curved PN Triangles, section 3.
+
+use glam::DVec3;
+use relief_core::mesh::BasePoint;
+
+/// The inner control points of a side: a third of the way along it, in the planes at right angles to the
+/// normals of the ends.
+pub fn bent(ends: [BasePoint; 2]) -> [DVec3; 2] {
+    [0, 1].map(|end| {
+        let [from, to] = [ends[end], ends[1 - end]];
+        let normal = from.normal.normalize_or_zero();
+        let along = to.position - from.position;
+        from.position + (along - normal * along.dot(normal)) / 3.0
+    })
+}
+
+/// The point of a side with those weights of its ends.
+pub fn on_side([from, to]: [DVec3; 2], [first, second]: [DVec3; 2], [a, b]: [f64; 2]) -> DVec3 {
+    from * (a * a * a) + (first * a + second * b) * (3.0 * a * b) + to * (b * b * b)
+}
+
+/// The point of a triangle with those weights of its corners; side `k` goes from corner `k` to the next.
+pub fn inside(corners: [DVec3; 3], sides: [[DVec3; 2]; 3], weights: [f64; 3]) -> DVec3 {
+    let sum: DVec3 = sides.as_flattened().iter().sum();
+    let flat = (corners[0] + corners[1] + corners[2]) / 3.0;
+    let middle = sum / 4.0 - flat / 2.0;
+    let mut point = middle * (6.0 * weights[0] * weights[1] * weights[2]);
+    for k in 0..3 {
+        let [a, b] = [weights[k], weights[(k + 1) % 3]];
+        point += corners[k] * (a * a * a) + (sides[k][0] * a + sides[k][1] * b) * (3.0 * a * b);
+    }
+    point
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec2;
+
+    fn corner(direction: DVec3) -> BasePoint {
+        BasePoint { position: direction.normalize(), normal: direction.normalize() * 1.7, uv: DVec2::ZERO }
+    }
+
+    #[test]
+    fn triangles_on_a_sphere_bulge_toward_it_and_meet_their_sides() {
+        let corners =
+            [DVec3::new(1.0, 0.1, 0.0), DVec3::new(0.2, 1.0, 0.1), DVec3::new(0.1, 0.3, 1.0)].map(corner);
+        let sides = [0, 1, 2].map(|k| bent([corners[k], corners[(k + 1) % 3]]));
+        let at = |weights| inside(corners.map(|corner| corner.position), sides, weights);
+        for k in 0..=10 {
+            let part = f64::from(k) / 10.0;
+            for side in 0..3 {
+                let mut weights = [0.0; 3];
+                weights[side] = 1.0 - part;
+                weights[(side + 1) % 3] = part;
+                let ends = [side, (side + 1) % 3].map(|corner| corners[corner].position);
+                let on_side = on_side(ends, sides[side], [1.0 - part, part]);
+                assert!(on_side.distance(at(weights)) < 1e-15);
+                // The chord is off by 0.3.
+                assert!((on_side.length() - 1.0).abs() < 0.03, "{}", on_side.length());
+            }
+        }
+        assert!((at([1.0 / 3.0; 3]).length() - 1.0).abs() < 0.05);
+    }
+
+    #[test]
+    fn level_triangles_stay_level() {
+        let corners = [DVec2::ZERO, DVec2::new(3.0, 0.5), DVec2::new(1.0, 2.0)];
+        let corners = corners.map(|at| BasePoint { position: at.extend(0.0), normal: DVec3::Z, uv: at });
+        let sides = [0, 1, 2].map(|k| bent([corners[k], corners[(k + 1) % 3]]));
+        for weights in [[0.2, 0.3, 0.5], [0.9, 0.05, 0.05], [0.0, 0.4, 0.6]] {
+            let flat = BasePoint::weighted(corners, weights).position;
+            let found = inside(corners.map(|corner| corner.position), sides, weights);
+            assert!(found.distance(flat) < 1e-14, "{weights:?}");
+        }
+    }
+}
