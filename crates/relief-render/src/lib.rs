@@ -20,7 +20,6 @@ pub mod mipmaps;
 pub mod picture;
 mod pictures;
 mod prepare;
-pub mod raycast;
 mod renderer;
 mod samples;
 pub mod scene;
@@ -32,6 +31,8 @@ mod wire;
 pub use glam;
 /// Base meshes, of which scenes are made; they are the core's.
 pub use relief_core::mesh;
+/// Rays against them, the core's too.
+pub use relief_core::raycast;
 pub use renderer::{Bands, Made, Progress, Reason, RenderError, Rendered, Renderer, Task, render};
 #[cfg(feature = "gpu")]
 pub use wgpu;
