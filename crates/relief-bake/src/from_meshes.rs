@@ -31,7 +31,7 @@
 //! A texel that lies on no triangle but less than one and a half texels beside one is read where the
 //! surface is interpolated near the border of a chart. It gets the height that goes on in a straight line
 //! from two points inside of the chart, on the way from the texel's centre over the nearest point of the
-//! border. So the interpolated surface is right at the border, to the second order of a texel. No line is
+//! border, or in a plane where that way leaves the chart at a sharp corner. So the interpolated surface is right at the border, to the second order of a texel. No line is
 //! cast outside of the chart: beside a hard edge it would hit the sides of what lies beyond. All other texels
 //! are filled from coarse to fine, and so are holes, where no line found anything.
 //!
@@ -328,9 +328,28 @@ fn beside(low: &Mesh, charts: &Charts, line: &Line, owner: &Owner) -> Seen {
             let slope = (at_near - at_far) / (far - near);
             Seen::At(at_near + slope * (distance + near))
         }
-        (Seen::At(metres), _) | (_, Seen::At(metres)) => Seen::At(metres),
-        _ => Seen::Nothing,
+        (at_near, at_far) => match of_plane(low, charts, line, owner, border) {
+            Seen::At(metres) => Seen::At(metres),
+            _ => [at_near, at_far]
+                .into_iter()
+                .find(|seen| matches!(seen, Seen::At(_)))
+                .unwrap_or(Seen::Nothing),
+        },
     }
+}
+
+/// The same at a sharp corner, where no straight line goes on inside: the plane through the heights at three
+/// points of the triangle, near its corner but not on its border.
+fn of_plane(low: &Mesh, charts: &Charts, line: &Line, owner: &Owner, border: [f64; 2]) -> Seen {
+    let Some((points, weights)) = charts.around(low, owner, border) else { return Seen::Nothing };
+    let mut height = 0.0;
+    for (point, weight) in points.into_iter().zip(weights) {
+        match line.look(&charts.base(low, owner.triangle, point)) {
+            Seen::At(metres) => height += weight * metres,
+            other => return other,
+        }
+    }
+    Seen::At(height)
 }
 
 /// What was found on the charts.

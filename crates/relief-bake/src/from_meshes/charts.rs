@@ -25,6 +25,14 @@ const WITHIN: f64 = 1e-6;
 /// Places that are as near as this, as a part of the mesh's diagonal, are the same.
 const SAME: f64 = 1e-5;
 
+/// The size of the triangle, in texels, through whose corners a plane goes on beside a chart, and how far
+/// from the border they lie.
+const PLANE: f64 = 0.5;
+const OFF_BORDER: f64 = 1.0 / 64.0;
+
+/// The most that a height may count in a plane that goes on: with more a sliver of a triangle says nothing.
+const MAX_WEIGHT: f64 = 8.0;
+
 /// No triangle.
 const NONE: u32 = u32::MAX;
 
@@ -173,6 +181,24 @@ impl Charts {
     pub fn nearest(&self, mesh: &Mesh, owner: &Owner) -> [f64; 2] {
         let chart = self.chart(mesh, owner.triangle);
         chart.map_or(owner.centre(), |chart| chart.nearest(owner.centre()))
+    }
+
+    /// Three points inside of an owner's triangle near a point of its border, and the weights with which a plane
+    /// through them goes on to the texel's centre; none where the triangle is a sliver.
+    pub fn around(&self, mesh: &Mesh, owner: &Owner, border: [f64; 2]) -> Option<([[f64; 2]; 3], [f64; 3])> {
+        let chart = self.chart(mesh, owner.triangle)?;
+        let middle = [0, 1].map(|axis| chart.corners.iter().map(|corner| corner[axis]).sum::<f64>() / 3.0);
+        let toward = |from: [f64; 2], to: [f64; 2], length: f64| {
+            let way = minus(to, from);
+            let part = (length / way[0].hypot(way[1])).min(0.5);
+            [from[0] + part * way[0], from[1] + part * way[1]]
+        };
+        let start = toward(border, middle, OFF_BORDER);
+        let corners = chart.corners.map(|corner| toward(start, corner, PLANE));
+        let area = cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]));
+        let weights = Chart { corners, area }.weights(owner.centre());
+        let is_sound = weights.iter().all(|weight| weight.abs() <= MAX_WEIGHT);
+        is_sound.then_some((corners, weights))
     }
 
     /// The base point at a place near a texel, where its owner's triangle lies or one that owns a texel
