@@ -31,7 +31,7 @@ const PLANE: f64 = 0.5;
 const OFF_BORDER: f64 = 1.0 / 64.0;
 
 /// The most that a height may count in a plane that goes on: with more a sliver of a triangle says nothing.
-const MAX_WEIGHT: f64 = 8.0;
+const MAX_WEIGHT: f64 = 3.0;
 
 /// No triangle.
 const NONE: u32 = u32::MAX;
