@@ -128,8 +128,8 @@ pub(crate) const BYTES_PER_TEXEL: u64 = 8;
 /// [`HeightMap::physical_range`] keeps those raw values, of texel 0 and of texel 1 (with the depth convention
 /// the first is the greater). Where the file has a [`HeightNote`](crate::HeightNote), range and
 /// [`HeightMap::texel_size_m`] are what it says, in metres, and its values are fractions of their type's
-/// maximum or, in floats, as they are. Where it says that these are displacements of a mesh they are the map's
-/// ([`HeightMap::stated_displacement_m`]).
+/// maximum or, in floats, as they are. Where it says that these are displacements of a mesh they are the
+/// map's ([`HeightMap::stated_displacement_m`]).
 ///
 /// # Elevation models
 ///

@@ -1,5 +1,5 @@
-//! Makes the height map that a coarse sphere lacks to a fine one, displaces the coarse one by it, and writes it
-//! to a file that says its metres.
+//! Makes the height map that a coarse sphere lacks to a fine one, displaces the coarse one by it, and writes
+//! it to a file that says its metres.
 
 use std::error::Error;
 

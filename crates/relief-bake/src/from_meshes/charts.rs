@@ -1,7 +1,7 @@
 //! Which triangle of the simple mesh each texel lies on, or beside.
 //!
-//! Lengths here are texels: the centre of texel `(i, j)` lies at `(i, j)`, as whole numbers. Every triangle is
-//! moved by whole tiles so that it begins near the map, and reaches beyond the map's edges as its texture
+//! Lengths here are texels: the centre of texel `(i, j)` lies at `(i, j)`, as whole numbers. Every triangle
+//! is moved by whole tiles so that it begins near the map, and reaches beyond the map's edges as its texture
 //! coordinates do; the wrap says which texels lie there.
 
 use relief_core::Wrap;
@@ -31,7 +31,7 @@ const PLANE: f64 = 0.5;
 const OFF_BORDER: f64 = 1.0 / 64.0;
 
 /// The most that a height may count in a plane that goes on: with more a sliver of a triangle says nothing.
-const MAX_WEIGHT: f64 = 3.0;
+const MAX_WEIGHT: f64 = 8.0;
 
 /// No triangle.
 const NONE: u32 = u32::MAX;
@@ -183,8 +183,8 @@ impl Charts {
         chart.map_or(owner.centre(), |chart| chart.nearest(owner.centre()))
     }
 
-    /// Three points inside of an owner's triangle near a point of its border, and the weights with which a plane
-    /// through them goes on to the texel's centre; none where the triangle is a sliver.
+    /// Three points inside of an owner's triangle near a point of its border, and the weights with which a
+    /// plane through them goes on to the texel's centre; none where the triangle is a sliver.
     pub fn around(&self, mesh: &Mesh, owner: &Owner, border: [f64; 2]) -> Option<([[f64; 2]; 3], [f64; 3])> {
         let chart = self.chart(mesh, owner.triangle)?;
         let middle = [0, 1].map(|axis| chart.corners.iter().map(|corner| corner[axis]).sum::<f64>() / 3.0);

@@ -25,8 +25,8 @@ pub enum FromMeshesError {
     BadCage(f64),
     /// A triangle lies beyond the edges of a map that does not go on there.
     #[error(
-        "triangle {triangle} of the simple mesh has texture coordinates outside of 0 to 1, where a clamped map \
-         has no texels: tile or mirror the map, or move the coordinates"
+        "triangle {triangle} of the simple mesh has texture coordinates outside of 0 to 1, where a clamped \
+         map has no texels: tile or mirror the map, or move the coordinates"
     )]
     Outside {
         /// The first such triangle.
@@ -45,14 +45,14 @@ pub enum FromMeshesError {
     },
     /// No texel lies on the simple mesh.
     #[error(
-        "no triangle of the simple mesh lies on the centre of any texel: the map is too small, or the texture \
-         coordinates have no area"
+        "no triangle of the simple mesh lies on the centre of any texel: the map is too small, or the \
+         texture coordinates have no area"
     )]
     NoTexel,
     /// No line found the detailed mesh.
     #[error(
-        "none of {texels} texels finds the detailed mesh within {cage_m} m along its normal: do both meshes lie in \
-         the same place, in the same unit?{}", of_backs(*behind)
+        "none of {texels} texels finds the detailed mesh within {cage_m} m along its normal: do both \
+         meshes lie in the same place, in the same unit?{}", of_backs(*behind)
     )]
     NothingFound {
         /// Texels that looked.

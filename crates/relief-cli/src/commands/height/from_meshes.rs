@@ -76,10 +76,10 @@ pub struct Arguments {
 const AFTER_HELP: &str = "Examples:\n  \
     relief height from-meshes --low rock_low.glb --high rock_scan.ply --size 2048x2048 -o rock.exr\n  \
     relief height from-meshes --low column.obj --high cylinder --size 512x256 --cage 5cm -o column.exr\n\n\
-    Each texel looks along the interpolated normal of the simple mesh, both ways. The file says its scale and its \
-    bias: `relief render --height rock.exr --mesh rock_low.glb` and `relief mesh rock.exr --mesh rock_low.glb` show \
-    the detailed mesh without further flags. Of several faces that look outward the nearest counts, so a cage \
-    may be wide; with --layer outermost it has to be narrower than the gaps between parts. Texels that find \
+    Each texel looks along the interpolated normal of the simple mesh, both ways. The file says its scale \
+    and its bias: `relief render --height rock.exr --mesh rock_low.glb` and `relief mesh rock.exr --mesh \
+    rock_low.glb` show the detailed mesh without further flags. Of several faces that look outward the nearest \
+    counts, so a cage may be wide; with --layer outermost it has to be narrower than the gaps between parts. Texels that find \
     nothing are counted and filled from their surroundings. EXR of 32-bit floats, or PNG of 16 bit, by the \
     output's name.";
 
@@ -180,8 +180,8 @@ impl Arguments {
                 return Ok(());
             }
             Err(Failure::Work(format!(
-                "{}: {triangles} triangles need {} MiB of memory to be looked for, {} MiB are left: --max-memory \
-                 raises it",
+                "{}: {triangles} triangles need {} MiB of memory to be looked for, {} MiB are left: \
+                 --max-memory raises it",
                 self.high,
                 needed.div_ceil(1 << 20),
                 left >> 20
