@@ -24,8 +24,9 @@ pub const MAX_TEXELS: u64 = 1 << 30;
 /// * A texel displaces the base surface along its unit normal by `bias_m + scale_m * texel` metres
 ///   (Szirmay-Kalos and Umenhoffer 2008, eq. 8).
 /// * [`Wrap`] says how the map goes on beyond its edges.
-/// * `texel_size_m`, `physical_range`, `stated_displacement_m`, `filled_texels`, `holes` and `nearly_grey_texels` are metadata: slopes
-///   are set by the tangent frame alone, and holes have heights as all texels do.
+/// * `texel_size_m`, `physical_range`, `stated_displacement_m`, `filled_texels`, `holes` and
+///   `nearly_grey_texels` are metadata: slopes are set by the tangent frame alone, and holes have heights as
+///   all texels do.
 ///
 /// Clones share their texels, with another wrap or displacement too.
 #[derive(Clone, Debug, PartialEq)]

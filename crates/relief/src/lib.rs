@@ -67,9 +67,9 @@
 //!
 //! Everything compiles for `wasm32-unknown-unknown`. Read files as bytes, keep maps in memory, and draw on a
 //! GPU with the functions that are `async`. Two things panic there: ray casting ([`raycast`], and with it the
-//! CPU backend and heights between meshes), which asks the system's clock while it builds its tree, and the functions that wait for a GPU,
-//! [`Gpu::new`](render::gpu::Gpu::new), [`GpuRenderer::render`](render::gpu::GpuRenderer::render) and
-//! [`block_on`](render::gpu::block_on).
+//! CPU backend and heights between meshes), which asks the system's clock while it builds its tree, and the
+//! functions that wait for a GPU, [`Gpu::new`](render::gpu::Gpu::new),
+//! [`GpuRenderer::render`](render::gpu::GpuRenderer::render) and [`block_on`](render::gpu::block_on).
 
 #[doc(inline)]
 pub use relief_core::*;
