@@ -11,8 +11,7 @@
 //! point and the normal are interpolated and *not* normalised, just as
 //! [`BasePoint`](relief_core::mesh::BasePoint) does, which displaced meshes and their judge are made of.
 //! Along that line, outward and inward, lies the detailed mesh: the height is the displacement that takes the
-//! base point there. Lines are intersected in `f64` and slip through no edge
-//! ([`RayCaster`](relief_core::raycast::RayCaster)).
+//! base point there. Lines are intersected in `f64` and slip through no edge ([`RayCaster`]).
 //!
 //! # Which of several hits
 //!
@@ -48,10 +47,11 @@ mod charts;
 mod error;
 mod gutter;
 mod look;
+mod normals;
 
 use glam::DVec3;
 use rayon::prelude::*;
-use relief_core::mesh::{BasePoint, Mesh};
+use relief_core::mesh::Mesh;
 use relief_core::raycast::RayCaster;
 use relief_core::registry::UnknownName;
 use relief_core::{HeightMap, HeightMapError, Wrap};
@@ -59,9 +59,10 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use self::charts::{Charts, Owner};
+use self::charts::{Charts, OFF_BORDER, Owner};
 pub use self::error::{FromMeshesError, MAX_TILES};
 use self::look::{Line, Seen};
+pub use self::normals::normals_from_meshes;
 use crate::Progress;
 use crate::fill::fill;
 
@@ -232,22 +233,8 @@ pub fn heights_from_meshes(
     pair: &MeshPair,
     progress: &Progress,
 ) -> Result<PairedHeights, FromMeshesError> {
-    let [width, height] = pair.size;
-    HeightMap::check_size(width, height)?;
-    if low.triangles().is_empty() {
-        return Err(FromMeshesError::NothingToLieOn);
-    }
-    if high.triangles() == 0 {
-        return Err(FromMeshesError::NothingToFind);
-    }
-    let (diagonal, farthest) = extents_m(low);
-    let cage_m = pair.cage_m.unwrap_or(CAGE_PART * diagonal);
-    if pair.cage_m.is_some() && !(cage_m > 0.0 && cage_m.is_finite()) {
-        return Err(FromMeshesError::BadCage(cage_m));
-    }
-    let charts = Charts::new(low, pair, diagonal, &progress.piece(0.0, CHARTED))?;
-    let (layer, two_sided) = (pair.layer, pair.two_sided);
-    let line = Line { high, cage_m, layer, two_sided, rounding: ROUNDING * farthest };
+    let (charts, line) = prepare(low, high, pair, &progress.piece(0.0, CHARTED))?;
+    let cage_m = line.cage_m;
     let texels = cast(low, &charts, &line, &progress.piece(CHARTED, CAST))?;
     let found = Found::of(&charts, &texels);
     if found.heights == 0 {
@@ -259,7 +246,7 @@ pub fn heights_from_meshes(
         .map(|seen| if let Seen::At(metres) = *seen { (metres as f32, true) } else { (0.0, false) })
         .unzip();
     drop(texels);
-    fill([width as usize, height as usize], &mut metres, &known);
+    fill(pair.size.map(|side| side as usize), &mut metres, &known);
     let without_value = match pair.gutter {
         Some(gutter) => gutter::leave_out(&mut metres, &charts, gutter),
         None => 0,
@@ -278,6 +265,30 @@ pub fn heights_from_meshes(
         range_m: found.range_m,
         mean_abs_m: found.sum_abs_m / found.heights as f64,
     })
+}
+
+/// The charts of the simple mesh, and how lines are looked along.
+fn prepare<'a>(
+    low: &Mesh,
+    high: &'a RayCaster,
+    pair: &MeshPair,
+    progress: &Progress,
+) -> Result<(Charts, Line<'a>), FromMeshesError> {
+    HeightMap::check_size(pair.size[0], pair.size[1])?;
+    if low.triangles().is_empty() {
+        return Err(FromMeshesError::NothingToLieOn);
+    }
+    if high.triangles() == 0 {
+        return Err(FromMeshesError::NothingToFind);
+    }
+    let (diagonal, farthest) = extents_m(low);
+    let cage_m = pair.cage_m.unwrap_or(CAGE_PART * diagonal);
+    if pair.cage_m.is_some() && !(cage_m > 0.0 && cage_m.is_finite()) {
+        return Err(FromMeshesError::BadCage(cage_m));
+    }
+    let charts = Charts::new(low, pair, diagonal, progress)?;
+    let (layer, two_sided) = (pair.layer, pair.two_sided);
+    Ok((charts, Line { high, cage_m, layer, two_sided, rounding: ROUNDING * farthest }))
 }
 
 /// The diagonal of the box around a mesh, and the greatest of it and the coordinates, in metres.
@@ -317,15 +328,12 @@ fn cast(low: &Mesh, charts: &Charts, line: &Line, progress: &Progress) -> Result
 /// What a texel beside a chart gets: the straight line through the heights at two points inside.
 fn beside(low: &Mesh, charts: &Charts, line: &Line, owner: &Owner) -> Seen {
     let border = charts.nearest(low, owner);
-    let inward = [0, 1].map(|axis| border[axis] - owner.centre()[axis]);
-    let distance = inward[0].hypot(inward[1]);
-    let inside = |beyond: f64| [0, 1].map(|axis| border[axis] + inward[axis] / distance * beyond);
+    let distance = f64::from(owner.distance);
     let look = |beyond: f64| {
-        let base: Option<BasePoint> = charts.base_at(low, owner, inside(beyond));
+        let base = charts.base_at(low, owner, owner.inside(border, beyond));
         base.map_or(Seen::Nothing, |base| line.look(&base))
     };
-    // At the border itself a line may pass beside a mesh that ends there.
-    let (near, far) = (1.0 / 64.0, distance.max(0.5));
+    let (near, far) = (OFF_BORDER, distance.max(0.5));
     match (look(near), look(far)) {
         (Seen::At(at_near), Seen::At(at_far)) => {
             let slope = (at_near - at_far) / (far - near);

@@ -93,7 +93,11 @@ fn a_map_comes_back_and_is_shown_without_flags() {
 #[test]
 fn a_picture_of_both_is_the_same() {
     let folder = folder();
-    folder.relief("height from-meshes --low ring.obj --high made.glb --size 256x256 -o back.exr").fine();
+    folder
+        .relief(
+            "height from-meshes --low ring.obj --high made.glb --size 256x256 --normals n.png -o back.exr",
+        )
+        .fine();
     folder.write("level.png", Map::constant(0.5).png());
     let look = "--eye 0.5,0.8,1 --target 0,0,0 --size 160x120 --samples 1 --backend cpu -o p.png --aov";
     let of_aov = |name: &str, flags: &str| {
@@ -102,6 +106,7 @@ fn a_picture_of_both_is_the_same() {
     };
     let (truth, _) = of_aov("truth.exr", "--height level.png --scale 0 --bias 0 --mesh made.glb");
     let (shown, said) = of_aov("shown.exr", "--height back.exr --mesh ring.obj --surface prism");
+    let (lit, _) = of_aov("lit.exr", "--height back.exr --normal n.png --mesh ring.obj --surface prism");
     let (flat, _) = of_aov("flat.exr", "--height level.png --scale 0 --bias 0 --mesh ring.obj");
     assert!(said.contains("bias -0.0") && said.contains("file states"), "{said}");
     let apart = |of: &Aov| {
@@ -113,9 +118,25 @@ fn a_picture_of_both_is_the_same() {
         assert!(apart.len() > 3000, "{}", apart.len());
         apart[apart.len() * 9 / 10]
     };
-    let [shown, flat] = [apart(&shown), apart(&flat)];
+    let heights = shown;
+    let [shown, flat] = [apart(&heights), apart(&flat)];
     println!("{shown:.1e} m, without the map {flat:.1e} m");
     assert!(shown < 1e-3 && flat > 10.0 * shown, "{shown} {flat}");
+    // Normals of the heights bend with the mesh's own, and those of the map are the detailed mesh's.
+    let turned = |of: &Aov| {
+        let pairs = truth.pixels().zip(of.pixels());
+        let both = pairs.filter(|((_, _, a), (_, _, b))| {
+            a.hit == 1.0 && b.hit == 1.0 && (a.position - b.position).length() < 2e-3
+        });
+        let mut angles: Vec<f64> =
+            both.map(|((_, _, a), (_, _, b))| a.normal.angle_between(b.normal).to_degrees()).collect();
+        angles.sort_by(f64::total_cmp);
+        assert!(angles.len() > 3000, "{}", angles.len());
+        angles[angles.len() * 9 / 10]
+    };
+    let [lit, derived] = [turned(&lit), turned(&heights)];
+    println!("normals {lit:.2} degrees, of the heights {derived:.2} degrees");
+    assert!(lit < 1.0 && derived > 4.0 * lit, "{lit} {derived}");
 }
 
 #[test]
@@ -191,6 +212,10 @@ fn what_cannot_be_made_is_refused() {
         (2, "{} --size 8x8 -o out/h.tiff", &["--output", "exr"]),
         (2, "{} --size 8x8 -o out/h", &["--output", ".png"]),
         (1, "{} --size 8x8 -o nowhere/h.exr", &["nowhere"]),
+        (2, "{} --size 8x8 --normals out/h.exr -o out/h.exr", &["out/h.exr", "two outputs"]),
+        (2, "{} --size 8x8 --normals out/n.jpg -o out/h.exr", &["--normals", "png"]),
+        (1, "{} --size 8x8 --normals nowhere/n.png -o out/h.exr", &["nowhere"]),
+        (1, "--low ring.obj --high nan.obj --normals out/n.png --size 8x8 -o out/h.exr", &["nan.obj"]),
         (1, "{} --size 8x8 --max-memory 1MiB -o out/h.exr", &["--max-memory"]),
         (2, "--low rnig.obj --high sphree --size 8x8 -o out/h.exr", &["sphree", "sphere"]),
         (1, "--low rnig.obj --high scan.obj --size 8x8 -o out/h.exr", &["rnig.obj"]),

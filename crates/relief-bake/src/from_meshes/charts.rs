@@ -25,10 +25,12 @@ const WITHIN: f64 = 1e-6;
 /// Places that are as near as this, as a part of the mesh's diagonal, are the same.
 const SAME: f64 = 1e-5;
 
-/// The size of the triangle, in texels, through whose corners a plane goes on beside a chart, and how far
-/// from the border they lie.
+/// The size of the triangle, in texels, through whose corners a plane goes on beside a chart.
 const PLANE: f64 = 0.5;
-const OFF_BORDER: f64 = 1.0 / 64.0;
+
+/// How far inside of a chart, in texels, its border is looked at: at the border itself a line may pass beside
+/// a mesh that ends there.
+pub(super) const OFF_BORDER: f64 = 1.0 / 64.0;
 
 /// The most that a height may count in a plane that goes on: with more a sliver of a triangle says nothing.
 const MAX_WEIGHT: f64 = 8.0;
@@ -43,7 +45,7 @@ pub(super) struct Owner {
     /// Column and row of the texel where the triangle lies, not wrapped.
     at: [i32; 2],
     /// From the triangle, 0 on it.
-    distance: f32,
+    pub distance: f32,
 }
 
 /// What the simple mesh covers of a map.
@@ -75,6 +77,13 @@ impl Owner {
 
     pub fn is_inside(&self) -> bool {
         self.distance == 0.0
+    }
+
+    /// The place on the way from the texel's centre over a point of the border, so far beyond.
+    pub fn inside(&self, border: [f64; 2], beyond: f64) -> [f64; 2] {
+        let way = minus(border, self.centre());
+        let length = way[0].hypot(way[1]);
+        [0, 1].map(|axis| border[axis] + way[axis] / length * beyond)
     }
 
     /// The centre of the texel where the triangle lies.
@@ -173,8 +182,13 @@ impl Charts {
 
     /// The base point of a triangle at a place on the map, beside the triangle too.
     pub fn base(&self, mesh: &Mesh, triangle: u32, point: [f64; 2]) -> BasePoint {
-        let weights = self.chart(mesh, triangle).map_or([1.0, 0.0, 0.0], |chart| chart.weights(point));
+        let weights = self.weights(mesh, triangle, point);
         BasePoint::weighted(mesh.corners(triangle).map(BasePoint::from), weights)
+    }
+
+    /// The weights of a triangle's corners at a place on the map.
+    pub fn weights(&self, mesh: &Mesh, triangle: u32, point: [f64; 2]) -> [f64; 3] {
+        self.chart(mesh, triangle).map_or([1.0, 0.0, 0.0], |chart| chart.weights(point))
     }
 
     /// The point of an owner's triangle that is nearest to the texel's centre.

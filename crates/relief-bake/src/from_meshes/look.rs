@@ -31,8 +31,21 @@ impl Line<'_> {
     /// Looks outward and inward from a base point along its normal.
     pub fn look(&self, base: &BasePoint) -> Seen {
         let length = base.normal.length();
+        match self.find(base) {
+            Some((height, _)) if height.abs() * length <= self.rounding => Seen::At(0.0),
+            Some((height, _)) => Seen::At(height),
+            None => {
+                let both = Line { two_sided: true, ..*self };
+                if both.find(base).is_some() { Seen::Behind } else { Seen::Nothing }
+            }
+        }
+    }
+
+    /// The displacement that takes a base point to the detailed mesh, in metres, and what is hit there.
+    pub fn find(&self, base: &BasePoint) -> Option<(f64, SurfaceHit)> {
+        let length = base.normal.length();
         if !(length > 0.0 && length.is_finite()) {
-            return Seen::Nothing;
+            return None;
         }
         // A displacement of so much is as far as the cage.
         let farthest = self.cage_m / length;
@@ -40,24 +53,22 @@ impl Line<'_> {
             [base.normal, -base.normal].map(|direction| Ray { origin: base.position, direction });
         let within = |hit: &SurfaceHit| hit.t <= farthest;
         // Who goes outward meets a face that looks outward from its back.
-        let out = || self.high.hits(&outward, Sides::Both).take_while(within);
         let agrees = |hit: &SurfaceHit| self.two_sided || !hit.front;
+        let mut out = self.high.hits(&outward, Sides::Both).take_while(within).filter(agrees);
         let sides = if self.two_sided { Sides::Both } else { Sides::Front };
-        let inner = || self.high.next_hit(&inward, sides, None).filter(within).map(|hit| -hit.t);
-        let height = match self.layer {
-            Layer::Nearest => match (out().find(agrees).map(|hit| hit.t), inner()) {
-                (Some(above), Some(below)) => Some(if above <= -below { above } else { below }),
-                (above, below) => above.or(below),
-            },
-            Layer::Outermost => out().filter(agrees).last().map(|hit| hit.t).or_else(inner),
+        let inner = || self.high.next_hit(&inward, sides, None).filter(within);
+        let above = match self.layer {
+            Layer::Nearest => out.next(),
+            Layer::Outermost => out.last(),
         };
-        match height {
-            Some(height) if height.abs() * length <= self.rounding => Seen::At(0.0),
-            Some(height) => Seen::At(height),
-            None => {
-                let beyond = self.high.next_hit(&inward, Sides::Both, None).filter(within);
-                if out().next().or(beyond).is_some() { Seen::Behind } else { Seen::Nothing }
-            }
+        let below = match (self.layer, above) {
+            (Layer::Outermost, Some(_)) => None,
+            _ => inner(),
+        };
+        match (above, below) {
+            (Some(above), Some(below)) if below.t < above.t => Some((-below.t, below)),
+            (Some(above), _) => Some((above.t, above)),
+            (None, below) => below.map(|below| (-below.t, below)),
         }
     }
 }

@@ -6,12 +6,15 @@ use std::time::Instant;
 
 use clap::Args;
 use relief_bake::Progress as BakeProgress;
-use relief_bake::from_meshes::{FromMeshesError, Layer, MeshPair, PairedHeights, heights_from_meshes};
-use relief_core::mesh::{FramingError, Mesh};
+use relief_bake::from_meshes::{
+    FromMeshesError, Layer, MeshPair, PairedHeights, heights_from_meshes, normals_from_meshes,
+};
+use relief_core::mesh::{FramingError, Mesh, UvProjection};
 use relief_core::raycast::RayCaster;
 use relief_core::{ByteSize, HeightMap, Wrap};
+use relief_io::file_set::is_same_file;
 use relief_io::{
-    DEFAULT_MAX_BYTES, HeightNote, MeshOptions, ReadError, ReadProblem, read_mesh, read_raw_mesh,
+    DEFAULT_MAX_BYTES, HeightNote, MeshOptions, Metadata, ReadError, ReadProblem, read_mesh, read_raw_mesh,
 };
 use relief_render::scene::MeshChoice;
 use serde_json::json;
@@ -27,6 +30,9 @@ use crate::{say, units, values};
 
 /// Bytes a texel: the heights as they are found, and the texels that are written.
 const BYTES_PER_TEXEL: u64 = MeshPair::BYTES_PER_TEXEL + 8;
+
+/// Bytes a texel that a normal map takes more.
+const BYTES_OF_NORMALS: u64 = 24;
 
 /// What `relief height from-meshes` is given.
 #[derive(Args)]
@@ -44,6 +50,10 @@ pub struct Arguments {
     /// Height map to write
     #[arg(short, long, value_name = "FILE.png|exr")]
     output: PathBuf,
+    /// Normal map of the detailed mesh on the simple one, to write as well: normals that come of the heights
+    /// count the facets of the simple mesh twice
+    #[arg(long, value_name = "FILE.png|exr")]
+    normals: Option<PathBuf>,
     /// The farthest to look from the simple mesh, outward and inward, in metres or with a unit, as in 2cm
     /// [default: a tenth of the diagonal of its box]
     #[arg(long, value_name = "M", value_parser = units::length, allow_hyphen_values = true)]
@@ -74,7 +84,7 @@ pub struct Arguments {
 }
 
 const AFTER_HELP: &str = "Examples:\n  \
-    relief height from-meshes --low rock_low.glb --high rock_scan.ply --size 2048x2048 -o rock.exr\n  \
+    relief height from-meshes --low rock_low.glb --high rock_scan.ply --size 2048x2048 --normals rock_normal.png -o rock.exr\n  \
     relief height from-meshes --low column.obj --high cylinder --size 512x256 --cage 5cm -o column.exr\n\n\
     Each texel looks along the interpolated normal of the simple mesh, both ways. The file says its scale \
     and its bias: `relief render --height rock.exr --mesh rock_low.glb` and `relief mesh rock.exr --mesh \
@@ -87,25 +97,36 @@ const AFTER_HELP: &str = "Examples:\n  \
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let started = Instant::now();
     let output = Output::new("--output", &arguments.output, &arguments.inputs())?;
+    let normals = arguments.normals_output()?;
     arguments.check(&output)?;
-    let (low, high) = {
+    let Meshes { low, high, caster } = {
         let _reading = Progress::spinner("reading", arguments.json);
         arguments.read()?
     };
     // Until here nothing exists that an interrupted program would leave behind.
     let cancel = interrupt::catch()?;
-    let mut staged = Staged::open(&[&output.path], arguments.json, cancel)?;
-    let found = {
+    let paths: Vec<&Path> = [Some(&output), normals.as_ref()].into_iter().flatten().map(path_of).collect();
+    let mut staged = Staged::open(&paths, arguments.json, cancel)?;
+    let heights = {
         let bar = Progress::bar("looking", arguments.json);
         let report = |part: f32| bar.show(part);
         let progress = BakeProgress::new(&report, cancel);
-        heights_from_meshes(&low, &high, &arguments.pair(), &progress)
+        heights_from_meshes(&low, &caster, &arguments.pair(), &progress)
     };
-    let heights = found.map_err(|error| arguments.of_looking(error))?;
+    let heights = heights.map_err(|error| arguments.of_looking(error))?;
     let [bias_m, top_m] = heights.displacement_m();
     let note = HeightNote { tile_m: low.tile_m(), scale_m: top_m - bias_m, bias_m, of_mesh: true };
     let content = arguments.content(&heights, note, &output)?;
     output.write(&mut staged, &content, cancel)?;
+    drop(content);
+    if let (Some(output), Some(high)) = (&normals, &high) {
+        let bar = Progress::bar("normals", arguments.json);
+        let report = |part: f32| bar.show(part);
+        let progress = BakeProgress::new(&report, cancel);
+        let planes = normals_from_meshes(&low, high, &caster, &arguments.pair(), &progress)
+            .map_err(|error| arguments.of_looking(error))?;
+        output.write(&mut staged, &arguments.normals_content(planes, output)?, cancel)?;
+    }
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
     if heights.overlaps > 0 && !arguments.json {
@@ -118,12 +139,39 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     answer(|out| Ok(arguments.tell(&heights, note, &output, seconds, out)?))
 }
 
+fn path_of(output: &Output) -> &Path {
+    &output.path
+}
+
+/// What is read.
+struct Meshes {
+    low: Mesh,
+    /// With its normals, where these are asked for.
+    high: Option<Mesh>,
+    caster: RayCaster,
+}
+
 impl Arguments {
     /// The files that may be standard streams.
     pub fn files(&mut self) -> Files<'_> {
         let format = self.format.map(Format::ending);
         let heights = Written { flag: "--output", path: &mut self.output, format };
-        Files { written: vec![heights], ..Files::default() }
+        let normals = self.normals.as_mut().map(|path| Written { flag: "--normals", path, format: None });
+        Files { written: [Some(heights), normals].into_iter().flatten().collect(), ..Files::default() }
+    }
+
+    /// Where normals go.
+    fn normals_output(&self) -> Result<Option<Output>, Failure> {
+        let Some(path) = &self.normals else { return Ok(None) };
+        if is_same_file(&self.output, path) {
+            return Err(Failure::Usage(format!("{} is named for two outputs", path.display())));
+        }
+        Output::new("--normals", path, &self.inputs()).map(Some)
+    }
+
+    /// Bytes a texel.
+    fn bytes_per_texel(&self) -> u64 {
+        BYTES_PER_TEXEL + if self.normals.is_some() { BYTES_OF_NORMALS } else { 0 }
     }
 
     /// The files that are read.
@@ -154,7 +202,7 @@ impl Arguments {
                 "a PNG holds no texels without a value, which --gutter leaves: write an EXR",
             ));
         }
-        check_memory(self.size, BYTES_PER_TEXEL, self.max_bytes())
+        check_memory(self.size, self.bytes_per_texel(), self.max_bytes())
     }
 
     fn pair(&self) -> MeshPair {
@@ -163,9 +211,9 @@ impl Arguments {
     }
 
     /// Both meshes, within what memory the map leaves.
-    fn read(&self) -> Result<(Mesh, RayCaster), Failure> {
+    fn read(&self) -> Result<Meshes, Failure> {
         let [width, height] = self.size.map(u64::from);
-        let left = self.max_bytes().saturating_sub(width * height * BYTES_PER_TEXEL);
+        let left = self.max_bytes().saturating_sub(width * height * self.bytes_per_texel());
         let proportions = self.size.map(f64::from);
         let low = match &self.low {
             MeshChoice::File(file) => {
@@ -187,20 +235,29 @@ impl Arguments {
                 left >> 20
             )))
         };
-        let high = match &self.high {
+        let of_mesh = |high: Mesh| {
+            enough(high.triangles().len())?;
+            let caster = RayCaster::new(&high);
+            Ok::<_, Failure>((self.normals.is_some().then_some(high), caster))
+        };
+        let (high, caster) = match &self.high {
+            MeshChoice::File(file) if self.normals.is_some() => {
+                // Where its texture lies is of no use here, and it need not have any.
+                let projection = Some(UvProjection::Box);
+                let options = MeshOptions { max_bytes: left, projection, ..MeshOptions::default() };
+                of_mesh(read_mesh(file, &options).map_err(Failure::of_mesh)?.mesh)?
+            }
             MeshChoice::File(file) => {
                 let raw = read_raw_mesh(file, left).map_err(Failure::of_mesh)?;
                 enough(raw.triangles.len())?;
                 let positions = raw.triangle_positions();
-                RayCaster::of_corners(
-                    positions.map_err(|error| Failure::Work(format!("{}: {error}", self.high)))?,
-                )
+                let positions =
+                    positions.map_err(|error| Failure::Work(format!("{}: {error}", self.high)))?;
+                (None, RayCaster::of_corners(positions))
             }
-            MeshChoice::Builtin(builtin) => {
-                RayCaster::new(&builtin.build(proportions).map_err(Failure::work)?)
-            }
+            MeshChoice::Builtin(builtin) => of_mesh(builtin.build(proportions).map_err(Failure::work)?)?,
         };
-        Ok((low, high))
+        Ok(Meshes { low, high, caster })
     }
 
     /// Why there are no heights, with what would help.
@@ -246,6 +303,26 @@ impl Arguments {
         Ok(Content { size: heights.size, names: &["height"], planes, bits: 16, metadata })
     }
 
+    /// Normals as a file of that format holds them: fractions in PNG, themselves in EXR.
+    fn normals_content(&self, mut planes: [Vec<f32>; 3], output: &Output) -> Result<Content, Failure> {
+        if output.format == Format::Png {
+            planes.iter_mut().flatten().for_each(|value| *value = 0.5 * *value + 0.5);
+        }
+        let [width, height] = self.size;
+        let entries = [
+            ("kind", "mesh-normal".to_owned()),
+            ("mesh", self.low.to_string()),
+            ("detailed_mesh", self.high.to_string()),
+            ("size", format!("{width} {height} 1")),
+            ("note.space", "tangent, +y up in the picture".to_owned()),
+            ("published", "Szirmay-Kalos and Umenhoffer 2008 2.2".to_owned()),
+            ("generator", concat!("relief ", env!("CARGO_PKG_VERSION")).to_owned()),
+        ];
+        let entries = entries.map(|(name, value)| (format!("relief.{name}"), value));
+        let metadata = Metadata::new(entries.into()).map_err(|problem| Failure::Work(problem.to_string()))?;
+        Ok(Content { size: self.size, names: &["R", "G", "B"], planes: planes.into(), bits: 16, metadata })
+    }
+
     fn tell(
         &self,
         heights: &PairedHeights,
@@ -261,7 +338,8 @@ impl Arguments {
         if self.json {
             let about = json!({
                 "low": self.low.to_string(), "high": self.high.to_string(),
-                "output": output.path.display().to_string(), "width": width, "height": height,
+                "output": output.path.display().to_string(),
+                "normals": self.normals.as_ref().map(|path| path.display().to_string()), "width": width, "height": height,
                 "covered": covered, "holes": holes, "holes_behind": behind, "overlaps": overlaps,
                 "triangles_without_area": without_area, "without_value": without_value,
                 "least_m": least, "greatest_m": greatest, "mean_abs_m": heights.mean_abs_m,
