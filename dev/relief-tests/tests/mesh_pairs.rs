@@ -8,7 +8,9 @@ use std::path::PathBuf;
 use glam::{DVec2, DVec3, Vec2, Vec3};
 use rayon::prelude::*;
 use relief_bake::Progress;
-use relief_bake::from_meshes::{FromMeshesError, Layer, MeshPair, PairedHeights, heights_from_meshes};
+use relief_bake::from_meshes::{
+    FromMeshesError, Layer, MeshPair, PairedHeights, heights_from_meshes, normals_from_meshes,
+};
 use relief_core::mesh::{BasePoint, Mesh, Vertex, cube, cylinder, sphere, square, torus};
 use relief_core::raycast::RayCaster;
 use relief_core::{HeightMap, Wrap};
@@ -317,6 +319,70 @@ fn a_mesh_is_no_distance_from_itself() {
             }
         }
     }
+}
+
+#[test]
+fn normals_are_those_of_the_detailed_mesh_in_the_frame_of_the_simple_one() {
+    let size = [64, 40];
+    let (low, high) = (sphere(16, 10).expect("a mesh"), sphere(128, 64).expect("a mesh"));
+    // Its middle lies elsewhere, so that the normals of both differ.
+    let middle = Vec3::new(0.01, 0.03, -0.02);
+    let high = laid_at(&high, |p| p + middle);
+    for (low, size) in [(low.clone(), size), (laid(&low, |uv| uv + Vec2::new(1.25, 0.0)), size)] {
+        let caster = RayCaster::new(&high);
+        let pair = MeshPair::new(size);
+        let planes = normals_from_meshes(&low, &high, &caster, &pair, &Progress::none()).expect("normals");
+        let heights = found(&low, &caster, &pair);
+        let mut met = 0;
+        for at in 0..planes[0].len() {
+            let normal = DVec3::from([0, 1, 2].map(|axis| f64::from(planes[axis][at])));
+            assert!((normal.length() - 1.0).abs() < 1e-6, "{normal}");
+        }
+        // Where the simple mesh is displaced to, the sphere's normal points away from its middle.
+        for triangle in 0..low.triangles().len() as u32 {
+            for (base, weights, at) in texels_of(&low, triangle, size) {
+                let vertex = low.interpolated(triangle, weights.map(|weight| weight as f32));
+                let [along_u, along_v, out] =
+                    [vertex.tangent, vertex.bitangent, vertex.normal].map(|v| v.as_dvec3().normalize());
+                let [x, y, z] = [0, 1, 2].map(|axis| f64::from(planes[axis][at]));
+                let world = (along_u * x - along_v * y + out * z).normalize();
+                let point = base.displaced(f64::from(heights.metres[at]));
+                let expected = (point - middle.as_dvec3()).normalize();
+                let apart = world.angle_between(expected).to_degrees();
+                assert!(apart < 0.1, "{apart} at {}", base.uv);
+                // Green the other way round is seen.
+                let wrong = (along_u * x + along_v * y + out * z).angle_between(expected).to_degrees();
+                met += usize::from(wrong > 0.5);
+            }
+        }
+        assert!(met > 500, "{met}");
+    }
+    let own = RayCaster::new(&low);
+    let pair = MeshPair::new(size);
+    let planes = normals_from_meshes(&low, &low, &own, &pair, &Progress::none()).expect("normals");
+    let covered = centres(&low, size);
+    assert!(covered.iter().all(|(_, at)| planes[2][*at] > 1.0 - 1e-6));
+}
+
+/// The base points of a triangle under texels' centres, with their weights and the texels, tiled.
+fn texels_of(mesh: &Mesh, triangle: u32, [width, height]: [u32; 2]) -> Vec<(BasePoint, [f64; 3], usize)> {
+    let corners = mesh.corners(triangle).map(BasePoint::from);
+    let size = DVec2::new(width.into(), height.into());
+    let [a, b, c] = corners.map(|corner| corner.uv * size - 0.5);
+    let area = (b - a).perp_dot(c - a);
+    let (low, high) = (a.min(b).min(c).ceil().as_ivec2(), a.max(b).max(c).floor().as_ivec2());
+    let places = (low.y..=high.y).flat_map(|row| (low.x..=high.x).map(move |column| [column, row]));
+    let of_place = |[column, row]: [i32; 2]| {
+        let p = DVec2::new(column.into(), row.into());
+        let parts = [(b - p).perp_dot(c - p), (c - p).perp_dot(a - p), (a - p).perp_dot(b - p)];
+        let weights = parts.map(|part| part / area);
+        let column = column.rem_euclid(width as i32) as usize;
+        // Well inside, so that no other triangle owns it.
+        let is_inside = weights.iter().all(|weight| *weight > 1e-3) && (0..height as i32).contains(&row);
+        let at = row.max(0) as usize * width as usize + column;
+        is_inside.then(|| (BasePoint::weighted(corners, weights), weights, at))
+    };
+    places.filter_map(of_place).collect()
 }
 
 #[test]
