@@ -334,9 +334,8 @@ fn normals_are_those_of_the_detailed_mesh_in_the_frame_of_the_simple_one() {
         let planes = normals_from_meshes(&low, &high, &caster, &pair, &Progress::none()).expect("normals");
         let heights = found(&low, &caster, &pair);
         let mut met = 0;
-        for at in 0..planes[0].len() {
-            let normal = DVec3::from([0, 1, 2].map(|axis| f64::from(planes[axis][at])));
-            assert!((normal.length() - 1.0).abs() < 1e-6, "{normal}");
+        for ((x, y), z) in planes[0].iter().zip(&planes[1]).zip(&planes[2]) {
+            assert!((Vec3::new(*x, *y, *z).length() - 1.0).abs() < 1e-6, "{x} {y} {z}");
         }
         // Where the simple mesh is displaced to, the sphere's normal points away from its middle.
         for triangle in 0..low.triangles().len() as u32 {
