@@ -214,7 +214,8 @@ impl PairedHeights {
 /// let (low, high) = (sphere(16, 8)?, sphere(256, 128)?);
 /// let pair = MeshPair::new([64, 32]);
 /// let heights = heights_from_meshes(&low, &RayCaster::new(&high), &pair, &Progress::none())?;
-/// assert_eq!((heights.covered, heights.holes), (64 * 32, 0));
+/// // At the poles of a sphere triangles leave corners of the map bare.
+/// assert_eq!((heights.covered, heights.holes), (64 * 28, 0));
 /// // The facets lie inside of the sphere of half a metre, by less than 4 cm.
 /// assert!(heights.range_m[0] > -1e-4 && heights.range_m[1] < 0.04);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
