@@ -12,8 +12,8 @@ use super::{CAST, CHARTED, FromMeshesError, MeshPair, prepare};
 use crate::Progress;
 use crate::fill::fill;
 
-/// The tangent-space normal map of a detailed mesh on a simple one: planes of `x` along growing `u`, `y` up in
-/// the picture and `z` outward, of unit length, row by row from the top.
+/// The tangent-space normal map of a detailed mesh on a simple one: planes of `x` along growing `u`, `y` up
+/// in the picture and `z` outward, of unit length, row by row from the top.
 ///
 /// Heights between two meshes make up for the facets of the simple one, and its normals bend as if there were
 /// none: normals that are derived from these heights count the facets twice. These are the detailed mesh's

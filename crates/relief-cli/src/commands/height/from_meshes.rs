@@ -84,14 +84,14 @@ pub struct Arguments {
 }
 
 const AFTER_HELP: &str = "Examples:\n  \
-    relief height from-meshes --low rock_low.glb --high rock_scan.ply --size 2048x2048 --normals rock_normal.png -o rock.exr\n  \
+    relief height from-meshes --low low.glb --high scan.ply --size 2048x2048 --normals n.png -o rock.exr\n  \
     relief height from-meshes --low column.obj --high cylinder --size 512x256 --cage 5cm -o column.exr\n\n\
     Each texel looks along the interpolated normal of the simple mesh, both ways. The file says its scale \
-    and its bias: `relief render --height rock.exr --mesh rock_low.glb` and `relief mesh rock.exr --mesh \
-    rock_low.glb` show the detailed mesh without further flags. Of several faces that look outward the nearest \
-    counts, so a cage may be wide; with --layer outermost it has to be narrower than the gaps between parts. Texels that find \
-    nothing are counted and filled from their surroundings. EXR of 32-bit floats, or PNG of 16 bit, by the \
-    output's name.";
+    and its bias: `relief render --height rock.exr --normal n.png --mesh low.glb` and `relief mesh rock.exr \
+    --mesh low.glb` show the detailed mesh without further flags. Of several faces that look outward the \
+    nearest counts, so a cage may be wide; with --layer outermost it must be narrower than the gaps between \
+    parts. Texels that find nothing are counted and filled from their surroundings. EXR of 32-bit floats, or \
+    PNG of 16 bit, by the output's name.";
 
 /// Reads, finds and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -339,7 +339,8 @@ impl Arguments {
             let about = json!({
                 "low": self.low.to_string(), "high": self.high.to_string(),
                 "output": output.path.display().to_string(),
-                "normals": self.normals.as_ref().map(|path| path.display().to_string()), "width": width, "height": height,
+                "normals": self.normals.as_ref().map(|path| path.display().to_string()),
+                "width": width, "height": height,
                 "covered": covered, "holes": holes, "holes_behind": behind, "overlaps": overlaps,
                 "triangles_without_area": without_area, "without_value": without_value,
                 "least_m": least, "greatest_m": greatest, "mean_abs_m": heights.mean_abs_m,
