@@ -69,7 +69,7 @@ enum Command {
     Inspect(commands::inspect::Arguments),
     /// Bake a height map into the maps that methods read: cones, normals, horizons and more
     Bake(Box<commands::bake::Arguments>),
-    /// Make a height map from a normal map, or from photographs under known lights
+    /// Make a height map from a normal map, photographs under known lights, or a simple and a detailed mesh
     Height(commands::height::Arguments),
     /// Displace a mesh by a height map, without cracks, to triangles in a glTF, PLY, OBJ or STL file
     Mesh(Box<commands::mesh::Arguments>),

@@ -2,6 +2,8 @@
 
 use glam::{DMat4, DVec3};
 
+pub use crate::raycast::Ray;
+
 /// How close to vertical, as the cosine to `±y`, a line of sight may be before `+y` no longer says where up
 /// is. Larger and the picture spins when looking almost straight down; smaller and the directions lose their
 /// precision.
@@ -35,16 +37,6 @@ pub struct Camera {
     right: DVec3,
     up: DVec3,
     half_height: f64,
-}
-
-/// A ray through a pixel.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ray {
-    /// Where it starts, in metres.
-    pub origin: DVec3,
-    /// Where it goes; not normalised. The parameter `t` of a point `origin + t * direction` is in units of
-    /// this vector.
-    pub direction: DVec3,
 }
 
 /// Why there is no such camera.
@@ -215,14 +207,6 @@ impl Camera {
             [-r.dot(self.eye), -u.dot(self.eye), -f.dot(self.eye), 1.0],
         ]);
         Ok(projection * view)
-    }
-}
-
-impl Ray {
-    /// The point at parameter `t`.
-    #[inline]
-    pub fn at(&self, t: f64) -> DVec3 {
-        self.origin + self.direction * t
     }
 }
 

@@ -24,8 +24,9 @@ pub const MAX_TEXELS: u64 = 1 << 30;
 /// * A texel displaces the base surface along its unit normal by `bias_m + scale_m * texel` metres
 ///   (Szirmay-Kalos and Umenhoffer 2008, eq. 8).
 /// * [`Wrap`] says how the map goes on beyond its edges.
-/// * `texel_size_m`, `physical_range`, `filled_texels`, `holes` and `nearly_grey_texels` are metadata: slopes
-///   are set by the tangent frame alone, and holes have heights as all texels do.
+/// * `texel_size_m`, `physical_range`, `stated_displacement_m`, `filled_texels`, `holes` and
+///   `nearly_grey_texels` are metadata: slopes are set by the tangent frame alone, and holes have heights as
+///   all texels do.
 ///
 /// Clones share their texels, with another wrap or displacement too.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,6 +39,7 @@ pub struct HeightMap {
     bias_m: f64,
     texel_size_m: Option<[f64; 2]>,
     physical_range: Option<[f64; 2]>,
+    stated_displacement_m: Option<[f64; 2]>,
     filled_texels: u64,
     holes: Option<Arc<TexelMask>>,
     nearly_grey_texels: u64,
@@ -145,6 +147,7 @@ impl HeightMap {
             bias_m: 0.0,
             texel_size_m: None,
             physical_range: None,
+            stated_displacement_m: None,
             filled_texels: 0,
             holes: None,
             nearly_grey_texels: 0,
@@ -240,6 +243,17 @@ impl HeightMap {
         }
         self.physical_range = Some(range);
         Ok(self)
+    }
+
+    /// The same map with the displacements of texel 0 and of texel 1 in metres on the mesh that it was made
+    /// for, which are its own displacement from now on.
+    ///
+    /// # Errors
+    ///
+    /// When a value is not finite, or the first is the greater.
+    pub fn with_stated_displacement_m(self, [low, high]: [f64; 2]) -> Result<Self, HeightMapError> {
+        let map = self.with_displacement(high - low, low)?;
+        Ok(Self { stated_displacement_m: Some([low, high]), ..map })
     }
 
     /// The same map with how many of its texels had no value in the source and were filled.
@@ -410,6 +424,13 @@ impl HeightMap {
     #[inline]
     pub fn physical_range(&self) -> Option<[f64; 2]> {
         self.physical_range
+    }
+
+    /// The displacements of texel 0 and of texel 1 in metres on the mesh that the map was made for, where the
+    /// source states them.
+    #[inline]
+    pub fn stated_displacement_m(&self) -> Option<[f64; 2]> {
+        self.stated_displacement_m
     }
 
     /// How many texels had no value in the source and were filled from their surroundings.

@@ -21,6 +21,7 @@ mod metric;
 pub mod metrics;
 mod path;
 mod pyramid;
+pub mod raycast;
 pub mod registry;
 mod tangent_frame;
 mod texel_mask;

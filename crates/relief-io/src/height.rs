@@ -128,7 +128,8 @@ pub(crate) const BYTES_PER_TEXEL: u64 = 8;
 /// [`HeightMap::physical_range`] keeps those raw values, of texel 0 and of texel 1 (with the depth convention
 /// the first is the greater). Where the file has a [`HeightNote`](crate::HeightNote), range and
 /// [`HeightMap::texel_size_m`] are what it says, in metres, and its values are fractions of their type's
-/// maximum or, in floats, as they are.
+/// maximum or, in floats, as they are. Where it says that these are displacements of a mesh they are the
+/// map's ([`HeightMap::stated_displacement_m`]).
 ///
 /// # Elevation models
 ///
@@ -189,6 +190,11 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<HeightMap, ReadPr
     let mut map = map.with_filled_texels(holes).with_nearly_grey_texels(nearly_grey);
     if let Some(range) = physical_range {
         map = map.with_physical_range(range)?;
+    }
+    if let (Some(HeightNote { of_mesh: true, .. }), Some(range)) = (note, physical_range)
+        && range[0] <= range[1]
+    {
+        map = map.with_stated_displacement_m(range)?;
     }
     if let Some(size_m) = noted_size.or(terrain.and_then(Terrain::texel_size_m)) {
         map = map.with_texel_size_m(size_m)?;

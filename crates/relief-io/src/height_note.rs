@@ -3,6 +3,9 @@
 use crate::layout::Format;
 use crate::{Metadata, Source, WriteProblem, read_metadata};
 
+/// What a file says whose displacements are those of a mesh.
+const OF_MESH: &str = "of the mesh";
+
 /// The kind that such a file names.
 const KIND: &str = "height";
 
@@ -17,6 +20,9 @@ pub struct HeightNote {
     pub scale_m: f64,
     /// Displacement of texel 0 in metres.
     pub bias_m: f64,
+    /// Whether these are displacements of the mesh that the map was made for, whatever its tile:
+    /// `relief.displacement` is `of the mesh`.
+    pub of_mesh: bool,
 }
 
 impl HeightNote {
@@ -33,7 +39,8 @@ impl HeightNote {
             ("scale_m", self.scale_m.to_string()),
             ("bias_m", self.bias_m.to_string()),
         ];
-        let entries = own.into_iter().chain(more);
+        let of_mesh = self.of_mesh.then(|| ("displacement", OF_MESH.to_owned()));
+        let entries = own.into_iter().chain(of_mesh).chain(more);
         Metadata::new(entries.map(|(name, value)| (format!("relief.{name}"), value)).collect())
     }
 
@@ -54,7 +61,9 @@ impl HeightNote {
         let tile_m = [number(u)?, number(v)?];
         let [scale_m, bias_m] =
             [number(metadata.get("relief.scale_m")?)?, number(metadata.get("relief.bias_m")?)?];
-        (tile_m.iter().all(|side| *side > 0.0) && scale_m >= 0.0).then_some(Self { tile_m, scale_m, bias_m })
+        let of_mesh = metadata.get("relief.displacement") == Some(OF_MESH);
+        let can_be = tile_m.iter().all(|side| *side > 0.0) && scale_m >= 0.0;
+        can_be.then_some(Self { tile_m, scale_m, bias_m, of_mesh })
     }
 
     /// Size of a texel of a map of that size along `u` and `v` in metres.
@@ -74,9 +83,12 @@ mod tests {
 
     #[test]
     fn what_was_noted_is_found_and_nonsense_is_not() {
-        let note = HeightNote { tile_m: [2.0, 0.3], scale_m: 0.125, bias_m: -0.1 };
+        let note = HeightNote { tile_m: [2.0, 0.3], scale_m: 0.125, bias_m: -0.1, of_mesh: false };
         let metadata = note.metadata(vec![("wrap", "clamp".to_owned())]).expect("plain text");
         assert_eq!(HeightNote::of(&metadata), Some(note));
+        let of_mesh = HeightNote { of_mesh: true, ..note };
+        let more = of_mesh.metadata(Vec::new()).expect("plain text");
+        assert_eq!(HeightNote::of(&more), Some(of_mesh));
         assert_eq!(metadata.get("relief.wrap"), Some("clamp"));
         assert!(note.metadata(vec![("kind", "cone".to_owned())]).is_err());
         for (key, value) in [

@@ -8,8 +8,8 @@ use common::broken::{BrokenFile, broken_files, flipped, valid_files};
 use common::tiff_file::Tiff;
 use common::{Folder, Random};
 use relief_io::{
-    DEFAULT_MAX_BYTES, GreenSign, HeightNote, HeightOptions, Ktx2Texture, PngTexture, ReadError, ReadProblem,
-    Row, Source, TexelFormat, inspect, read_height, read_ktx2, read_metadata, read_normal_map,
+    Convention, DEFAULT_MAX_BYTES, GreenSign, HeightNote, HeightOptions, Ktx2Texture, PngTexture, ReadError,
+    ReadProblem, Row, Source, TexelFormat, inspect, read_height, read_ktx2, read_metadata, read_normal_map,
     read_normal_vectors, read_picture, write_exr_rows, write_ktx2, write_png_rows,
 };
 
@@ -89,7 +89,7 @@ fn textures_and_their_notes_give_the_same_as_their_bytes() {
         });
         Ok(())
     };
-    let note = HeightNote { tile_m: [3.0, 0.5], scale_m: 0.25, bias_m: -0.1 };
+    let note = HeightNote { tile_m: [3.0, 0.5], scale_m: 0.25, bias_m: -0.1, of_mesh: false };
     let metadata = note.metadata(Vec::new()).expect("plain text");
     let [png, exr] = ["a.png", "a.exr"].map(|name| folder.path().join(name));
     let texture = PngTexture { width: 9, height: 5, channels: 1, bits: 16 };
@@ -99,7 +99,22 @@ fn textures_and_their_notes_give_the_same_as_their_bytes() {
         let bytes = std::fs::read(path).expect("it was written");
         let map = read_height(Source::bytes("a", &bytes), &HeightOptions::default()).expect("a valid map");
         assert_eq!(map.texel_size_m(), Some([3.0 / 9.0, 0.1]), "{}", path.display());
+        assert_eq!(map.stated_displacement_m(), None, "of any mesh");
         assert_same_cut_off(&folder, "a noted map", path);
+    }
+    // Of the mesh that a map was made for the displacements are known, whatever its least and greatest texel.
+    let of_mesh = HeightNote { of_mesh: true, ..note }.metadata(Vec::new()).expect("plain text");
+    write_png_rows(&png, &texture, &of_mesh, &mut fill).expect("the folder is writable");
+    write_exr_rows(&exr, 9, 5, &["height"], &of_mesh, &mut fill).expect("the folder is writable");
+    for path in [&png, &exr] {
+        let map = read_height(path, &HeightOptions::default()).expect("a valid map");
+        let [low, high] = map.stated_displacement_m().expect("the file says it");
+        assert_eq!([low, high - low], [map.bias_m(), map.scale_m()]);
+        let metres = map.displacement_m(f64::from(map.texel(4, 2)));
+        assert!((metres - (-0.1 + 0.25 * 10.0 / 64.0)).abs() < 1e-5, "{}: {metres}", path.display());
+        let depth = HeightOptions { convention: Convention::Depth, ..HeightOptions::default() };
+        let map = read_height(path, &depth).expect("a valid map");
+        assert_eq!(map.stated_displacement_m(), None, "what is deep is no displacement outward");
     }
     for format in [TexelFormat::Rgba8, TexelFormat::R16F, TexelFormat::Rg32F, TexelFormat::Bc5] {
         for zstd in [false, true] {

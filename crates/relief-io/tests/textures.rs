@@ -136,7 +136,7 @@ fn what_cannot_be_stored_is_refused_and_nothing_is_left() {
 #[test]
 fn a_noted_size_is_that_of_the_map_that_is_read() {
     let folder = Folder::new();
-    let note = HeightNote { tile_m: [3.0, 0.5], scale_m: 0.25, bias_m: -0.1 };
+    let note = HeightNote { tile_m: [3.0, 0.5], scale_m: 0.25, bias_m: -0.1, of_mesh: false };
     let metadata = note.metadata(Vec::new()).expect("plain text");
     let mut ramp = |_: Row, texels: &mut [f32]| {
         texels.iter_mut().enumerate().for_each(|(column, texel)| *texel = column as f32 / 4.0);

@@ -19,7 +19,6 @@ pub mod mipmaps;
 pub mod picture;
 mod pictures;
 mod prepare;
-pub mod raycast;
 mod renderer;
 mod samples;
 pub mod scene;
@@ -29,8 +28,8 @@ mod triangles;
 mod wire;
 
 pub use glam;
-/// Cameras, and base meshes of which scenes are made; they are the core's.
-pub use relief_core::{camera, mesh};
+/// Cameras, base meshes of which scenes are made, and rays against them; they are the core's.
+pub use relief_core::{camera, mesh, raycast};
 pub use renderer::{Bands, Made, Progress, Reason, RenderError, Rendered, Renderer, Task, render};
 #[cfg(feature = "gpu")]
 pub use wgpu;

@@ -39,6 +39,12 @@
 #![cfg_attr(all(feature = "mesh", feature = "io"), doc = include_str!("../examples/mesh.rs"))]
 //! ```
 //!
+//! # The difference between two meshes
+//!
+//! ```
+#![cfg_attr(all(feature = "bake", feature = "io"), doc = include_str!("../examples/between.rs"))]
+//! ```
+//!
 //! # Render into memory
 //!
 //! ```
@@ -60,10 +66,10 @@
 //! # On the web
 //!
 //! Everything compiles for `wasm32-unknown-unknown`. Read files as bytes, keep maps in memory, and draw on a
-//! GPU with the functions that are `async`. Two things panic there: the CPU backend, whose ray casting asks
-//! the system's clock while it builds its tree, and the functions that wait for a GPU,
-//! [`Gpu::new`](render::gpu::Gpu::new), [`GpuRenderer::render`](render::gpu::GpuRenderer::render) and
-//! [`block_on`](render::gpu::block_on).
+//! GPU with the functions that are `async`. Two things panic there: ray casting ([`raycast`], and with it the
+//! CPU backend and heights between meshes), which asks the system's clock while it builds its tree, and the
+//! functions that wait for a GPU, [`Gpu::new`](render::gpu::Gpu::new),
+//! [`GpuRenderer::render`](render::gpu::GpuRenderer::render) and [`block_on`](render::gpu::block_on).
 
 #[doc(inline)]
 pub use relief_core::*;

@@ -1,6 +1,7 @@
-//! `relief height`: height maps from normal maps and photographs, and for a mesh.
+//! `relief height`: height maps from normal maps, photographs and pairs of meshes, and for a mesh.
 
 mod for_mesh;
+mod from_meshes;
 mod from_normals;
 mod from_photos;
 mod lights;
@@ -33,13 +34,16 @@ enum Origin {
     FromNormals(Box<from_normals::Arguments>),
     /// Make a height map from photographs of one view under at least three known lights
     FromPhotos(Box<from_photos::Arguments>),
+    /// Find the heights that displace a simple mesh onto a detailed one
+    FromMeshes(Box<from_meshes::Arguments>),
     /// Make of a height map one for a mesh: over its smooth base, or without what it does not show
     ForMesh(Box<for_mesh::Arguments>),
 }
 
 const AFTER_HELP: &str = "Examples:\n  relief height from-normals rock_normal.png -o rock.exr\n  \
     relief height from-normals wall_dx.png --green down --wrap clamp --texel-size 0.002 -o wall.png\n  \
-    relief height from-photos lights.toml -o coin.exr --normals coin_normal.png --albedo coin_color.png\n\n\
+    relief height from-photos lights.toml -o coin.exr --normals coin_normal.png --albedo coin_color.png\n  \
+    relief height from-meshes --low rock_low.glb --high rock_scan.ply --size 2048x2048 -o rock.exr\n\n\
     `relief height from-photos --help` shows a file of lights.";
 
 /// What a height map says of its texels, at the end of both helps.
@@ -135,6 +139,7 @@ impl Arguments {
         match &mut self.origin {
             Origin::FromNormals(arguments) => arguments.files(),
             Origin::FromPhotos(arguments) => arguments.files(),
+            Origin::FromMeshes(arguments) => arguments.files(),
             Origin::ForMesh(arguments) => arguments.files(),
         }
     }
@@ -144,6 +149,7 @@ impl Arguments {
         match &self.origin {
             Origin::FromNormals(arguments) => arguments.common.json,
             Origin::FromPhotos(arguments) => arguments.common.json,
+            Origin::FromMeshes(arguments) => arguments.json,
             Origin::ForMesh(arguments) => arguments.json,
         }
     }
@@ -154,6 +160,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.origin {
         Origin::FromNormals(arguments) => from_normals::run(arguments),
         Origin::FromPhotos(arguments) => from_photos::run(arguments),
+        Origin::FromMeshes(arguments) => from_meshes::run(arguments),
         Origin::ForMesh(arguments) => for_mesh::run(arguments),
     }
 }
@@ -196,7 +203,7 @@ impl Relief {
         let map = heights.to_map(how.wrap).map_err(Failure::work)?;
         drop(heights);
         let tile_m = [how.texel_m[0] * f64::from(width), how.texel_m[1] * f64::from(height)];
-        let note = HeightNote { tile_m, scale_m: map.scale_m(), bias_m: map.bias_m() };
+        let note = HeightNote { tile_m, scale_m: map.scale_m(), bias_m: map.bias_m(), of_mesh: false };
         let Integration { damping, steepest, .. } = how;
         let guarantee = if damping == 0.0 {
             "least squares: no other heights have slopes nearer to those given"
@@ -241,7 +248,7 @@ impl Relief {
 
     /// The same for people.
     fn print(&self, out: &mut impl std::io::Write, output: &Output, seconds: f64) -> std::io::Result<()> {
-        let HeightNote { tile_m: [tile_u, tile_v], scale_m, bias_m } = self.note;
+        let HeightNote { tile_m: [tile_u, tile_v], scale_m, bias_m, .. } = self.note;
         let [width, height] = self.content.size;
         writeln!(out, "{}: {width}x{height} heights in {seconds:.2} s", output.path.display())?;
         if scale_m == 0.0 {

@@ -27,7 +27,8 @@ pub struct PlacedArguments {
         help_heading = "Maps and mesh",
     )]
     pub scale: Option<f64>,
-    /// Displacement of height 0 in metres [default: -scale, carved into the surface]
+    /// Displacement of height 0 in metres [default: -scale, carved into the surface; of a map made for a mesh
+    /// without --scale what its file says]
     #[arg(
         long,
         value_name = "M",

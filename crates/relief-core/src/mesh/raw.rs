@@ -137,6 +137,20 @@ impl RawMesh {
     /// The most memory that [`framed`](Self::framed) takes for a position, in bytes.
     pub const BYTES_PER_POSITION: u64 = 100;
 
+    /// The positions of the corners of every triangle, in metres, whatever else the mesh has.
+    ///
+    /// # Errors
+    ///
+    /// When there is no triangle, a corner names something that does not exist, or a number cannot be used.
+    pub fn triangle_positions(&self) -> Result<impl Iterator<Item = [Vec3; 3]> + '_, FramingError> {
+        self.check()?;
+        if self.triangles.is_empty() {
+            return Err(FramingError::NoTriangles);
+        }
+        let place = |corner: RawCorner| self.positions[corner.position as usize];
+        Ok(self.triangles.iter().map(move |corners| corners.map(place)))
+    }
+
     /// The normal of a triangle that a cross product of its sides points along, or 0.
     pub(super) fn cross(&self, corners: &[RawCorner; 3]) -> DVec3 {
         let [a, b, c] = corners.map(|corner| self.positions[corner.position as usize].as_dvec3());

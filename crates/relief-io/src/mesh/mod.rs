@@ -13,7 +13,7 @@ mod write;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use relief_core::mesh::{Framed, Mesh, UvProjection};
+use relief_core::mesh::{Framed, Mesh, RawMesh, UvProjection};
 
 pub use self::write::{MeshCounts, MeshSink, write_mesh};
 
@@ -198,7 +198,33 @@ pub fn beside_mesh(mesh: &Path, name: &Path) -> Result<PathBuf, ReadError> {
     place.map_err(|problem| Source::from(mesh).error(problem))
 }
 
+/// Reads what a mesh's file holds, as [`read_mesh`] does, and makes nothing of it: neither normals nor
+/// texture coordinates need be there.
+///
+/// # Errors
+///
+/// When the file, or one that it names, cannot be read, is damaged, lies outside the folder, takes more than
+/// `max_bytes`, or uses what is not supported.
+pub fn read_raw_mesh<'a>(source: impl Into<Source<'a>>, max_bytes: u64) -> Result<RawMesh, ReadError> {
+    let source = source.into();
+    let options = MeshOptions { max_bytes, ..MeshOptions::default() };
+    let raw = read_raw(source, &options).map(|(raw, ..)| raw);
+    raw.map_err(|problem| source.error(problem))
+}
+
 fn read(source: Source<'_>, options: &MeshOptions) -> Result<MeshFile, ReadProblem> {
+    let (mut raw, format, colors) = read_raw(source, options)?;
+    if let Some(projection) = options.projection {
+        raw = raw.projected(projection)?;
+    }
+    let Framed { mesh, degenerate, double } = raw.framed()?;
+    Ok(MeshFile { mesh, format, colors, degenerate, double })
+}
+
+fn read_raw(
+    source: Source<'_>,
+    options: &MeshOptions,
+) -> Result<(RawMesh, MeshFormat, Option<MeshColors>), ReadProblem> {
     let format = MeshFormat::by_name(source.name()).ok_or(ReadProblem::NoMesh)?;
     let mut builder = Builder::new(options.max_bytes);
     let bytes = source.whole(|len| builder.take(len))?;
@@ -210,10 +236,5 @@ fn read(source: Source<'_>, options: &MeshOptions) -> Result<MeshFile, ReadProbl
         MeshFormat::Stl => stl::read(&bytes, &mut builder)?,
     }
     drop(bytes);
-    let mut raw = builder.finish();
-    if let Some(projection) = options.projection {
-        raw = raw.projected(projection)?;
-    }
-    let Framed { mesh, degenerate, double } = raw.framed()?;
-    Ok(MeshFile { mesh, format, colors, degenerate, double })
+    Ok((builder.finish(), format, colors))
 }

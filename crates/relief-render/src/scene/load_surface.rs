@@ -241,7 +241,8 @@ impl SurfaceSpec {
             MeshChoice::Builtin(Builtin::Plane) => self.placed(self.mesh_without_file(map.proportions())?)?,
             _ => parts.mesh,
         };
-        let scale_m = parts.scale_m.or_else(|| {
+        let stated_m = map.stated_displacement_m().filter(|_| parts.scale_m.is_none());
+        let scale_m = parts.scale_m.or(stated_m.map(|[low, high]| high - low)).or_else(|| {
             let stated = stated_scale_m(&map, &mesh)?;
             let [u, v] = mesh.tile_m();
             let is_ground = stated <= DEEPEST_GROUND * u.max(v);
@@ -250,7 +251,7 @@ impl SurfaceSpec {
         let scale_m = scale_m.unwrap_or(DEFAULT_SCALE_M);
         check_scale(scale_m)?;
         let map = map
-            .with_displacement(scale_m, parts.bias_m.unwrap_or(-scale_m))
+            .with_displacement(scale_m, parts.bias_m.unwrap_or(stated_m.map_or(-scale_m, |[low, _]| low)))
             .map_err(|error| ValueProblem::from(error).of("scale"))?;
         Ok(Surface::new(mesh, map)
             .with_material(parts.material)

@@ -67,7 +67,8 @@ pub struct Arguments {
 const AFTER_HELP: &str = "Examples:\n  relief height for-mesh bark.png --mesh tree.glb --lift -o tree.exr\n  \
     relief height for-mesh wall.exr --mesh hall.obj --gutter 4 -o hall.exr\n\n\
     With --lift the map shows over flat triangles what the given one shows with `--set surface.lift=1`, but for what it does \
-    not resolve: render it with the scale and the bias that are printed, and light it by a normal map of the given one \
+    not resolve: its file says its scale and bias, which are printed, too. Light it by a normal map of the given \
+    one \
     (`relief bake --kind normal`), since the mesh's own normals bend with its smooth base. Texels without a value are filled \
     by --fill, and seen through with `relief render --holes`; only EXR holds them.";
 
@@ -114,7 +115,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
     answer(|out| {
-        let HeightNote { tile_m, scale_m, bias_m } = made.note;
+        let HeightNote { tile_m, scale_m, bias_m, .. } = made.note;
         let [width, height] = content.size;
         if *json {
             let about = json!({
@@ -142,6 +143,9 @@ impl Arguments {
 
     /// The map with its displacement on that mesh.
     fn displaced(&self, map: HeightMap, mesh: &Mesh) -> Result<HeightMap, Failure> {
+        if map.stated_displacement_m().is_some() && self.scale.is_none() && self.bias.is_none() {
+            return Ok(map);
+        }
         let surface = Surface::new(mesh.clone(), map.clone());
         let scale_m = self.scale.or(surface.true_scale_m()).unwrap_or(DEFAULT_SCALE_M);
         map.with_displacement(scale_m, self.bias.unwrap_or(-scale_m)).map_err(Failure::usage)
@@ -184,7 +188,7 @@ impl Made {
             if is_kept(at) { part.clamp(0.0, 1.0) as f32 } else { f32::NAN }
         };
         let texels: Vec<f32> = (0..lifts.len()).map(texel).collect();
-        let note = HeightNote { tile_m: mesh.tile_m(), scale_m: span.max(0.0), bias_m: low };
+        let note = HeightNote { tile_m: mesh.tile_m(), scale_m: span.max(0.0), bias_m: low, of_mesh: true };
         let lift_m = valued()
             .map(|at| lifts[at])
             .fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], m| [low.min(m), high.max(m)]);

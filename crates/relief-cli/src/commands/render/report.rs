@@ -78,7 +78,17 @@ pub fn tell(
     )?;
     for (described, surface) in spec.each_surface().iter().zip(scene.surfaces()) {
         let (None, Some(exact)) = (described.scale, surface.true_scale_m()) else { continue };
-        let shown = surface.height_map().scale_m();
+        let map = surface.height_map();
+        let shown = map.scale_m();
+        let is_shown = |[low, high]: [f64; 2]| [low, high - low] == [map.bias_m(), shown];
+        if map.stated_displacement_m().is_some_and(is_shown) {
+            let [scale_m, bias_m] = [shown, map.bias_m()].map(values::six_digits);
+            writeln!(
+                out,
+                "scale {scale_m} m, bias {bias_m} m: the displacement that the height map's file states"
+            )?;
+            continue;
+        }
         let [scale_m, exact_m] = [shown, exact].map(values::six_digits);
         if shown == exact {
             writeln!(

@@ -1,4 +1,4 @@
-//! Rays against a base mesh, without leaks.
+//! Rays against a mesh of flat triangles, without leaks.
 //!
 //! The hierarchy is built by `obvhs`; traversal and triangle test are ours. The test shears space so that the
 //! ray runs along an axis and asks on which side of each projected edge the ray passes (after Woop, Benthin
@@ -7,7 +7,6 @@
 //! ever lost to 0, which counts as inside. Both triangles at an edge see the same two projected corners, so a
 //! ray cannot pass between them.
 
-use crate::camera::Ray;
 use crate::mesh::Mesh;
 use glam::{DVec2, DVec3, Vec3};
 use obvhs::BvhBuildParams;
@@ -22,6 +21,24 @@ const BOX_SLACK: f64 = 1e-12;
 /// The depth of hierarchy that is walked without taking memory. Deeper ones, which only contrived meshes
 /// have, take it.
 const STACK_DEPTH: usize = 64;
+
+/// A straight ray in the world, such as that through a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// Where it starts, in metres.
+    pub origin: DVec3,
+    /// Where it goes; not normalised. The parameter `t` of a point `origin + t * direction` is in units of
+    /// this vector.
+    pub direction: DVec3,
+}
+
+impl Ray {
+    /// The point at parameter `t`.
+    #[inline]
+    pub fn at(&self, t: f64) -> DVec3 {
+        self.origin + self.direction * t
+    }
+}
 
 /// Which sides of a triangle a ray can hit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -68,6 +85,9 @@ impl fmt::Debug for RayCaster {
 }
 
 impl RayCaster {
+    /// The most memory that a triangle takes while it is prepared, in bytes.
+    pub const BYTES_PER_TRIANGLE: u64 = 300;
+
     /// Prepares a mesh; takes about 300 bytes a triangle.
     pub fn new(mesh: &Mesh) -> Self {
         let numbers = 0..mesh.triangles().len() as u32;
@@ -94,6 +114,11 @@ impl RayCaster {
             corners.iter().flatten().fold(0.0f64, |extent, corner| extent.max(corner.abs().max_element()));
         let depth = depth_below(&bvh);
         Self { corners, bvh, depth, extent }
+    }
+
+    /// How many triangles there are.
+    pub fn triangles(&self) -> usize {
+        self.corners.len()
     }
 
     /// The hit with the least `(t, triangle)` that comes after the hit given, or the first one of all. A ray

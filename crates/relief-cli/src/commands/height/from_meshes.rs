@@ -1,0 +1,397 @@
+//! `relief height from-meshes`: the height map that displaces a simple mesh onto a detailed one.
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use clap::Args;
+use relief_bake::Progress as BakeProgress;
+use relief_bake::from_meshes::{
+    FromMeshesError, Layer, MeshPair, PairedHeights, heights_from_meshes, normals_from_meshes,
+};
+use relief_core::mesh::{FramingError, Mesh, UvProjection};
+use relief_core::raycast::RayCaster;
+use relief_core::{ByteSize, HeightMap, Wrap};
+use relief_io::file_set::is_same_file;
+use relief_io::{
+    DEFAULT_MAX_BYTES, HeightNote, MeshOptions, Metadata, ReadError, ReadProblem, read_mesh, read_raw_mesh,
+};
+use relief_render::scene::MeshChoice;
+use serde_json::json;
+
+use super::check_memory;
+use super::output::{Content, Format, Output};
+use crate::commands::staged::Staged;
+use crate::failure::Failure;
+use crate::interrupt::{self, cancelled};
+use crate::progress::Progress;
+use crate::streams::{Files, Written, answer};
+use crate::{say, units, values};
+
+/// Bytes a texel: the heights as they are found, and the texels that are written.
+const BYTES_PER_TEXEL: u64 = MeshPair::BYTES_PER_TEXEL + 8;
+
+/// Bytes a texel that a normal map takes more.
+const BYTES_OF_NORMALS: u64 = 24;
+
+/// What `relief height from-meshes` is given.
+#[derive(Args)]
+#[command(after_help = AFTER_HELP)]
+pub struct Arguments {
+    /// Simple mesh that the map is for, with texture coordinates: a file, or a built-in one
+    #[arg(long, value_name = "NAME|FILE")]
+    low: MeshChoice,
+    /// Detailed mesh in the same place, with or without texture coordinates: a file, or a built-in one
+    #[arg(long, value_name = "NAME|FILE")]
+    high: MeshChoice,
+    /// Columns and rows of the map
+    #[arg(long, value_name = "WxH", value_parser = values::size, allow_hyphen_values = true)]
+    size: [u32; 2],
+    /// Height map to write
+    #[arg(short, long, value_name = "FILE.png|exr")]
+    output: PathBuf,
+    /// Normal map of the detailed mesh on the simple one, to write as well: normals that come of the heights
+    /// count the facets of the simple mesh twice
+    #[arg(long, value_name = "FILE.png|exr")]
+    normals: Option<PathBuf>,
+    /// The farthest to look from the simple mesh, outward and inward, in metres or with a unit, as in 2cm
+    /// [default: a tenth of the diagonal of its box]
+    #[arg(long, value_name = "M", value_parser = units::length, allow_hyphen_values = true)]
+    cage: Option<f64>,
+    /// Which of several layers of the detailed mesh counts: nearest to the simple mesh, or outermost, that
+    /// is seen from outside
+    #[arg(long, value_name = "nearest|outermost", default_value_t)]
+    layer: Layer,
+    /// Let faces count that look the other way, too
+    #[arg(long)]
+    two_sided: bool,
+    /// How the map goes on beyond its edges: repeat, clamp or mirror
+    #[arg(long, value_name = "WRAP", default_value_t)]
+    wrap: Wrap,
+    /// Leave texels without a value that lie more than N texels beside those which the mesh shows [default:
+    /// all are filled]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    gutter: Option<u32>,
+    /// Format of a height map that goes to the standard output, as in -o - --format exr
+    #[arg(long, value_enum, value_name = "png|exr", hide_short_help = true)]
+    format: Option<Format>,
+    /// Print one JSON object
+    #[arg(long)]
+    pub(super) json: bool,
+    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
+    #[arg(long, value_name = "SIZE", allow_hyphen_values = true)]
+    max_memory: Option<ByteSize>,
+}
+
+const AFTER_HELP: &str = "Examples:\n  \
+    relief height from-meshes --low low.glb --high scan.ply --size 2048x2048 --normals n.png -o rock.exr\n  \
+    relief height from-meshes --low column.obj --high cylinder --size 512x256 --cage 5cm -o column.exr\n\n\
+    Each texel looks along the interpolated normal of the simple mesh, both ways. The file says its scale \
+    and its bias: `relief render --height rock.exr --normal n.png --mesh low.glb` and `relief mesh rock.exr \
+    --mesh low.glb` show the detailed mesh without further flags. Of several faces that look outward the \
+    nearest counts, so a cage may be wide; with --layer outermost it must be narrower than the gaps between \
+    parts. Texels that find nothing are counted and filled from their surroundings. EXR of 32-bit floats, or \
+    PNG of 16 bit, by the output's name.";
+
+/// Reads, finds and writes.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let started = Instant::now();
+    let output = Output::new("--output", &arguments.output, &arguments.inputs())?;
+    let normals = arguments.normals_output()?;
+    arguments.check(&output)?;
+    let Meshes { low, high, caster } = {
+        let _reading = Progress::spinner("reading", arguments.json);
+        arguments.read()?
+    };
+    // Until here nothing exists that an interrupted program would leave behind.
+    let cancel = interrupt::catch()?;
+    let paths: Vec<&Path> = [Some(&output), normals.as_ref()].into_iter().flatten().map(path_of).collect();
+    let mut staged = Staged::open(&paths, arguments.json, cancel)?;
+    let heights = {
+        let bar = Progress::bar("looking", arguments.json);
+        let report = |part: f32| bar.show(part);
+        let progress = BakeProgress::new(&report, cancel);
+        heights_from_meshes(&low, &caster, &arguments.pair(), &progress)
+    };
+    let heights = heights.map_err(|error| arguments.of_looking(error))?;
+    let [bias_m, top_m] = heights.displacement_m();
+    let note = HeightNote { tile_m: low.tile_m(), scale_m: top_m - bias_m, bias_m, of_mesh: true };
+    let content = arguments.content(&heights, note, &output)?;
+    output.write(&mut staged, &content, cancel)?;
+    drop(content);
+    if let (Some(output), Some(high)) = (&normals, &high) {
+        let bar = Progress::bar("normals", arguments.json);
+        let report = |part: f32| bar.show(part);
+        let progress = BakeProgress::new(&report, cancel);
+        let planes = normals_from_meshes(&low, high, &caster, &arguments.pair(), &progress)
+            .map_err(|error| arguments.of_looking(error))?;
+        output.write(&mut staged, &arguments.normals_content(planes, output)?, cancel)?;
+    }
+    staged.finish()?;
+    let seconds = started.elapsed().as_secs_f64();
+    if heights.overlaps > 0 && !arguments.json {
+        say::note(format!(
+            "{}: {} lie on several triangles at different places; they have the heights of one of them",
+            arguments.low,
+            share(heights.overlaps, heights.covered)
+        ));
+    }
+    answer(|out| Ok(arguments.tell(&heights, note, &output, seconds, out)?))
+}
+
+fn path_of(output: &Output) -> &Path {
+    &output.path
+}
+
+/// What is read.
+struct Meshes {
+    low: Mesh,
+    /// With its normals, where these are asked for.
+    high: Option<Mesh>,
+    caster: RayCaster,
+}
+
+impl Arguments {
+    /// The files that may be standard streams.
+    pub fn files(&mut self) -> Files<'_> {
+        let format = self.format.map(Format::ending);
+        let heights = Written { flag: "--output", path: &mut self.output, format };
+        let normals = self.normals.as_mut().map(|path| Written { flag: "--normals", path, format: None });
+        Files { written: [Some(heights), normals].into_iter().flatten().collect(), ..Files::default() }
+    }
+
+    /// Where normals go.
+    fn normals_output(&self) -> Result<Option<Output>, Failure> {
+        let Some(path) = &self.normals else { return Ok(None) };
+        if is_same_file(&self.output, path) {
+            return Err(Failure::Usage(format!("{} is named for two outputs", path.display())));
+        }
+        Output::new("--normals", path, &self.inputs()).map(Some)
+    }
+
+    /// Bytes a texel.
+    fn bytes_per_texel(&self) -> u64 {
+        BYTES_PER_TEXEL + if self.normals.is_some() { BYTES_OF_NORMALS } else { 0 }
+    }
+
+    /// The files that are read.
+    fn inputs(&self) -> Vec<&Path> {
+        let files = [&self.low, &self.high].map(|mesh| match mesh {
+            MeshChoice::File(file) => Some(file.as_path()),
+            MeshChoice::Builtin(_) => None,
+        });
+        files.into_iter().flatten().collect()
+    }
+
+    fn max_bytes(&self) -> u64 {
+        self.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0)
+    }
+
+    /// Whether what is given can be used, before anything is read.
+    fn check(&self, output: &Output) -> Result<(), Failure> {
+        let [width, height] = self.size;
+        HeightMap::check_size(width, height)
+            .map_err(|error| Failure::Usage(format!("--size {width}x{height}: {error}")))?;
+        if let Some(cage) = self.cage.filter(|cage| !(1e-12..=1e9).contains(cage)) {
+            return Err(Failure::Usage(format!(
+                "--cage: {cage} cannot be used: it must be above 0, from 1e-12 to 1e9 metres"
+            )));
+        }
+        if self.gutter.is_some() && output.format == Format::Png {
+            return Err(Failure::usage(
+                "a PNG holds no texels without a value, which --gutter leaves: write an EXR",
+            ));
+        }
+        check_memory(self.size, self.bytes_per_texel(), self.max_bytes())
+    }
+
+    fn pair(&self) -> MeshPair {
+        let &Self { size, wrap, cage, layer, two_sided, gutter, .. } = self;
+        MeshPair { size, wrap, cage_m: cage, layer, two_sided, gutter }
+    }
+
+    /// Both meshes, within what memory the map leaves.
+    fn read(&self) -> Result<Meshes, Failure> {
+        let [width, height] = self.size.map(u64::from);
+        let left = self.max_bytes().saturating_sub(width * height * self.bytes_per_texel());
+        let proportions = self.size.map(f64::from);
+        let low = match &self.low {
+            MeshChoice::File(file) => {
+                let options = MeshOptions { max_bytes: left, ..MeshOptions::default() };
+                read_mesh(file, &options).map_err(of_low)?.mesh
+            }
+            MeshChoice::Builtin(builtin) => builtin.build(proportions).map_err(Failure::work)?,
+        };
+        let enough = |triangles: usize| {
+            let needed = triangles as u64 * RayCaster::BYTES_PER_TRIANGLE;
+            if needed <= left {
+                return Ok(());
+            }
+            Err(Failure::Work(format!(
+                "{}: {triangles} triangles need {} MiB of memory to be looked for, {} MiB are left: \
+                 --max-memory raises it",
+                self.high,
+                needed.div_ceil(1 << 20),
+                left >> 20
+            )))
+        };
+        let of_mesh = |high: Mesh| {
+            enough(high.triangles().len())?;
+            let caster = RayCaster::new(&high);
+            Ok::<_, Failure>((self.normals.is_some().then_some(high), caster))
+        };
+        let (high, caster) = match &self.high {
+            MeshChoice::File(file) if self.normals.is_some() => {
+                // Where its texture lies is of no use here, and it need not have any.
+                let projection = Some(UvProjection::Box);
+                let options = MeshOptions { max_bytes: left, projection, ..MeshOptions::default() };
+                of_mesh(read_mesh(file, &options).map_err(Failure::of_mesh)?.mesh)?
+            }
+            MeshChoice::File(file) => {
+                let raw = read_raw_mesh(file, left).map_err(Failure::of_mesh)?;
+                enough(raw.triangles.len())?;
+                let positions = raw.triangle_positions();
+                let positions =
+                    positions.map_err(|error| Failure::Work(format!("{}: {error}", self.high)))?;
+                (None, RayCaster::of_corners(positions))
+            }
+            MeshChoice::Builtin(builtin) => of_mesh(builtin.build(proportions).map_err(Failure::work)?)?,
+        };
+        Ok(Meshes { low, high, caster })
+    }
+
+    /// Why there are no heights, with what would help.
+    fn of_looking(&self, error: FromMeshesError) -> Failure {
+        let advice = match &error {
+            FromMeshesError::Cancelled(_) => return cancelled(),
+            FromMeshesError::NothingFound { behind: 0, .. } => "; --cage looks farther",
+            FromMeshesError::NothingFound { .. } => " (--two-sided)",
+            FromMeshesError::Outside { .. } => " (--wrap)",
+            FromMeshesError::NoTexel => " (--size)",
+            _ => "",
+        };
+        Failure::Work(format!("{} and {}: {error}{advice}", self.low, self.high))
+    }
+
+    fn content(
+        &self,
+        heights: &PairedHeights,
+        note: HeightNote,
+        output: &Output,
+    ) -> Result<Content, Failure> {
+        let [width, height] = heights.size;
+        let entries = vec![
+            ("wrap", self.wrap.name().to_owned()),
+            ("mesh", self.low.to_string()),
+            ("detailed_mesh", self.high.to_string()),
+            (
+                "settings",
+                format!("cage={} layer={} two_sided={}", heights.cage_m, self.layer, self.two_sided),
+            ),
+            ("convention", "height 1 is highest; row 0 is on top, v grows downward".to_owned()),
+            ("units", "lengths in metres; heights in fractions of the scale, above the bias".to_owned()),
+            ("published", "Szirmay-Kalos and Umenhoffer 2008 2.2".to_owned()),
+            ("generator", concat!("relief ", env!("CARGO_PKG_VERSION")).to_owned()),
+            ("channels", "height".to_owned()),
+            ("ranges", "0,1".to_owned()),
+            ("rounding", "nearest".to_owned()),
+            ("stored_as", output.stored_as().to_owned()),
+            ("size", format!("{width} {height} 1")),
+        ];
+        let metadata = note.metadata(entries).map_err(|problem| Failure::Work(problem.to_string()))?;
+        let planes = vec![heights.texels()];
+        Ok(Content { size: heights.size, names: &["height"], planes, bits: 16, metadata })
+    }
+
+    /// Normals as a file of that format holds them: fractions in PNG, themselves in EXR.
+    fn normals_content(&self, mut planes: [Vec<f32>; 3], output: &Output) -> Result<Content, Failure> {
+        if output.format == Format::Png {
+            planes.iter_mut().flatten().for_each(|value| *value = 0.5 * *value + 0.5);
+        }
+        let [width, height] = self.size;
+        let entries = [
+            ("kind", "mesh-normal".to_owned()),
+            ("mesh", self.low.to_string()),
+            ("detailed_mesh", self.high.to_string()),
+            ("size", format!("{width} {height} 1")),
+            ("note.space", "tangent, +y up in the picture".to_owned()),
+            ("published", "Szirmay-Kalos and Umenhoffer 2008 2.2".to_owned()),
+            ("generator", concat!("relief ", env!("CARGO_PKG_VERSION")).to_owned()),
+        ];
+        let entries = entries.map(|(name, value)| (format!("relief.{name}"), value));
+        let metadata = Metadata::new(entries.into()).map_err(|problem| Failure::Work(problem.to_string()))?;
+        Ok(Content { size: self.size, names: &["R", "G", "B"], planes: planes.into(), bits: 16, metadata })
+    }
+
+    fn tell(
+        &self,
+        heights: &PairedHeights,
+        note: HeightNote,
+        output: &Output,
+        seconds: f64,
+        out: &mut dyn Write,
+    ) -> io::Result<()> {
+        let [width, height] = heights.size;
+        let [least, greatest] = heights.range_m;
+        let HeightNote { scale_m, bias_m, tile_m, .. } = note;
+        let PairedHeights { covered, holes, behind, overlaps, without_area, without_value, .. } = *heights;
+        if self.json {
+            let about = json!({
+                "low": self.low.to_string(), "high": self.high.to_string(),
+                "output": output.path.display().to_string(),
+                "normals": self.normals.as_ref().map(|path| path.display().to_string()),
+                "width": width, "height": height,
+                "covered": covered, "holes": holes, "holes_behind": behind, "overlaps": overlaps,
+                "triangles_without_area": without_area, "without_value": without_value,
+                "least_m": least, "greatest_m": greatest, "mean_abs_m": heights.mean_abs_m,
+                "scale_m": scale_m, "bias_m": bias_m, "tile_m": tile_m, "cage_m": heights.cage_m,
+                "layer": self.layer.name(), "wrap": self.wrap.name(), "seconds": seconds,
+            });
+            return writeln!(out, "{about:#}");
+        }
+        writeln!(out, "{}: {width}x{height} heights in {seconds:.2} s", output.path.display())?;
+        let [least, greatest, mean] = [least, greatest, heights.mean_abs_m].map(values::six_digits);
+        writeln!(out, "  heights     {least} m to {greatest} m, on the mean {mean} m off the simple mesh")?;
+        let [scale, bias] = [scale_m, bias_m].map(values::six_digits);
+        let wrap =
+            if self.wrap == Wrap::default() { String::new() } else { format!(" --wrap {}", self.wrap) };
+        writeln!(out, "  relief      --scale {scale} --bias {bias}, as the file says{wrap}")?;
+        let texels = u64::from(width) * u64::from(height);
+        writeln!(out, "  covered     {} of the map", share(covered, texels))?;
+        if holes > 0 {
+            let cage = values::six_digits(heights.cage_m);
+            writeln!(
+                out,
+                "  holes       {} find nothing within {cage} m, filled from their surroundings",
+                share(holes, covered)
+            )?;
+        }
+        for (count, what) in [
+            (behind, "of these texels find faces that look the other way (--two-sided)"),
+            (without_value, "texels have no value, beyond the gutter"),
+            (without_area, "triangles of the simple mesh have no area in the texture"),
+        ] {
+            if count > 0 {
+                writeln!(out, "              {count} {what}")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// So many texels, and what part of all that is.
+fn share(count: u64, all: u64) -> String {
+    format!("{count} texels ({:.3} %)", 100.0 * count as f64 / all.max(1) as f64)
+}
+
+/// A simple mesh that cannot be read: no flag here makes texture coordinates.
+fn of_low(error: ReadError) -> Failure {
+    match &error.problem {
+        ReadProblem::Mesh(FramingError::NoTextureCoordinates { .. } | FramingError::NoTextureArea { .. }) => {
+            Failure::Work(format!(
+                "{error}: unwrap it in a program for meshes, so that each place has its own"
+            ))
+        }
+        _ => Failure::of_mesh(error),
+    }
+}
