@@ -1,6 +1,6 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
-//! `embree`, `frame`, `judge`, `mesh`, `probe`, `pyramid`, `quadrics`, `shadow`, `sheet`, `surfaces` and
-//! `trace`. Results are kept in `docs/`.
+//! `embree`, `frame`, `judge`, `levels`, `mesh`, `probe`, `pyramid`, `quadrics`, `shadow`, `sheet`,
+//! `surfaces` and `trace`. Results are kept in `docs/`.
 
 use std::process::ExitCode;
 
@@ -15,6 +15,7 @@ mod detail;
 mod embree;
 mod frame;
 mod judge;
+mod levels;
 mod memory;
 mod mesh;
 mod probe;
@@ -58,6 +59,8 @@ enum Command {
     Frame(frame::Arguments),
     /// The exact judge of displaced meshes beside a tessellation: fails where they disagree
     Judge(judge::Arguments),
+    /// What is between filter levels and their map: volume, skylines, and seconds to make them
+    Levels(levels::Arguments),
     /// Triangles a second that height maps become, in memory and in files
     Mesh(mesh::Arguments),
     /// Attacks on the promises of baked maps: fails if one is broken
@@ -87,6 +90,7 @@ fn main() -> ExitCode {
         Command::Embree(arguments) => embree::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Frame(arguments) => frame::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Judge(arguments) => judge::run(&arguments),
+        Command::Levels(arguments) => levels::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Mesh(arguments) => mesh::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Pyramid(arguments) => pyramid::run(&arguments).map(|()| ExitCode::SUCCESS),
