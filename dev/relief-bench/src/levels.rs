@@ -87,7 +87,7 @@ fn made(map: &HeightMap, level: u32, filter: Filter) -> Result<HeightMap, String
 }
 
 fn volumes(maps: &[(String, HeightMap)]) -> Result<Table, String> {
-    let mut rows = table(&["map", "level", "average", "least-squares", "variational", "004's descent"]);
+    let mut rows = table(&["map", "level", "average", "least-squares", "variational", "their descent"]);
     let mut all = [Vec::new(), Vec::new(), Vec::new()];
     for (name, map) in maps {
         for level in LEVELS {
