@@ -138,7 +138,6 @@ mod tests {
                 let points: usize = (0..axis.cells()).map(|cell| samples.of_cell(cell).len()).sum();
                 assert_eq!(points, samples.texels.len(), "{axis:?}");
                 assert!(samples.within.iter().all(|within| (0.0..=1.0).contains(within)), "{axis:?}");
-                // A ramp that is not tiled is the same from either grid, but for where it is cut off.
                 for cell in 0..axis.cells() {
                     let [before, after] = axis.ends(cell);
                     assert!(before < axis.nodes() && after < axis.nodes());
