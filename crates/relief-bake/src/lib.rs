@@ -35,6 +35,7 @@ pub use bake::{bake, bake_last, bits_of_heights};
 pub use baked_map::{WantedMap, baked_map};
 pub use error::BakeError;
 pub use input::BakeInput;
+pub use kind::filter_levels::{Filter, filter_level, filter_levels};
 pub use kind::{KINDS, Kind, kind};
 pub use progress::{Cancelled, Progress};
 pub use settings::{Settings, SettingsError};

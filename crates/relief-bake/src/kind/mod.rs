@@ -6,6 +6,7 @@ pub mod bounce;
 pub mod cone;
 pub mod dilation_erosion;
 pub mod distance;
+pub mod filter_levels;
 pub mod frustum;
 pub mod horizon;
 pub mod normal;
@@ -80,6 +81,7 @@ pub const KINDS: &[Kind] = &[
     visibility::KIND,
     bounce::KIND,
     seen_normal::KIND,
+    filter_levels::KIND,
 ];
 
 /// The kind of that name.
