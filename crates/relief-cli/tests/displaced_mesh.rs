@@ -159,6 +159,8 @@ fn what_cannot_be_made_is_refused() {
         ("hills.png --view eye.toml -o out/a.glb", 1, ["eye", "target"]),
         ("hills.png --view view.toml --pixels 0 -o out/a.glb", 2, ["--pixels", "0"]),
         ("hills.png --view view.toml --pixels few -o out/a.glb", 2, ["--pixels", "few"]),
+        ("hills.png --view view.toml --level-filter avrage -o out/a.glb", 2, ["avrage", "average"]),
+        ("hills.png --level-filter max -o out/a.glb", 2, ["--level-filter", "--view"]),
         ("hills.png --pixels 2 -o out/a.glb", 2, ["--pixels", "--view"]),
         ("hills.png --view view.toml --texels 2 -o out/a.glb", 2, ["--view", "--texels"]),
         ("hills.png --view view.toml --error 1% -o out/a.glb", 2, ["--view", "--error"]),
@@ -263,11 +265,25 @@ fn a_view_makes_a_mesh_as_fine_as_it_sees() {
     let (far, _) = count("--mesh ring.obj --view far.toml -o out/far.glb");
     let ratio = fine as f64 / coarse as f64;
     assert!((3.0..4.5).contains(&ratio) && far * 4 < fine, "{fine} {coarse} {far}");
+    // Coarse ones by coarser levels; every filter has its own.
+    let filters = ["none", "average", "max", "min", "least-squares", "variational"];
+    let files: Vec<Vec<u8>> = filters
+        .iter()
+        .map(|filter| {
+            count(&format!(
+                "--mesh ring.obj --view far.toml --pixels 16 --level-filter {filter} -o out/f.ply"
+            ));
+            std::fs::read(folder.path("out/f.ply")).expect("it was written")
+        })
+        .collect();
+    for (at, file) in files.iter().enumerate() {
+        assert!(!files[..at].contains(file), "{}", filters[at]);
+    }
     // On a plane, too, by a fixed pattern, and in parts.
     let (sheet, about) = count("--view near.toml -o out/sheet.ply");
     assert!(sheet > 20_000 && about["pieces"] == 1, "{about}");
     count("--view near.toml --interior dice --tiles 2x1 -o out/parts.ply");
-    assert_eq!(entries(&folder.path("out")).len(), 6);
+    assert_eq!(entries(&folder.path("out")).len(), 7);
 }
 
 #[cfg(unix)]

@@ -26,6 +26,12 @@ pub enum MesherError {
         /// Name of the edge rule.
         edges: &'static str,
     },
+    /// Levels of a map where no view says which of them is seen.
+    #[error("the edges '{edges}' see the height map itself: levels of it are for a view")]
+    LevelsOfNoView {
+        /// Name of the edge rule.
+        edges: &'static str,
+    },
     /// A view that sees nothing.
     #[error(
         "a view of {width}x{height} pixels, {pixels} to a voxel, near {near_m} m cannot be used: all must be \

@@ -140,10 +140,42 @@ impl Mesher {
         Self::of_at_most(mesh, map, settings, MOST, watch)
     }
 
+    /// The same for a view, with coarser levels of the height map, each half as wide and high as the one
+    /// before: a point is displaced by the level whose texels are as wide as a voxel is there, and in between
+    /// by two of them. See the filter levels of `relief-bake`.
+    ///
+    /// # Errors
+    ///
+    /// The same, and when the sides are not divided by voxels.
+    pub fn with_levels(
+        mesh: &Mesh,
+        map: &HeightMap,
+        coarser: &[HeightMap],
+        settings: &MeshSettings,
+        watch: &Watch,
+    ) -> Result<Self, MesherError> {
+        if !matches!(settings.edges.divides, Divides::Voxels(_)) {
+            return Err(MesherError::LevelsOfNoView { edges: settings.edges.name });
+        }
+        let relief = Relief::new(map, settings.directions, settings.shading).with_levels(coarser);
+        Self::of_relief(mesh, relief, settings, MOST, watch)
+    }
+
     /// The mesh, with as many triangles at most.
     pub(crate) fn of_at_most(
         mesh: &Mesh,
         map: &HeightMap,
+        settings: &MeshSettings,
+        most: u64,
+        watch: &Watch,
+    ) -> Result<Self, MesherError> {
+        let relief = Relief::new(map, settings.directions, settings.shading);
+        Self::of_relief(mesh, relief, settings, most, watch)
+    }
+
+    fn of_relief(
+        mesh: &Mesh,
+        relief: Relief,
         settings: &MeshSettings,
         most: u64,
         watch: &Watch,
@@ -155,7 +187,6 @@ impl Mesher {
         if mesh.triangles().is_empty() {
             return Err(MesherError::Empty);
         }
-        let relief = Relief::new(map, settings.directions, settings.shading);
         let rectangle = Rectangle::of_mesh(mesh);
         if rectangle.is_none() && settings.part != Part::WHOLE {
             return Err(MesherError::PartOfNoPlane);
@@ -177,10 +208,10 @@ impl Mesher {
             (Fills::Patch(pattern), Divides::Voxels(_), Some(rectangle)) => {
                 let tiles = rectangle.tiles(&relief, settings.part)?;
                 patches = tiles.triangles().len();
-                Base::Triangles(Triangles::new(&tiles, map, settings)?, pattern)
+                Base::Triangles(Triangles::new(&tiles, &relief, settings)?, pattern)
             }
             (Fills::Patch(pattern), _, None) => {
-                Base::Triangles(Triangles::new(mesh, map, settings)?, pattern)
+                Base::Triangles(Triangles::new(mesh, &relief, settings)?, pattern)
             }
             (Fills::Tile(fill), Divides::Along(side), Some(rectangle)) => Base::Adapted(Adapted::new(
                 rectangle,

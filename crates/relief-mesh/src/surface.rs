@@ -1,6 +1,6 @@
 //! The displaced surface: where points go, and which normals they have.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use relief_core::HeightMap;
 use relief_core::mesh::{BasePoint, Vertex};
 
@@ -10,8 +10,27 @@ use crate::{Directions, Shading, point};
 #[derive(Clone, Debug)]
 pub struct Relief {
     map: HeightMap,
+    /// Coarser ones of the same relief, each half as wide and high as the one before.
+    coarser: Vec<HeightMap>,
     directions: Directions,
     shading: Shading,
+}
+
+/// A base point as it is displaced.
+#[derive(Clone, Copy, Debug)]
+pub struct Placed {
+    pub base: BasePoint,
+    /// The metres that the smooth base lies above it.
+    pub lift_m: f64,
+    /// The level of the map that is seen there; what lies between two of them is in between.
+    pub level: f64,
+}
+
+impl Placed {
+    /// A point where the map itself is seen.
+    pub fn new(base: BasePoint) -> Self {
+        Self { base, lift_m: 0.0, level: 0.0 }
+    }
 }
 
 /// The base's frame at a point, to shade it by: numbers of its corners, interpolated.
@@ -40,9 +59,25 @@ impl Frame {
     }
 }
 
+/// The place of texture coordinates in a map, counted in texels from the centre of the first one.
+fn place_in(map: &HeightMap, uv: DVec2) -> [f64; 2] {
+    [uv.x * f64::from(map.width()) - 0.5, uv.y * f64::from(map.height()) - 0.5]
+}
+
 impl Relief {
     pub fn new(map: &HeightMap, directions: Directions, shading: Shading) -> Self {
-        Self { map: map.clone(), directions, shading }
+        Self { map: map.clone(), coarser: Vec::new(), directions, shading }
+    }
+
+    /// The same with coarser levels.
+    #[must_use]
+    pub fn with_levels(self, coarser: &[HeightMap]) -> Self {
+        Self { coarser: coarser.to_vec(), ..self }
+    }
+
+    /// Whether there are coarser levels.
+    pub fn has_levels(&self) -> bool {
+        !self.coarser.is_empty()
     }
 
     /// Columns and rows of the map.
@@ -50,15 +85,9 @@ impl Relief {
         [self.map.width(), self.map.height()].map(f64::from)
     }
 
-    /// The place of texture coordinates in the map, counted in texels from the centre of the first one.
-    pub fn place(&self, uv: [f64; 2]) -> [f64; 2] {
-        let sides = self.sides();
-        [0, 1].map(|axis| uv[axis] * sides[axis] - 0.5)
-    }
-
-    /// A base point displaced by the height at a place, and so many metres more.
-    pub fn displaced(&self, base: &BasePoint, place: [f64; 2], more_m: f64) -> DVec3 {
-        self.displaced_by(base, self.metres_at(place, more_m))
+    /// A base point displaced by the height that is seen there.
+    pub fn displaced(&self, placed: &Placed) -> DVec3 {
+        self.displaced_by(&placed.base, self.metres_at(placed))
     }
 
     /// A base point displaced by so many metres.
@@ -93,33 +122,52 @@ impl Relief {
         self.map.displacement_m(height)
     }
 
-    fn metres_at(&self, [x, y]: [f64; 2], more_m: f64) -> f64 {
-        self.metres(self.map.height_at_place(x, y)) + more_m
+    fn metres_at(&self, placed: &Placed) -> f64 {
+        let height = self.mixed(placed.level, |map| {
+            let [x, y] = place_in(map, placed.base.uv);
+            [map.height_at_place(x, y); 2]
+        });
+        self.metres(height[0]) + placed.lift_m
     }
 
-    /// The vertex at a position whose base point, place on the map and frame those are: its normal is that of
-    /// the displaced surface, its tangents are the derivatives of the position by `u` and `v`.
+    /// The derivatives of the height by `u` and `v`.
+    fn slope(&self, placed: &Placed) -> [f64; 2] {
+        self.mixed(placed.level, |map| {
+            let [x, y] = place_in(map, placed.base.uv);
+            let [across, down] = map.slope_at_place(x, y);
+            [across * f64::from(map.width()), down * f64::from(map.height())]
+        })
+    }
+
+    /// What two levels say, mixed.
+    fn mixed(&self, level: f64, of: impl Fn(&HeightMap) -> [f64; 2]) -> [f64; 2] {
+        let at = |level: usize| level.checked_sub(1).map_or(&self.map, |coarser| &self.coarser[coarser]);
+        let level = level.clamp(0.0, self.coarser.len() as f64);
+        let part = level.fract();
+        let fine = of(at(level as usize));
+        if part == 0.0 {
+            return fine;
+        }
+        let coarse = of(at(level as usize + 1));
+        [0, 1].map(|k| fine[k] + (coarse[k] - fine[k]) * part)
+    }
+
+    /// The vertex at a position whose base point and frame those are: its normal is that of the displaced
+    /// surface, its tangents are the derivatives of the position by `u` and `v`.
     ///
     /// With the displacement `D` along `M` they are `T + D_u M + D M_u`, and the same for `v`: equation 9 of
     /// Szirmay-Kalos and Umenhoffer 2008 without its last simplification, that `M` does not turn; the shading
     /// `derivative` has that, too. `T` is the base's derivative in the plane at right angles to its normal,
     /// so that where there is no relief the normal is the base's.
-    pub fn vertex(
-        &self,
-        position: DVec3,
-        base: &BasePoint,
-        place: [f64; 2],
-        frame: &Frame,
-        more_m: f64,
-    ) -> Vertex {
+    pub fn vertex(&self, position: DVec3, placed: &Placed, frame: &Frame) -> Vertex {
         let up = frame.normal.normalize_or_zero();
-        let [x, y] = place;
-        let (slope, sides, scale_m) = (self.map.slope_at_place(x, y), self.sides(), self.map.scale_m());
-        let metres = if self.shading == Shading::Derivative { 0.0 } else { self.metres_at(place, more_m) };
+        let base = &placed.base;
+        let (slope, scale_m) = (self.slope(placed), self.map.scale_m());
+        let metres = if self.shading == Shading::Derivative { 0.0 } else { self.metres_at(placed) };
         let length = base.normal.length();
         let derivative = |axis: usize| {
             let flat = frame.tangents[axis] - up * up.dot(frame.tangents[axis]);
-            let rise = scale_m * slope[axis] * sides[axis];
+            let rise = scale_m * slope[axis];
             let (direction, turn) = match self.directions {
                 Directions::Unit if length > 0.0 => {
                     let direction = base.normal / length;

@@ -75,6 +75,11 @@ pub struct Voxel {
 }
 
 impl Voxels {
+    /// How wide a voxel is, in perspective at a depth of 1 m.
+    pub fn size_m(&self) -> f64 {
+        1.0 / self.per_m
+    }
+
     pub fn of(&self, position: DVec3) -> Voxel {
         let Self { camera, middle, per_m, per_doubling, near_m } = self;
         let from_eye = position - camera.eye();
@@ -94,7 +99,7 @@ impl Voxels {
 
 /// The logarithm of a number above 0. By additions, products and quotients alone, so that it has the same bits
 /// on every machine.
-fn log2(of: f64) -> f64 {
+pub fn log2(of: f64) -> f64 {
     // Halved or doubled until it lies between the roots of 1/2 and 2.
     let bits = of.to_bits();
     let mut exponent = (bits >> 52) as i32 - 1023;

@@ -1,5 +1,4 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
-//! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
 //! `embree`, `frame`, `judge`, `levels`, `mesh`, `probe`, `pyramid`, `quadrics`, `remesh`, `shadow`, `sheet`,
 //! `surfaces` and `trace`. Results are kept in `docs/`.
 

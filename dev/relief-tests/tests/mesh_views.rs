@@ -2,13 +2,14 @@
 //! were asked to be, and on the base.
 
 use glam::{DVec2, DVec3, Vec2, Vec3};
+use relief_bake::{Filter, Progress, filter_levels};
 use relief_core::camera::{Camera, Projection};
 use relief_core::mesh::{BasePoint, Builtin, Mesh, Vertex, cube, cylinder, sphere, torus};
 use relief_core::{HeightMap, Wrap};
 use relief_io::{MeshOptions, read_mesh};
 use relief_mesh::{
     BaseSurface, CrackTest, EDGE_RULES, INTERIORS, Interior, MeshSettings, Mesher, MesherError, Part, Seams,
-    Spacing, View, check_pair,
+    Spacing, View, Watch, check_pair,
 };
 use relief_tests::maps;
 
@@ -44,10 +45,16 @@ fn seen(camera: Camera, side: u32, pixels: f64) -> View {
     View { pixels, ..View::new(camera, [side, side]) }
 }
 
+/// The coarser levels of a map.
+fn coarser(map: &HeightMap, filter: Filter) -> Vec<HeightMap> {
+    filter_levels(map, filter, &Progress::none()).expect("levels").split_off(1)
+}
+
 #[test]
 fn meshes_are_closed_from_everywhere() {
     let bases = [cube(2), cylinder(12, 2), sphere(16, 8), torus(16, 8)].map(|mesh| mesh.expect("a mesh"));
     let map = map("natural 101x67", Wrap::Mirror, 0.05);
+    let levels = coarser(&map, Filter::Average);
     let mut triangles = 0;
     for (at, camera) in cameras(50).enumerate() {
         for base in &bases {
@@ -55,7 +62,11 @@ fn meshes_are_closed_from_everywhere() {
                 let view = seen(camera, 150, [1.0, 3.7, 40.0][at % 3]);
                 let base_surface = BaseSurface::ALL[at % 3];
                 let settings = MeshSettings { interior, base: base_surface, ..MeshSettings::seen_by(view) };
-                let mesher = Mesher::new(base, &map, &settings).expect("a mesh");
+                let mesher = match at % 2 {
+                    0 => Mesher::new(base, &map, &settings),
+                    _ => Mesher::with_levels(base, &map, &levels, &settings, &Watch::NOBODY),
+                };
+                let mesher = mesher.expect("a mesh");
                 let mesh = mesher.mesh().expect("finite");
                 assert_eq!(mesh.triangles().len() as u64, mesher.triangles());
                 assert_eq!(mesh.vertices().len() as u64, mesher.vertices());
@@ -239,6 +250,43 @@ fn vertices_are_displaced_as_the_judge_has_it() {
         checked += 1;
     }
     assert!(checked > 500, "{checked}");
+}
+
+#[test]
+fn coarse_points_have_the_heights_of_the_level_that_is_as_coarse() {
+    let map = map("natural 128x128", Wrap::Clamp, 0.2);
+    let base = Builtin::Plane.build([1.0, 1.0]).expect("a mesh");
+    // From above, parallel: a voxel is as wide everywhere.
+    let camera = Camera::with(DVec3::Y, DVec3::ZERO, Projection::Orthographic { height_m: 1.0 });
+    let camera = camera.expect("a camera");
+    let levels = coarser(&map, Filter::Max);
+    let made = |pixels: f64, levels: &[HeightMap]| {
+        let settings = MeshSettings::seen_by(seen(camera, 512, pixels));
+        let mesher = Mesher::with_levels(&base, &map, levels, &settings, &Watch::NOBODY).expect("a mesh");
+        mesher.mesh().expect("finite")
+    };
+    // Four pixels are a texel.
+    let [with, without] = [made(4.0, &levels), made(4.0, &[])];
+    let positions = |mesh: &Mesh| -> Vec<Vec3> { mesh.vertices().iter().map(|at| at.position).collect() };
+    assert_eq!(positions(&with), positions(&without));
+    let height = |map: &HeightMap, vertex: &Vertex| {
+        let [x, y] = [vertex.uv.x * map.width() as f32, vertex.uv.y * map.height() as f32];
+        map.height_at_place(f64::from(x) - 0.5, f64::from(y) - 0.5)
+    };
+    for (pixels, level) in [(8.0, 1.0_f64), (16.0, 2.0), (12.0, 1.584_962_5), (64.0, 4.0)] {
+        for vertex in made(pixels, &levels).vertices() {
+            let of = |level: f64| if level < 1.0 { &map } else { &levels[level as usize - 1] };
+            let [fine, coarse] = [of(level.floor()), of(level.ceil())].map(|map| height(map, vertex));
+            let expected = map.displacement_m(fine + (coarse - fine) * level.fract());
+            let found = f64::from(vertex.position.y);
+            assert!((found - expected).abs() < 1e-5, "{pixels}: {vertex:?} is not at {expected}");
+            // The maximum is nowhere below the relief.
+            assert!(found >= map.displacement_m(height(&map, vertex)) - 1e-5);
+        }
+    }
+    // What is seen at a fixed distance of texels has no levels.
+    let found = Mesher::with_levels(&base, &map, &levels, &MeshSettings::default(), &Watch::NOBODY);
+    assert!(matches!(found, Err(MesherError::LevelsOfNoView { .. })));
 }
 
 #[test]

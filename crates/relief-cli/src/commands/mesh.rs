@@ -4,6 +4,7 @@ mod accuracy;
 mod made;
 mod parts;
 mod report;
+mod seen;
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -19,6 +20,7 @@ use relief_mesh::{
 use relief_render::scene::{MeshChoice, Scene, SceneSpec, Surface, SurfaceSpec, read_scene};
 
 use self::accuracy::Tolerance;
+use self::seen::{LevelFilter, Seen};
 use super::maps::{self, HeightArguments};
 use super::placed::PlacedArguments;
 use super::scene_arguments::of_scene;
@@ -91,6 +93,11 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     pixels: Option<f64>,
+    /// Heights where vertices of a --view are farther apart than texels, by coarser levels of the map: average;
+    /// max or min, nowhere below or above the relief; least-squares; variational, the nearest by volume, which
+    /// takes a while; or none, those of the map [default: least-squares]
+    #[arg(long, value_name = "NAME", requires = "view", help_heading = "Triangles", hide_short_help = true)]
+    level_filter: Option<LevelFilter>,
     /// Where --error and --triangles look: surface, everywhere on the relief between the texels, or texels,
     /// at their centres alone, as other programs do [default: surface]
     #[arg(long, value_name = "surface|texels", help_heading = "Triangles", hide_short_help = true)]
@@ -258,8 +265,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let files = parts::files(&arguments.output, arguments.tiles)?;
     let paths: Vec<&Path> = files.iter().map(|file| file.path.as_path()).collect();
     let mut staged = Staged::open(&paths, arguments.json, cancel)?;
-    let written =
-        made::write(arguments, &made::Seen { surface: &surface, view }, format, &files, &mut staged, cancel)?;
+    let coarser = match view {
+        Some(_) => {
+            let memory = [bytes_of(&surface), arguments.limit()];
+            let filter = arguments.level_filter.unwrap_or_default();
+            filter.levels(surface.height_map(), memory, arguments.json, cancel)?
+        }
+        None => Vec::new(),
+    };
+    let seen = Seen { surface: &surface, view, coarser };
+    let written = made::write(arguments, &seen, format, &files, &mut staged, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
     let about = report::About { format, written: &written, seconds, surface: &surface };
@@ -360,7 +375,7 @@ impl Arguments {
     }
 
     /// How the mesh of a surface is made: `size` is the factor on lengths.
-    fn settings(&self, made::Seen { surface, view }: &made::Seen, size: f64) -> MeshSettings {
+    fn settings(&self, Seen { surface, view, .. }: &Seen, size: f64) -> MeshSettings {
         let usual = MeshSettings::default();
         let is_plane = Mesher::is_plane(surface.mesh());
         let (edges, interior) = self.rules(self.is_measured() || (is_plane && self.texels.is_none()));

@@ -13,7 +13,7 @@ pub use grid::{Grid, Tile};
 pub use solid::{BorderPoint, Faces, Solid};
 
 use crate::error::MOST;
-use crate::surface::{Frame, Relief};
+use crate::surface::{Frame, Placed, Relief};
 use crate::{MesherError, Part, point};
 
 /// Texels of a tile along a side.
@@ -186,7 +186,7 @@ impl Rectangle {
         let base = self.base(relief, place);
         let position = relief.displaced_by(&base, relief.metres(height));
         let frame = Frame { normal: self.normal, tangents: self.tangents, turns: [DVec3::ZERO; 2] };
-        relief.vertex(position, &base, place.map(|at| at - 0.5), &frame, 0.0)
+        relief.vertex(position, &Placed::new(base), &frame)
     }
 }
 

@@ -5,7 +5,6 @@ mod cubic;
 mod edges;
 
 use glam::{DVec3, Vec3};
-use relief_core::HeightMap;
 use relief_core::mesh::{BasePoint, Mesh, Vertex};
 
 use self::corners::Corners;
@@ -13,8 +12,8 @@ use self::edges::Edges;
 use crate::edge::Divides;
 use crate::error::MOST;
 use crate::patch::Patch;
-use crate::surface::{Frame, Relief};
-use crate::view::Voxel;
+use crate::surface::{Frame, Placed, Relief};
+use crate::view::{Voxel, log2};
 use crate::{BaseSurface, MeshSettings, MesherError, Seams, point};
 
 /// A base of triangles, with the points of its sides counted.
@@ -25,6 +24,9 @@ pub struct Triangles {
     triangles: Vec<[u32; 3]>,
     /// Where the vertices are in grid space; empty where the sides do not go by it.
     voxels: Vec<Voxel>,
+    /// Texels of the map that a voxel is wide around each vertex where its depth is 1; empty where no coarser
+    /// level is seen.
+    footprints: Vec<f64>,
     base: BaseSurface,
     is_welded: bool,
 }
@@ -45,12 +47,12 @@ impl Numbered {
 }
 
 impl Triangles {
-    pub fn new(mesh: &Mesh, map: &HeightMap, settings: &MeshSettings) -> Result<Self, MesherError> {
+    pub fn new(mesh: &Mesh, relief: &Relief, settings: &MeshSettings) -> Result<Self, MesherError> {
         let is_welded = settings.seams == Seams::Weld;
         let point_of = mesh.welded();
         let corners = Corners::new(mesh, &point_of, is_welded);
-        let mut voxels = Vec::new();
-        let sides = [map.width(), map.height()].map(f64::from);
+        let (mut voxels, mut footprints) = (Vec::new(), Vec::new());
+        let sides = relief.sides();
         let edges = match settings.edges.divides {
             Divides::Evenly(evenly) => Edges::new(mesh, &point_of, &corners, |ends| {
                 let [a, b] = ends.map(|end| corners.vertex(end).uv.as_dvec2());
@@ -61,6 +63,10 @@ impl Triangles {
                 let grid = view.voxels()?;
                 let places = mesh.vertices().iter().map(|vertex| grid.of(vertex.position.as_dvec3()));
                 voxels = places.collect();
+                if relief.has_levels() {
+                    let around = |vertex: &Vertex| grid.size_m() * texels_per_metre(vertex, sides);
+                    footprints = mesh.vertices().iter().map(around).collect();
+                }
                 Edges::new(mesh, &point_of, &corners, |ends| parts(ends.map(|end| voxels[end as usize].at)))?
             }
             Divides::Along(_) => {
@@ -69,7 +75,7 @@ impl Triangles {
             }
         };
         let triangles = mesh.triangles().to_vec();
-        Ok(Self { corners, edges, triangles, voxels, base: settings.base, is_welded })
+        Ok(Self { corners, edges, triangles, voxels, footprints, base: settings.base, is_welded })
     }
 
     /// What a vertex counts along the sides that it is an end of.
@@ -109,9 +115,31 @@ impl Triangles {
         self.edges.end()
     }
 
-    /// The base point of a corner or along an edge as the displacement sees it: in a welded mesh all sides
-    /// see the same. With it the metres that the smooth base lies above.
-    fn on_edge(&self, edge: u32, at: u32) -> (BasePoint, f64) {
+    /// The level of the map that is seen at a point of an edge or a triangle, by the weights of its corners:
+    /// that whose texels are as wide as the voxel there.
+    ///
+    /// Gumhold and Hüttner 1999 take it from how far apart points are (section 4.1), along an edge two of
+    /// them. Two edges that meet would not agree in their corner; the size of a voxel is the same for both.
+    fn level<const N: usize>(&self, corners: [u32; N], weights: [f64; N]) -> f64 {
+        if self.footprints.is_empty() {
+            return 0.0;
+        }
+        let (mut depth, mut texels) = (0.0, 0.0);
+        for (vertex, weight) in corners.into_iter().zip(weights) {
+            depth += weight / self.share(vertex);
+            texels += weight * self.footprints[vertex as usize];
+        }
+        log2((texels * depth).max(1.0))
+    }
+
+    /// A corner as the displacement sees it: in a welded mesh all sides see the same.
+    fn at_corner(&self, vertex: u32) -> Placed {
+        let seen = self.corners.seen(vertex);
+        Placed { level: self.level([seen], [1.0]), ..Placed::new(self.corners.base(seen)) }
+    }
+
+    /// A point along an edge as the displacement sees it: in a welded mesh all sides see the same.
+    fn on_edge(&self, edge: u32, at: u32) -> Placed {
         let seen = self.seen(edge);
         let weights = self.along(edge, at);
         let [a, b] = self.edges.ends(seen).map(|end| self.corners.base(end));
@@ -122,11 +150,12 @@ impl Triangles {
         };
         let [of_a, of_b] = weights;
         let sum = of_a + of_b;
+        let parts = weights.map(|of| of / sum);
         if self.base == BaseSurface::Pn {
-            base.position =
-                cubic::on_side([a.position, b.position], self.bent(edge), weights.map(|of| of / sum));
+            base.position = cubic::on_side([a.position, b.position], self.bent(edge), parts);
         }
-        (base, self.lift(seen) * (of_b * of_a / (sum * sum)))
+        let lift_m = self.lift(seen) * (of_b * of_a / (sum * sum));
+        Placed { base, lift_m, level: self.level(self.edges.ends(seen), parts) }
     }
 
     /// The edge between the same positions that says where the points of an edge are.
@@ -149,17 +178,12 @@ impl Triangles {
         if self.base == BaseSurface::Lift { self.edges.lift(edge) } else { 0.0 }
     }
 
-    fn position(&self, relief: &Relief, (base, lift_m): &(BasePoint, f64)) -> DVec3 {
-        relief.displaced(base, relief.place(base.uv.to_array()), *lift_m)
-    }
-
     /// The vertex at a corner of the base, by its number among these.
     pub fn corner_vertex(&self, relief: &Relief, number: u32) -> Vertex {
         let vertex = self.corners.used[number as usize];
-        let seen = self.corners.base(self.corners.seen(vertex));
-        let position = self.position(relief, &(seen, 0.0));
-        let base = self.corners.base(vertex);
-        relief.vertex(position, &base, relief.place(base.uv.to_array()), &self.corners.frame(vertex), 0.0)
+        let seen = self.at_corner(vertex);
+        let own = Placed { base: self.corners.base(vertex), ..seen };
+        relief.vertex(relief.displaced(&seen), &own, &self.corners.frame(vertex))
     }
 
     /// How a corner of the base is numbered, by its number among these.
@@ -175,35 +199,33 @@ impl Triangles {
     /// The vertex along an edge.
     pub fn edge_vertex(&self, relief: &Relief, edge: u32, at: u32) -> Vertex {
         let seen = self.on_edge(edge, at);
-        let position = self.position(relief, &seen);
         let weights = self.along(edge, at);
         let part = weights[1] / (weights[0] + weights[1]);
         let [a, b] = self.edges.ends(edge);
         let frames = [a, b, a].map(|end| self.corners.frame(end));
         let frame = Frame::weighted(frames, [1.0 - part, part, 0.0]);
         let [a, b] = [a, b].map(|end| self.corners.base(end));
-        let base = BasePoint { uv: point::between(a.uv, b.uv, weights), ..seen.0 };
-        relief.vertex(position, &base, relief.place(base.uv.to_array()), &frame, seen.1)
+        let base = BasePoint { uv: point::between(a.uv, b.uv, weights), ..seen.base };
+        relief.vertex(relief.displaced(&seen), &Placed { base, ..seen }, &frame)
     }
 
     /// The number and the position of a point of the border of a patch.
     pub fn border(&self, relief: &Relief, patch: u32, side: u32, at: u32) -> (Numbered, Vec3) {
         if at == 0 {
             let vertex = self.triangles[patch as usize][side as usize];
-            let seen = self.corners.base(self.corners.seen(vertex));
-            let position = self.position(relief, &(seen, 0.0));
+            let position = relief.displaced(&self.at_corner(vertex));
             return (self.corners.numbered(vertex), point::stored(position));
         }
         let edge = self.edges.sides(patch)[side as usize];
         let from = self.triangles[patch as usize][side as usize];
         // Edges are counted from the end that comes first by its bits, and not by the patch.
         let at = if self.edges.ends(edge)[0] == from { at } else { self.edges.parts(edge) - at };
-        let position = self.position(relief, &self.on_edge(edge, at));
+        let position = relief.displaced(&self.on_edge(edge, at));
         (self.edges.numbered(edge, at), point::stored(position))
     }
 
-    /// The base point of an inner point, the metres that the smooth base lies above it, and its weights.
-    fn inside(&self, patch: u32, [b, c]: [f64; 2]) -> (BasePoint, f64, [f64; 3]) {
+    /// An inner point, and its weights.
+    fn inside(&self, patch: u32, [b, c]: [f64; 2]) -> (Placed, [f64; 3]) {
         let corners = self.triangles[patch as usize];
         let mut weights = [1.0 - b - c, b, c];
         if !self.voxels.is_empty() {
@@ -223,23 +245,31 @@ impl Triangles {
                 cubic::inside(corners.map(|vertex| self.corners.base(vertex).position), bent, weights);
         }
         let lifts = [0, 1, 2].map(|k| self.lift(self.seen(sides[k])) * weights[k] * weights[(k + 1) % 3]);
-        (base, lifts[0] + lifts[1] + lifts[2], weights)
+        let lift_m = lifts[0] + lifts[1] + lifts[2];
+        (Placed { base, lift_m, level: self.level(corners, weights) }, weights)
     }
 
     /// The position of an inner point.
     pub fn inner(&self, relief: &Relief, patch: u32, weights: [f64; 2]) -> Vec3 {
-        let (base, lift_m, _) = self.inside(patch, weights);
-        point::stored(self.position(relief, &(base, lift_m)))
+        let (placed, _) = self.inside(patch, weights);
+        point::stored(relief.displaced(&placed))
     }
 
     /// The vertex at an inner point.
     pub fn inner_vertex(&self, relief: &Relief, patch: u32, weights: [f64; 2]) -> Vertex {
-        let (base, lift_m, weights) = self.inside(patch, weights);
-        let position = self.position(relief, &(base, lift_m));
+        let (placed, weights) = self.inside(patch, weights);
         let corners = self.triangles[patch as usize];
         let frame = Frame::weighted(corners.map(|vertex| self.corners.frame(vertex)), weights);
-        relief.vertex(position, &base, relief.place(base.uv.to_array()), &frame, lift_m)
+        relief.vertex(relief.displaced(&placed), &placed, &frame)
     }
+}
+
+/// Texels of a map of so many columns and rows in a metre around a vertex, along `u` or `v`, whichever has
+/// more. None where the texture has no extent.
+fn texels_per_metre(vertex: &Vertex, sides: [f64; 2]) -> f64 {
+    let along = [vertex.tangent, vertex.bitangent].map(|tangent| tangent.as_dvec3().length());
+    let texels = [0, 1].map(|axis| sides[axis] / along[axis]).into_iter().filter(|texels| texels.is_finite());
+    texels.fold(0.0, f64::max)
 }
 
 /// A number of points as the mesh counts them, if that many are possible.

@@ -7,10 +7,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::Vec3;
 use relief_io::{MeshCounts, MeshFormat, write_mesh};
-use relief_mesh::{Certificate, Mesher, Stream, StreamError, Streamed, View, Watch};
-use relief_render::scene::Surface;
+use relief_mesh::{Certificate, Mesher, Stream, StreamError, Streamed, Watch};
 
 use super::parts::PartFile;
+use super::seen::Seen;
 use super::{Arguments, COARSER, of_mesher};
 use crate::commands::staged::Staged;
 use crate::failure::Failure;
@@ -28,12 +28,6 @@ pub struct WrittenPart {
     pub certificate: Option<Certificate>,
     /// Of the file.
     pub bytes: u64,
-}
-
-/// What a mesh is made of, and from where it is looked at.
-pub struct Seen<'a> {
-    pub surface: &'a Surface,
-    pub view: Option<View>,
 }
 
 /// What lengths of the mesh as it is written may be wrong by, as a part of them: tolerances leave more room.
@@ -94,7 +88,8 @@ impl Making<'_> {
         let watch = Watch { tell: &tell, cancel: self.cancel };
         let mesher = match arguments.triangles {
             Some(most) => Mesher::with_at_most(mesh, map, &settings, most, &watch),
-            None => Mesher::watched(mesh, map, &settings, &watch),
+            None if seen.coarser.is_empty() => Mesher::watched(mesh, map, &settings, &watch),
+            None => Mesher::with_levels(mesh, map, &seen.coarser, &settings, &watch),
         };
         let mesher = mesher.map_err(of_mesher)?;
         arguments.check_memory(surface, &mesher)?;
