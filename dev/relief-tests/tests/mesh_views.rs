@@ -232,7 +232,7 @@ fn vertices_are_displaced_as_the_judge_has_it() {
     for vertex in mesh.vertices().iter().step_by(7) {
         let uv = vertex.uv.as_dvec2();
         let nearest = (0..base.triangles().len() as u32).map(|triangle| {
-            let corners = base.corners(triangle).map(|corner| BasePoint::from(corner));
+            let corners = base.corners(triangle).map(BasePoint::from);
             let [a, b, c] = [corners[0].uv, corners[1].uv, corners[2].uv];
             let area = (b - a).perp_dot(c - a);
             let weights = [(b - uv).perp_dot(c - uv), (c - uv).perp_dot(a - uv), (a - uv).perp_dot(b - uv)];

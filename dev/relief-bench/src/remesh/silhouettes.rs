@@ -51,6 +51,7 @@ pub fn table(width: u32) -> Result<Table, String> {
         "outline off, p50",
         "p95",
         "greatest",
+        "pixels that change",
     ]);
     for name in ["ground", "torus-32x16", "sphere-32x16"] {
         let base = match name {
