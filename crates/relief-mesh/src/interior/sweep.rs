@@ -28,7 +28,7 @@ use crate::patch::{Patch, PatchPoint};
 
 pub const INTERIOR: Interior = Interior {
     name: "sweep",
-    summary: "the points of a grid of voxels: columns along the longest edge, with --edges pixels",
+    summary: "the points of a grid of voxels in columns along the longest edge, for sides by pixels",
     publication: Publication {
         paper: "Gumhold and Hüttner 1999, Multiresolution Rendering With Displacement Mapping",
         section: "3.4",
