@@ -2,7 +2,7 @@
 
 use relief_core::registry::UnknownName;
 
-use crate::Part;
+use crate::{Part, Weights};
 
 /// Why there can be no mesh of a base, a height map and settings.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -25,6 +25,24 @@ pub enum MesherError {
     NoView {
         /// Name of the edge rule.
         edges: &'static str,
+    },
+    /// Weights that are none.
+    #[error(
+        "weights of {} for the silhouette, {} for slopes and {} for variation cannot be used: the first must \
+         be from 0 to 1, the others at least 0 and finite",
+        weights.silhouette, weights.slope, weights.variation
+    )]
+    BadWeights {
+        /// The weights.
+        weights: Weights,
+    },
+    /// Weights where sides must have as many points as they have.
+    #[error("the interior '{interior}' takes no weights: {why}")]
+    Weighted {
+        /// Name of the interior.
+        interior: &'static str,
+        /// The reason.
+        why: &'static str,
     },
     /// Levels of a map where no view says which of them is seen.
     #[error("the edges '{edges}' see the height map itself: levels of it are for a view")]

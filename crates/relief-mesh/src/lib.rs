@@ -47,7 +47,7 @@ mod watch;
 
 pub use choices::{BaseSurface, Directions, Fit, Judge, Seams, Shading, Side};
 pub use crack::{CrackPart, CrackTest, Cracks};
-pub use edge::{EDGE_RULES, EdgeRule, Spacing, edge_rule};
+pub use edge::{EDGE_RULES, EdgeRule, Spacing, Weights, edge_rule};
 pub use error::{MesherError, StreamError};
 pub use interior::{INTERIORS, Interior, check_pair, interior};
 pub use mesher::{Mesher, Stream, Streamed};

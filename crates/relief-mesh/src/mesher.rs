@@ -18,7 +18,9 @@ use crate::plane::{Adapted, Faces, Filling, Grid, Rectangle, Solid, Tile};
 use crate::smooth::{self, Normals};
 use crate::surface::Relief;
 use crate::triangles::{Numbered, Triangles};
-use crate::{Certificate, MeshSettings, MesherError, Part, Shading, StreamError, Watch, check_pair};
+use crate::{
+    Certificate, MeshSettings, MesherError, Part, Shading, Spacing, StreamError, Watch, Weights, check_pair,
+};
 
 /// Bytes of a vertex and a triangle of a block, whichever takes more, while it is made and looked at.
 const BYTES_IN_A_BLOCK: u64 = 400;
@@ -199,6 +201,11 @@ impl Mesher {
         }
         if matches!(settings.edges.divides, Divides::Voxels(_)) && settings.solid_m.is_some() {
             return Err(MesherError::SolidOfView);
+        }
+        settings.weights.check()?;
+        let interior = settings.interior;
+        if settings.weights != Weights::NONE && !interior.takes.contains(&Spacing::Even) {
+            return Err(MesherError::Weighted { interior: interior.name, why: interior.why });
         }
         let mut patches = mesh.triangles().len();
         let base = match (settings.interior.fills, settings.edges.divides, rectangle) {

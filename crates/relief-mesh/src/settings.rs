@@ -1,7 +1,8 @@
 //! How a mesh is made.
 
 use crate::{
-    BaseSurface, Directions, EdgeRule, Fit, Interior, Judge, Seams, Shading, Side, View, edge, interior,
+    BaseSurface, Directions, EdgeRule, Fit, Interior, Judge, Seams, Shading, Side, View, Weights, edge,
+    interior,
 };
 
 /// How a mesh is made.
@@ -15,6 +16,8 @@ pub struct MeshSettings {
     pub texels: u32,
     /// For the edge rule `pixels`: where the mesh is looked at from.
     pub view: Option<View>,
+    /// For the same, with the interior `dice`: edges that have more or fewer points than voxels.
+    pub weights: Weights,
     /// For the edge rule `error` and the interior `adapt`: the farthest that the relief may lie from the
     /// triangles, along the direction of displacement, in metres.
     pub error_m: f64,
@@ -75,6 +78,7 @@ impl Default for MeshSettings {
             interior: &interior::DICE,
             texels: 1,
             view: None,
+            weights: Weights::NONE,
             error_m: f64::INFINITY,
             judge: Judge::default(),
             fit: Fit::default(),

@@ -117,6 +117,12 @@ impl Relief {
         self.map.height_at_place(x - 0.5, y - 0.5)
     }
 
+    /// The height at texture coordinates.
+    pub fn height_at_uv(&self, uv: DVec2) -> f64 {
+        let [x, y] = place_in(&self.map, uv);
+        self.map.height_at_place(x, y)
+    }
+
     /// The displacement by a height, in metres.
     pub fn metres(&self, height: f64) -> f64 {
         self.map.displacement_m(height)

@@ -9,7 +9,7 @@ use relief_core::{HeightMap, Wrap};
 use relief_io::{MeshOptions, read_mesh};
 use relief_mesh::{
     BaseSurface, CrackTest, EDGE_RULES, INTERIORS, Interior, MeshSettings, Mesher, MesherError, Part, Seams,
-    Spacing, View, Watch, check_pair,
+    Spacing, View, Watch, Weights, check_pair,
 };
 use relief_tests::maps;
 
@@ -287,6 +287,56 @@ fn coarse_points_have_the_heights_of_the_level_that_is_as_coarse() {
     // What is seen at a fixed distance of texels has no levels.
     let found = Mesher::with_levels(&base, &map, &levels, &MeshSettings::default(), &Watch::NOBODY);
     assert!(matches!(found, Err(MesherError::LevelsOfNoView { .. })));
+}
+
+#[test]
+fn weights_move_points_to_slopes_and_silhouettes_without_a_crack() {
+    let bumps = map("natural 101x67", Wrap::Repeat, 0.08);
+    let level = map("constant half 16x9", Wrap::Repeat, 0.08);
+    let base = sphere(16, 8).expect("a mesh");
+    let camera = Camera::new(DVec3::new(0.0, 0.3, 2.0), DVec3::ZERO, 40.0).expect("a camera");
+    let dice = INTERIORS.iter().find(|interior| interior.takes.contains(&Spacing::Even)).expect("listed");
+    let plain = MeshSettings { interior: dice, ..MeshSettings::seen_by(seen(camera, 300, 2.0)) };
+    let made = |map: &HeightMap, weights: Weights| {
+        let settings = MeshSettings { weights, ..plain };
+        let mesh = Mesher::new(&base, map, &settings).expect("a mesh").mesh().expect("finite");
+        let cracks = CrackTest::of_mesh(&mesh);
+        assert!(cracks.is_closed() && cracks.pieces == 1, "{weights:?}: {cracks:?}");
+        mesh
+    };
+    let count = |mesh: &Mesh| mesh.triangles().len();
+    let steep = Weights { slope: 4.0, ..Weights::NONE };
+    let varied = Weights { variation: 2.0, ..Weights::NONE };
+    let usual = count(&made(&bumps, Weights::NONE));
+    let finer = [steep, varied].map(|weights| count(&made(&bumps, weights)));
+    println!("{usual} {finer:?}");
+    assert!(finer.iter().all(|finer| *finer > usual + usual / 10));
+    // Where there is no relief there is nothing to be finer for.
+    assert_eq!(count(&made(&level, steep)), count(&made(&level, Weights::NONE)));
+    assert_eq!(count(&made(&level, varied)), count(&made(&level, Weights::NONE)));
+    // At the silhouette as fine as before, and coarse in the middle.
+    let around = |mesh: &Mesh, is_rim: bool| {
+        let vertices = mesh.vertices().iter().filter(|vertex| {
+            let normal = vertex.normal.as_dvec3();
+            let toward = (camera.eye() - vertex.position.as_dvec3()).normalize();
+            (normal.dot(toward).abs() < 0.3) == is_rim
+        });
+        vertices.count() as f64
+    };
+    let outlined = made(&level, Weights { silhouette: 1.0, ..Weights::NONE });
+    let whole = made(&level, Weights::NONE);
+    let [rim, middle] = [true, false].map(|rim| around(&outlined, rim) / around(&whole, rim));
+    assert!(rim > 3.0 * middle && rim > 0.5, "{rim} {middle}");
+    for weights in [
+        Weights { silhouette: 1.1, ..Weights::NONE },
+        Weights { slope: -1.0, ..Weights::NONE },
+        Weights { variation: f64::NAN, ..Weights::NONE },
+    ] {
+        let found = Mesher::new(&base, &level, &MeshSettings { weights, ..plain });
+        assert!(matches!(found, Err(MesherError::BadWeights { .. })));
+    }
+    let swept = MeshSettings { weights: steep, ..MeshSettings::seen_by(seen(camera, 300, 2.0)) };
+    assert!(matches!(Mesher::new(&base, &level, &swept), Err(MesherError::Weighted { .. })));
 }
 
 #[test]

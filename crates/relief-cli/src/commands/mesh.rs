@@ -15,7 +15,7 @@ use relief_core::registry::UnknownName;
 use relief_io::{DEFAULT_MAX_BYTES, MeshFormat};
 use relief_mesh::{
     BaseSurface, Directions, EDGE_RULES, EdgeRule, Fit, INTERIORS, Interior, Judge, MeshSettings, Mesher,
-    MesherError, Seams, Shading, Side, Spacing, View,
+    MesherError, Seams, Shading, Side, Spacing, View, Weights,
 };
 use relief_render::scene::{MeshChoice, Scene, SceneSpec, Surface, SurfaceSpec, read_scene};
 
@@ -93,6 +93,19 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     pixels: Option<f64>,
+    /// Times as many vertices along an edge of a --view: (1 - S f) (1 + G s + V v), by how much it faces the eye
+    /// (f, 0 at the silhouette to 1), the mean slope of the relief along it (s) and how much of its range it
+    /// has there (v); with the interior dice [default: 0,0,0]
+    #[arg(
+        long,
+        value_name = "S,G,V",
+        value_parser = values::point,
+        allow_hyphen_values = true,
+        requires = "view",
+        help_heading = "Triangles",
+        hide_short_help = true
+    )]
+    weights: Option<[f64; 3]>,
     /// Heights where vertices of a --view are farther apart than texels, by coarser levels of the map: average;
     /// max or min, nowhere below or above the relief; least-squares; variational, the nearest by volume, which
     /// takes a while; or none, those of the map [default: least-squares]
@@ -360,7 +373,11 @@ impl Arguments {
     fn rules(&self, is_measured: bool) -> (&'static EdgeRule, &'static Interior) {
         let usual = if is_measured { MeshSettings::within(1.0) } else { MeshSettings::default() };
         let seen = || EDGE_RULES.iter().find(|edges| self.view.is_some() && edges.spacing == Spacing::Voxels);
-        match (self.edges.or_else(seen), self.interior) {
+        let edges = self.edges.or_else(seen);
+        // Weights are for patterns that take any number of points.
+        let patterned = |interior: &&Interior| interior.takes.contains(&Spacing::Even);
+        let weighted = || self.weights.and_then(|_| INTERIORS.iter().find(patterned));
+        match (edges, self.interior.or_else(weighted)) {
             // Of two that belong together one is enough; interiors that take one rule alone are for that.
             (Some(edges), None) => {
                 let fits = |interior: &&Interior| relief_mesh::check_pair(edges, interior).is_ok();
@@ -386,6 +403,7 @@ impl Arguments {
             interior,
             texels: self.texels.unwrap_or(usual.texels),
             view: *view,
+            weights: self.weights(),
             error_m: self.error.unwrap_or_default().metres(map.scale_m(), size),
             judge: self.judge.unwrap_or_default(),
             fit: self.fit.unwrap_or_default(),
@@ -398,6 +416,11 @@ impl Arguments {
             seams: self.seams.unwrap_or_default(),
             ..usual
         }
+    }
+
+    fn weights(&self) -> Weights {
+        let [silhouette, slope, variation] = self.weights.unwrap_or_default();
+        Weights { silhouette, slope, variation }
     }
 
     /// The most memory.
@@ -472,6 +495,9 @@ fn of_mesher(error: MesherError) -> Failure {
         MesherError::NoTexels => Failure::Usage(format!("--texels: {error}")),
         MesherError::Pair { .. } => Failure::usage(error),
         MesherError::NoView { .. } => Failure::Usage(format!("{error}: --view SCENE.toml names one")),
+        MesherError::BadWeights { .. } | MesherError::Weighted { .. } => {
+            Failure::Usage(format!("--weights: {error}"))
+        }
         MesherError::BadView { .. } => Failure::Work(format!("--view: {error}")),
         MesherError::BadTolerance { .. } => Failure::Usage(format!("--error: {error}")),
         MesherError::TooFine { .. } | MesherError::NotReached { .. } => {

@@ -3,11 +3,13 @@
 mod error;
 mod pixels;
 mod texels;
+mod weights;
 
 pub use error::{LONGEST, RULE as ERROR};
 pub use pixels::RULE as PIXELS;
 use relief_core::registry::{Publication, UnknownName};
 pub use texels::RULE as TEXELS;
+pub use weights::Weights;
 
 use crate::MeshSettings;
 

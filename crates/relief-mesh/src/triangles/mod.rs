@@ -14,7 +14,7 @@ use crate::error::MOST;
 use crate::patch::Patch;
 use crate::surface::{Frame, Placed, Relief};
 use crate::view::{Voxel, log2};
-use crate::{BaseSurface, MeshSettings, MesherError, Seams, point};
+use crate::{BaseSurface, MeshSettings, MesherError, Seams, Weights, point};
 
 /// A base of triangles, with the points of its sides counted.
 #[derive(Debug)]
@@ -67,7 +67,15 @@ impl Triangles {
                     let around = |vertex: &Vertex| grid.size_m() * texels_per_metre(vertex, sides);
                     footprints = mesh.vertices().iter().map(around).collect();
                 }
-                Edges::new(mesh, &point_of, &corners, |ends| parts(ends.map(|end| voxels[end as usize].at)))?
+                Edges::new(mesh, &point_of, &corners, |ends| {
+                    let voxels = parts(ends.map(|end| voxels[end as usize].at));
+                    if settings.weights == Weights::NONE {
+                        return voxels;
+                    }
+                    let factor = settings.weights.factor(relief, &view, ends.map(|end| corners.vertex(end)));
+                    // A float that is too large becomes the greatest number.
+                    (voxels as f64 * factor).ceil().max(1.0) as u64
+                })?
             }
             Divides::Along(_) => {
                 let (edges, interior) = (settings.edges.name, settings.interior.name);
