@@ -4,16 +4,16 @@ use std::ops::{Add, Div, Mul};
 
 use glam::{DVec3, Vec3};
 
-/// Point `k` of `n` between two ends, as weights of the ends: `[n - k, k]`, each times the end's share. Points
-/// at equal distances have shares of 1, those that look so in perspective the inverse depths.
+/// Point `k` of `n` between two ends, as weights of the ends: `[n - k, k]`, each times the end's share.
+/// Points at equal distances have shares of 1, those that look so in perspective the inverse depths.
 pub fn weights([a, b]: [f64; 2], k: u32, n: u32) -> [f64; 2] {
     [a * f64::from(n - k), b * f64::from(k)]
 }
 
 /// The point between two ends that has those weights: `(a (n - k) + b k) / n` where both shares are 1.
 ///
-/// Products are rounded by themselves and sums do not depend on the order of their parts, so that the point is
-/// the same, bit by bit, as point `n - k` from the other end; where shares are 1 the ends themselves are
+/// Products are rounded by themselves and sums do not depend on the order of their parts, so that the point
+/// is the same, bit by bit, as point `n - k` from the other end; where shares are 1 the ends themselves are
 /// points 0 and `n`. Adding up differences, as Gumhold and Hüttner 1999 do (section 3.4), gives other bits
 /// from either end.
 pub fn between<T>(a: T, b: T, [of_a, of_b]: [f64; 2]) -> T

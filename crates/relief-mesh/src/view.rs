@@ -97,8 +97,8 @@ impl Voxels {
     }
 }
 
-/// The logarithm of a number above 0. By additions, products and quotients alone, so that it has the same bits
-/// on every machine.
+/// The logarithm of a number above 0. By additions, products and quotients alone, so that it has the same
+/// bits on every machine.
 pub fn log2(of: f64) -> f64 {
     // Halved or doubled until it lies between the roots of 1/2 and 2.
     let bits = of.to_bits();

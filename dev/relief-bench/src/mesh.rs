@@ -80,8 +80,8 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         }
     }
     println!(
-        "Every texel of cobbles, or every pixel of a large picture, with exact normals, on {} threads; medians of {} rounds.\n\n{rows}\n\nAim: \
-         {LEAST_MILLIONS} million triangles a second and twice that.",
+        "Every texel of cobbles, or every pixel of a large picture, with exact normals, on {} threads; \
+         medians of {} rounds.\n\n{rows}\n\nAim: {LEAST_MILLIONS} million triangles a second and twice that.",
         rayon::current_num_threads(),
         arguments.rounds
     );

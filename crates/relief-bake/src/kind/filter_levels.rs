@@ -1,11 +1,12 @@
 //! Filter levels: a chain of coarser height maps, each of which is a bilinear surface for itself.
 //!
-//! * Gumhold and Hüttner 1999, "Multiresolution rendering with displacement mapping": section 4.2 for levels
+//! * Gumhold and Hüttner 1999, "Multiresolution Rendering With Displacement Mapping": section 4.2 for levels
 //!   of the least difference volume, section 4.1 for maxima and minima.
 //!
 //! Sides halve rounded down, until a level is a single texel. Level 0 is the map, and every level but an
-//! average is made from it, not from the one before. A level's surface lies over the same texture square as the map's, goes
-//! on beyond it as the map does, and its heights are from 0 to 1 with the map's scale and bias.
+//! average is made from it, not from the one before. A level's surface lies over the same texture square as
+//! the map's, goes on beyond it as the map does, and its heights are from 0 to 1 with the map's scale and
+//! bias.
 //!
 //! # Guarantee
 //!

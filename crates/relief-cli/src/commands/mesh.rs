@@ -93,9 +93,9 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     pixels: Option<f64>,
-    /// Times as many vertices along an edge of a --view: (1 - S f) (1 + G s + V v), by how much it faces the eye
-    /// (f, 0 at the silhouette to 1), the mean slope of the relief along it (s) and how much of its range it
-    /// has there (v); with the interior dice [default: 0,0,0]
+    /// Times as many vertices along an edge of a --view: (1 - S f) (1 + G s + V v), by how much it faces the
+    /// eye (f, 0 at the silhouette to 1), the mean slope of the relief along it (s) and how much of its range
+    /// it has there (v); with the interior dice [default: 0,0,0]
     #[arg(
         long,
         value_name = "S,G,V",
@@ -106,9 +106,9 @@ pub struct Arguments {
         hide_short_help = true
     )]
     weights: Option<[f64; 3]>,
-    /// Heights where vertices of a --view are farther apart than texels, by coarser levels of the map: average;
-    /// max or min, nowhere below or above the relief; least-squares; variational, the nearest by volume, which
-    /// takes a while; or none, those of the map [default: least-squares]
+    /// Heights where vertices of a --view are farther apart than texels, by coarser levels of the map:
+    /// average; max or min, nowhere below or above the relief; least-squares; variational, the nearest by
+    /// volume, which takes a while; or none, those of the map [default: least-squares]
     #[arg(long, value_name = "NAME", requires = "view", help_heading = "Triangles", hide_short_help = true)]
     level_filter: Option<LevelFilter>,
     /// Where --error and --triangles look: surface, everywhere on the relief between the texels, or texels,
@@ -352,8 +352,8 @@ impl Arguments {
         if let Some((flag, _)) = idle.into_iter().find(|(_, is_idle)| *is_idle) {
             let (edges, interior) = (edges.name, interior.name);
             return Err(Failure::Usage(format!(
-                "{flag} is not for the edges '{edges}' and the interior '{interior}', which --texels, --view, \
-                 --edges or --interior ask for: leave one out"
+                "{flag} is not for the edges '{edges}' and the interior '{interior}', which --texels, \
+                 --view, --edges or --interior ask for: leave one out"
             )));
         }
         if self.tiles.is_some() && self.shading == Some(Shading::Mesh) {

@@ -1,8 +1,8 @@
 //! Weights of edges that are divided by voxels.
 //!
-//! Source: Szirmay-Kalos and Umenhoffer 2008, section 3.2, which asks for more triangles where heights vary and
-//! toward the silhouette, and Gumhold and Hüttner 1999, section 6, for fewer where a surface faces the eye and
-//! more where the relief is steep.
+//! Source: Szirmay-Kalos and Umenhoffer 2008, section 3.2, which asks for more triangles where heights vary
+//! and toward the silhouette, and Gumhold and Hüttner 1999, section 6, for fewer where a surface faces the
+//! eye and more where the relief is steep.
 
 use glam::DVec3;
 use relief_core::mesh::{BasePoint, Vertex};
@@ -10,13 +10,13 @@ use relief_core::mesh::{BasePoint, Vertex};
 use crate::surface::Relief;
 use crate::{MesherError, View};
 
-/// By how much more or fewer points an edge has than voxels. It follows from the edge's two ends, and from what
-/// the height map has between their texture coordinates.
+/// By how much more or fewer points an edge has than voxels. It follows from the edge's two ends, and from
+/// what the height map has between their texture coordinates.
 ///
 /// An edge has `(1 - silhouette f) (1 + slope s + variation v)` times as many parts as voxels: `f` is the
-/// cosine between the directions of its ends and those to the eye, from 0 at the silhouette to 1; `s` the mean
-/// slope of the relief along it, in metres a metre; `v` the greatest difference of heights along it, as a part
-/// of what the map can hold.
+/// cosine between the directions of its ends and those to the eye, from 0 at the silhouette to 1; `s` the
+/// mean slope of the relief along it, in metres a metre; `v` the greatest difference of heights along it, as
+/// a part of what the map can hold.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Weights {
     /// From 0, not at all, to 1: an edge that faces the eye has one part.

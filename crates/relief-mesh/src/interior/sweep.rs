@@ -1,7 +1,7 @@
 //! The sweep of a triangle through a grid of voxels.
 //!
-//! Source: Gumhold and Hüttner 1999, section 3.4. Corners lie on whole numbers of grid space, and each side is
-//! divided along the direction in which it is longest (its *main direction*), one part a voxel. A *primary
+//! Source: Gumhold and Hüttner 1999, section 3.4. Corners lie on whole numbers of grid space, and each side
+//! is divided along the direction in which it is longest (its *main direction*), one part a voxel. A *primary
 //! edge* is one between whose ends, along its main direction, the third corner lies: there always is one
 //! (theorem 1), and the longest says along which axis is *swept*. Of the two coordinate planes that hold this
 //! axis the triangle is cut in the one that it covers more of; the other axis of that plane is the *side*.
@@ -9,9 +9,9 @@
 //! So the primary edge has one point in each *column*, at its bottom. The two other sides make the top: the
 //! points of theirs that round to a column belong to it. Between are the grid's own points, but those that
 //! lie within a voxel of a side are left out: they are dragged to it, in the paper's words. Neighbouring
-//! columns are zipped from below, by the shorter diagonal of the two that turn nothing over. Points of the top
-//! that lie before the third corner are zipped with the next column, those behind it with the last one; what
-//! there is of both in the third corner's own column is closed there, as a roof.
+//! columns are zipped from below, by the shorter diagonal of the two that turn nothing over. Points of the
+//! top that lie before the third corner are zipped with the next column, those behind it with the last one;
+//! what there is of both in the third corner's own column is closed there, as a roof.
 //!
 //! No piece has three corners on one side: the neighbour could have the same, and an edge four triangles.
 //!

@@ -44,7 +44,8 @@ fn random(random: &mut Rng, size: i32) -> Triangle {
     [corner(), corner(), corner()]
 }
 
-/// Triangles without a primary edge: random ones of three sizes, and all of a small lattice, which has many ties.
+/// Triangles without a primary edge: random ones of three sizes, and all of a small lattice, which has many
+/// ties.
 fn primary_edges(count: u32) -> String {
     let mut numbers = Rng::new(1);
     let has_one = |triangle: &Triangle| (0..3).any(|k| is_primary(triangle, k));
