@@ -65,7 +65,7 @@ pub const KIND: Kind = Kind {
     summary: "coarser heights, each level a surface of its own: nearest to the relief, or above or below it",
     revision: 1,
     publication: Publication {
-        paper: "Gumhold and Hüttner 1999, Multiresolution rendering with displacement mapping",
+        paper: "Gumhold and Hüttner 1999, Multiresolution Rendering With Displacement Mapping",
         section: "4.1, 4.2",
     },
     params: &[FILTER, BITS],
