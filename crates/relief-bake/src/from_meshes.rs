@@ -1,9 +1,8 @@
 //! The difference between two meshes: heights that displace a simple mesh onto a detailed one.
 //!
-//! Szirmay-Kalos and Umenhoffer 2008, section 2.2: height maps "can be the results of surface simplification
-//! when the difference of the detailed and the macrostructure surface is computed". The map holds all that
-//! the simple mesh lacks, its facets too, as Gumhold and Hüttner 1999, section 5, correct a map for the
-//! difference between a mesh and a perfect cylinder.
+//! Source: Szirmay-Kalos and Umenhoffer 2008, section 2.2, which names what surface simplification leaves out
+//! as a way to height maps. The map holds all that the simple mesh lacks, its facets too, as Gumhold and
+//! Hüttner 1999, section 5, correct a map for the difference between a mesh and a perfect cylinder.
 //!
 //! # What is computed
 //!
