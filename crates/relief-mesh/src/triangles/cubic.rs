@@ -57,12 +57,13 @@ mod tests {
                 weights[(side + 1) % 3] = part;
                 let ends = [side, (side + 1) % 3].map(|corner| corners[corner].position);
                 let on_side = on_side(ends, sides[side], [1.0 - part, part]);
-                assert!(on_side.distance(at(weights)) < 1e-15);
-                // The chord is off by 0.3.
-                assert!((on_side.length() - 1.0).abs() < 0.03, "{}", on_side.length());
+                assert!(on_side.distance(at(weights)) < 1e-14);
+                // In the middle chords are off by 0.17 to 0.25.
+                assert!((on_side.length() - 1.0).abs() < 0.09, "{}", on_side.length());
             }
         }
-        assert!((at([1.0 / 3.0; 3]).length() - 1.0).abs() < 0.05);
+        // The flat triangle's middle is off by 0.28.
+        assert!((at([1.0 / 3.0; 3]).length() - 1.0).abs() < 0.12);
     }
 
     #[test]
