@@ -12,6 +12,7 @@ pub mod detail;
 pub mod displaced;
 pub mod judge;
 pub mod maps;
+pub mod mesh_distance;
 pub mod one_source;
 pub mod outline;
 pub mod pairs;
@@ -23,6 +24,9 @@ pub mod shadows;
 
 use std::path::PathBuf;
 
+use relief_core::mesh::Mesh;
+use relief_io::{MeshOptions, read_mesh};
+
 /// How many adversarial rays a test sends through each map in each wrap. Tests that cost more a ray take a
 /// fraction of it. All test times scale with it: 25,000 makes 1.2 million rays over [`maps::ALL`] in the
 /// three wraps.
@@ -32,6 +36,21 @@ pub const RAYS_PER_MAP: usize = 25_000;
 /// then a test that needs it skips and says so.
 pub fn data_dir() -> Option<PathBuf> {
     std::env::var_os("RELIEF_DATA").map(PathBuf::from).filter(|folder| folder.is_dir())
+}
+
+/// A mesh of spot in that folder: `spot_triangulated.obj`, without any symmetry but one, or
+/// `spot_control_mesh.obj`, which it was made from. `None` where the folder is absent, which is said.
+///
+/// # Panics
+///
+/// When the folder has no such mesh.
+pub fn spot(name: &str) -> Option<Mesh> {
+    let Some(folder) = data_dir() else {
+        println!("skipped: RELIEF_DATA names no folder of data");
+        return None;
+    };
+    let file = folder.join("spot").join(name);
+    Some(read_mesh(&file, &MeshOptions::default()).unwrap_or_else(|error| panic!("{error}")).mesh)
 }
 
 /// The steepest slope of a map along an axis, in heights a texel.

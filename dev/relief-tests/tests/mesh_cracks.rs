@@ -3,7 +3,6 @@
 use glam::Vec3;
 use relief_core::mesh::{BasePoint, Builtin, Mesh, cube, cylinder, sphere, torus};
 use relief_core::{HeightMap, Wrap};
-use relief_io::{MeshOptions, read_mesh};
 use relief_mesh::{
     BaseSurface, CrackTest, Directions, EDGE_RULES, INTERIORS, MeshSettings, Mesher, Seams, Spacing,
     check_pair,
@@ -68,15 +67,7 @@ fn meshes_are_closed_where_their_bases_are() {
 
 #[test]
 fn spot_is_closed() {
-    let Some(folder) = relief_tests::data_dir() else {
-        println!("skipped: RELIEF_DATA names no folder of data");
-        return;
-    };
-    let entries = std::fs::read_dir(folder.join("spot")).expect("the folder is there");
-    let path = entries.map(|entry| entry.expect("an entry").path()).find(|path| {
-        path.extension().is_some_and(|ending| ending == "obj") && path.to_string_lossy().contains("tri")
-    });
-    let base = read_mesh(path.expect("a mesh").as_path(), &MeshOptions::default()).expect("a mesh").mesh;
+    let Some(base) = relief_tests::spot("spot_triangulated.obj") else { return };
     let was = CrackTest::of_mesh(&base);
     let map = maps::ALL.iter().find(|map| map.name == "natural 128x128").expect("it is listed");
     let map = displaced(&map.build(Wrap::Repeat), 0.03, 0.0);

@@ -6,7 +6,6 @@ use relief_bake::{Filter, Progress, filter_levels};
 use relief_core::camera::{Camera, Projection};
 use relief_core::mesh::{BasePoint, Builtin, Mesh, Vertex, cube, cylinder, sphere, torus};
 use relief_core::{HeightMap, Wrap};
-use relief_io::{MeshOptions, read_mesh};
 use relief_mesh::{
     BaseSurface, CrackTest, EDGE_RULES, INTERIORS, Interior, MeshSettings, Mesher, MesherError, Part, Seams,
     Spacing, View, Watch, Weights, check_pair,
@@ -98,15 +97,7 @@ fn eyes_within_the_surface_or_before_it_make_no_crack() {
 
 #[test]
 fn spot_has_no_crack_but_its_own() {
-    let Some(folder) = relief_tests::data_dir() else {
-        println!("skipped: RELIEF_DATA names no folder of data");
-        return;
-    };
-    let entries = std::fs::read_dir(folder.join("spot")).expect("the folder is there");
-    let path = entries.map(|entry| entry.expect("an entry").path()).find(|path| {
-        path.extension().is_some_and(|ending| ending == "obj") && path.to_string_lossy().contains("tri")
-    });
-    let base = read_mesh(path.expect("a mesh").as_path(), &MeshOptions::default()).expect("a mesh").mesh;
+    let Some(base) = relief_tests::spot("spot_triangulated.obj") else { return };
     let was = CrackTest::of_mesh(&base);
     let map = map("natural 128x128", Wrap::Repeat, 0.03);
     for (at, camera) in cameras(12).enumerate() {

@@ -104,9 +104,11 @@ fn reduced(
             for row in 0..mean_u.len() / size[0] {
                 let (first, down_shares) = down.of[block * ROWS + row];
                 for (tap, lines) in lines.chunks_mut(5 * from[0]).take(down.count).enumerate() {
-                    let mut parts = lines.chunks_mut(from[0]);
-                    let mut part = || parts.next().expect("five lines were made");
-                    row_of(first + tap, [part(), part(), part(), part(), part()]);
+                    let (u, lines) = lines.split_at_mut(from[0]);
+                    let (v, lines) = lines.split_at_mut(from[0]);
+                    let (uu, lines) = lines.split_at_mut(from[0]);
+                    let (uv, vv) = lines.split_at_mut(from[0]);
+                    row_of(first + tap, [u, v, uu, uv, vv]);
                 }
                 let line = |tap: usize, part: usize| &lines[(5 * tap + part) * from[0]..][..from[0]];
                 let places = || across.of.iter().zip(row * size[0]..);

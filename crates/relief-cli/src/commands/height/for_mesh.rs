@@ -66,11 +66,11 @@ pub struct Arguments {
 
 const AFTER_HELP: &str = "Examples:\n  relief height for-mesh bark.png --mesh tree.glb --lift -o tree.exr\n  \
     relief height for-mesh wall.exr --mesh hall.obj --gutter 4 -o hall.exr\n\n\
-    With --lift the map shows over flat triangles what the given one shows with `--set surface.lift=1`, but for what it does \
-    not resolve: its file says its scale and bias, which are printed, too. Light it by a normal map of the given \
-    one \
-    (`relief bake --kind normal`), since the mesh's own normals bend with its smooth base. Texels without a value are filled \
-    by --fill, and seen through with `relief render --holes`; only EXR holds them.";
+    With --lift the map shows over flat triangles what the given one shows with `--set surface.lift=1`, but \
+    for what it does not resolve: its file says its scale and bias, which are printed, too. Light it by a \
+    normal map of the given one (`relief bake --kind normal`), since the mesh's own normals bend with its \
+    smooth base. Texels without a value are filled by --fill, and seen through with `relief render --holes`; \
+    only EXR holds them.";
 
 /// Reads, makes and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
