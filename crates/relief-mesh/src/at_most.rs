@@ -18,7 +18,7 @@ const FIRST: f64 = 0.01;
 const MOST_STEP: f64 = 32.0;
 
 impl Mesher {
-    /// The mesh of least error that has no more triangles than `most`, on a plane: the tolerance is sought
+    /// The mesh of least error that has no more triangles than `most`: the tolerance is sought
     /// that gives that many, or a few less. The settings say everything else, as those of
     /// [`within`](MeshSettings::within) do; their own tolerance does not count.
     ///

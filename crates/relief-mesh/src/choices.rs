@@ -114,7 +114,7 @@ choice! {
 }
 
 choice! {
-    /// On which side of the relief triangles lie that are made to a tolerance.
+    /// On which side of the relief triangles of a plane lie that are made to a tolerance.
     Side, "side":
     /// On both, as far as the tolerance allows: the nearest.
     #[default]

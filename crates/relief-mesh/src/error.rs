@@ -94,16 +94,11 @@ pub enum MesherError {
         /// The error of the mesh.
         reached_m: f64,
     },
-    /// An edge rule or an interior for planes, and a mesh that is none.
-    #[error(
-        "the edges '{edges}' and the interior '{interior}' are for planes: two triangles that make a \
-         rectangle with straight texture"
-    )]
-    NoPlane {
-        /// Name of the edge rule.
-        edges: &'static str,
-        /// Name of the interior.
-        interior: &'static str,
+    /// A tolerance and something else that do not go together on a mesh that is not a plane.
+    #[error("{what} cannot be kept to a tolerance on a mesh that is not a plane")]
+    OnPlanesAlone {
+        /// What it is.
+        what: &'static str,
     },
     /// A solid that is none.
     #[error("a solid {solid_m} m thick cannot be made: it must be greater than 0, and finite")]
@@ -165,6 +160,9 @@ pub enum MesherError {
     /// A plane's tiles are no mesh.
     #[error(transparent)]
     Mesh(#[from] relief_core::mesh::MeshError),
+    /// What was made of a map is none.
+    #[error(transparent)]
+    Map(#[from] relief_core::HeightMapError),
     /// Nothing of that name.
     #[error(transparent)]
     Unknown(#[from] UnknownName),

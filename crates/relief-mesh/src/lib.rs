@@ -28,10 +28,12 @@
 //! ```
 
 mod at_most;
+mod certificate;
 mod choices;
 mod crack;
 mod edge;
 mod error;
+mod filling;
 mod interior;
 mod mesher;
 mod patch;
@@ -45,13 +47,13 @@ mod triangles;
 mod view;
 mod watch;
 
+pub use certificate::Certificate;
 pub use choices::{BaseSurface, Directions, Fit, Judge, Seams, Shading, Side};
 pub use crack::{CrackPart, CrackTest, Cracks};
 pub use edge::{EDGE_RULES, EdgeRule, Spacing, Weights, edge_rule};
 pub use error::{MesherError, StreamError};
 pub use interior::{INTERIORS, Interior, check_pair, interior};
 pub use mesher::{Mesher, Stream, Streamed};
-pub use plane::Certificate;
 pub use settings::{MeshSettings, Part};
 pub use view::View;
 pub use watch::Watch;

@@ -11,13 +11,14 @@ use relief_core::mesh::{Mesh, MeshBlock, Vertex};
 use crate::crack::{CrackPart, CrackTest, Cracks};
 use crate::edge::Divides;
 use crate::error::MOST;
+use crate::filling::Filling;
 use crate::interior::{Cut, Fills, Pattern};
 use crate::patch::{Patch, PatchPoint};
 use crate::plan::{Plan, Work};
-use crate::plane::{Adapted, Faces, Filling, Grid, Rectangle, Solid, Tile};
+use crate::plane::{Adapted, Faces, Grid, Rectangle, Solid, Tile};
 use crate::smooth::{self, Normals};
 use crate::surface::Relief;
-use crate::triangles::{Numbered, Triangles};
+use crate::triangles::{self, Numbered, Triangles};
 use crate::{
     Certificate, MeshSettings, MesherError, Part, Shading, Spacing, StreamError, Watch, Weights, check_pair,
 };
@@ -44,17 +45,27 @@ pub struct Mesher {
 #[derive(Debug)]
 enum Base {
     Triangles(Triangles, Pattern),
+    Filled(triangles::Adapted),
     Grid(Grid, Pattern),
     Adapted(Adapted),
 }
 
 impl Base {
+    /// The base of one that is not a plane.
+    fn triangles(&self) -> Option<&Triangles> {
+        match self {
+            Self::Triangles(base, _) => Some(base),
+            Self::Filled(filled) => Some(filled.base()),
+            Self::Grid(..) | Self::Adapted(_) => None,
+        }
+    }
+
     /// Walls and a bottom under a plane.
     fn solid(&self, relief: &Relief, solid_m: f64) -> Option<Solid> {
         let map = relief.map();
         let lowest_m = relief.metres(f64::from(map.extremes()[0]));
         match self {
-            Self::Triangles(..) => None,
+            Self::Triangles(..) | Self::Filled(_) => None,
             Self::Grid(grid, _) => Some(Solid::new(grid.walls(relief), lowest_m - solid_m)),
             Self::Adapted(plane) => {
                 // Triangles may lie below the relief by their error.
@@ -67,7 +78,7 @@ impl Base {
     /// The rectangle of a plane.
     fn rectangle(&self) -> Option<&Rectangle> {
         match self {
-            Self::Triangles(..) => None,
+            Self::Triangles(..) | Self::Filled(_) => None,
             Self::Grid(grid, _) => Some(grid.rectangle()),
             Self::Adapted(plane) => Some(plane.rectangle()),
         }
@@ -116,8 +127,8 @@ impl Mesher {
     ///
     /// The same input gives the same bits, whatever the number of threads.
     ///
-    /// With the interior `adapt` the triangles of a plane are found here, because there is no other way to
-    /// count them, and held. Its [`certificate`](Self::certificate) says how far the relief is from them.
+    /// With the interior `adapt` the triangles are found here, because there is no other way to count them,
+    /// and held. Its [`certificate`](Self::certificate) says how far the relief is from them.
     ///
     /// # Errors
     ///
@@ -220,16 +231,20 @@ impl Mesher {
             (Fills::Patch(pattern), _, None) => {
                 Base::Triangles(Triangles::new(mesh, &relief, settings)?, pattern)
             }
-            (Fills::Tile(fill), Divides::Along(side), Some(rectangle)) => Base::Adapted(Adapted::new(
-                rectangle,
-                &relief,
-                settings,
-                Filling { fill, side, most },
-                watch,
-            )?),
-            _ => {
+            (Fills::Ground(fill), Divides::Along(side), rectangle) => {
+                if !(settings.error_m > 0.0 && settings.error_m.is_finite()) {
+                    return Err(MesherError::BadTolerance { error_m: settings.error_m });
+                }
+                let filling = Filling { fill, side, most };
+                match rectangle {
+                    Some(plane) => Base::Adapted(Adapted::new(plane, &relief, settings, filling, watch)?),
+                    None => Base::Filled(triangles::Adapted::new(mesh, &relief, settings, filling, watch)?),
+                }
+            }
+            (Fills::Patch(_), Divides::Along(_), Some(_)) | (Fills::Ground(_), ..) => {
+                // Pairs were checked, and their spacings are as they divide.
                 let (edges, interior) = (settings.edges.name, settings.interior.name);
-                return Err(MesherError::NoPlane { edges, interior });
+                return Err(MesherError::Pair { edges, interior, why: settings.interior.why });
             }
         };
         let solid = settings.solid_m.and_then(|solid_m| base.solid(&relief, solid_m));
@@ -237,6 +252,7 @@ impl Mesher {
         match &base {
             Base::Triangles(triangles, pattern) => plan.triangles(triangles, pattern)?,
             Base::Grid(grid, pattern) => plan.grid(grid, pattern)?,
+            Base::Filled(filled) => plan.filled(filled),
             Base::Adapted(plane) => plan.adapted(plane),
         }
         if let Some(solid) = &solid {
@@ -246,7 +262,11 @@ impl Mesher {
         let at_hand = rayon::current_num_threads() * BLOCKS_PER_THREAD;
         let of_normals =
             if settings.shading == Shading::Mesh { vertices * smooth::BYTES_PER_VERTEX } else { 0 };
-        let of_tiles = if let Base::Adapted(plane) = &base { plane.bytes() } else { 0 };
+        let of_tiles = match &base {
+            Base::Triangles(..) | Base::Grid(..) => 0,
+            Base::Filled(filled) => filled.bytes(),
+            Base::Adapted(plane) => plane.bytes(),
+        };
         let bytes = patches as u64 * Self::BYTES_PER_TRIANGLE
             + (blocks.len() * size_of::<Work>()) as u64
             + of_normals
@@ -262,7 +282,11 @@ impl Mesher {
 
     /// How far the relief is from the triangles, if they were made to a tolerance.
     pub fn certificate(&self) -> Option<&Certificate> {
-        if let Base::Adapted(plane) = &self.base { Some(plane.certificate()) } else { None }
+        match &self.base {
+            Base::Triangles(..) | Base::Grid(..) => None,
+            Base::Filled(filled) => Some(filled.certificate()),
+            Base::Adapted(plane) => Some(plane.certificate()),
+        }
     }
 
     /// The most memory that a triangle of the base takes, in bytes.
@@ -368,20 +392,6 @@ impl Mesher {
     fn made(&self, work: &Work, how: &Stream, normals: Option<&Normals>) -> Option<Made> {
         let mut making = Making { normals, ..Making::default() };
         match (&self.base, work) {
-            (Base::Triangles(base, _), Work::Corners(range)) => {
-                for number in range.clone() {
-                    let vertex = base.corner_vertex(&self.relief, number);
-                    making.vertex(vertex, base.corner_numbered(number));
-                }
-            }
-            (Base::Triangles(base, _), Work::Edges(range)) => {
-                for edge in range.clone() {
-                    for at in 1..=base.points_of_edge(edge) {
-                        let vertex = base.edge_vertex(&self.relief, edge, at);
-                        making.vertex(vertex, base.edge_numbered(edge, at));
-                    }
-                }
-            }
             (Base::Triangles(base, pattern), Work::Patches { from, to, first_inner, first_vertex }) => {
                 self.patches(base, pattern, [*from, *to], [*first_inner, *first_vertex], &mut making);
             }
@@ -401,10 +411,32 @@ impl Mesher {
                     }
                 }
             }
-            (Base::Adapted(plane), Work::Tile(number)) => self.filled(plane, *number, &mut making),
+            (Base::Adapted(plane), Work::Tile(number)) => self.filled_tile(plane, *number, &mut making),
+            (Base::Filled(filled), Work::Filled(range)) => {
+                for patch in range.clone() {
+                    self.filled_patch(filled, patch, &mut making);
+                }
+            }
             (base, Work::Solid(first)) => {
                 if let (Some(solid), Some(rectangle)) = (&self.solid, base.rectangle()) {
                     making.faces(solid.faces(rectangle, &self.relief), *first, rectangle.is_turned);
+                }
+            }
+            (base, Work::Corners(range)) => {
+                if let Some(base) = base.triangles() {
+                    for number in range.clone() {
+                        making.vertex(base.corner_vertex(&self.relief, number), base.corner_numbered(number));
+                    }
+                }
+            }
+            (base, Work::Edges(range)) => {
+                if let Some(base) = base.triangles() {
+                    for edge in range.clone() {
+                        for at in 1..=base.points_of_edge(edge) {
+                            let vertex = base.edge_vertex(&self.relief, edge, at);
+                            making.vertex(vertex, base.edge_numbered(edge, at));
+                        }
+                    }
                 }
             }
             // The plan of one base has no work of the other.
@@ -466,7 +498,7 @@ impl Mesher {
         }
     }
 
-    fn filled(&self, plane: &Adapted, tile: u32, making: &mut Making) {
+    fn filled_tile(&self, plane: &Adapted, tile: u32, making: &mut Making) {
         let border = plane.border_points(&self.relief, tile);
         let mut points: Vec<(Numbered, Vec3)> =
             border.into_iter().map(|(number, position)| (Numbered::both(number), position)).collect();
@@ -476,6 +508,15 @@ impl Mesher {
         }
         // They turn from `u` to `v`, those of patterns from `v` to `u`.
         making.triangles(plane.triangles(tile), &points, !plane.is_turned());
+    }
+
+    fn filled_patch(&self, filled: &triangles::Adapted, patch: u32, making: &mut Making) {
+        let mut points = filled.border_points(&self.relief, patch);
+        for at in 0..filled.counts(patch)[0] {
+            let numbered = Numbered::both(filled.first_of_patch(patch) + at);
+            points.push((numbered, making.vertex(filled.inner_vertex(&self.relief, patch, at), numbered)));
+        }
+        making.triangles(filled.triangles(patch), &points, false);
     }
 
     fn tile(&self, plane: &Grid, pattern: &Pattern, tile: &Tile, making: &mut Making) {

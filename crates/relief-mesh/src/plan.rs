@@ -7,7 +7,7 @@ use crate::error::MOST;
 use crate::interior::Pattern;
 use crate::patch::Patch;
 use crate::plane::{Adapted, Grid, Solid};
-use crate::triangles::Triangles;
+use crate::triangles::{self, Triangles};
 
 /// Vertices and triangles of a block, together, at which it ends.
 const BLOCK: u64 = 1 << 15;
@@ -21,6 +21,8 @@ pub enum Work {
     Edges(Range<u32>),
     /// Steps of patches: from one patch and step to another.
     Patches { from: [u32; 2], to: [u32; 2], first_inner: u32, first_vertex: u32 },
+    /// Patches that are filled.
+    Filled(Range<u32>),
     /// A tile of a plane.
     Tile(u32),
     /// Walls and a bottom, whose first vertex has that number.
@@ -104,6 +106,24 @@ impl Plan {
             }
         }
         Ok(())
+    }
+
+    /// Plans a mesh over triangles that are filled.
+    pub fn filled(&mut self, filled: &triangles::Adapted) {
+        let base = filled.base();
+        self.corners(base.corner_count());
+        self.edges(base.edge_count(), |edge| base.points_of_edge(edge));
+        self.vertices = filled.vertices();
+        let (mut first, mut size) = (0, 0);
+        for patch in 0..base.count() {
+            let [points, triangles] = filled.counts(patch).map(u64::from);
+            self.triangles += triangles;
+            size += points + triangles;
+            if size >= BLOCK || patch + 1 == base.count() {
+                self.add(Work::Filled(first..patch + 1), size);
+                (first, size) = (patch + 1, 0);
+            }
+        }
     }
 
     /// Plans a mesh over the tiles of a plane that are filled.

@@ -59,7 +59,8 @@ impl Part {
 }
 
 impl MeshSettings {
-    /// As few triangles as a tolerance in metres allows, on a plane.
+    /// As few triangles as a tolerance in metres allows: within it on a plane, and on other meshes by a
+    /// bound, see [`Certificate`](crate::Certificate).
     pub fn within(error_m: f64) -> Self {
         Self { edges: &edge::ERROR, interior: &interior::ADAPT, error_m, ..Self::default() }
     }

@@ -1,6 +1,7 @@
 //! The displaced surface: where points go, and which normals they have.
 
 use glam::{DVec2, DVec3};
+use rayon::prelude::*;
 use relief_core::HeightMap;
 use relief_core::mesh::{BasePoint, Vertex};
 
@@ -57,6 +58,15 @@ impl Frame {
             turns: [0, 1].map(|axis| sum(&|frame| frame.turns[axis])),
         }
     }
+}
+
+/// The greatest tolerance, as a height of the map: all heights are nearer.
+const MOST_TOLERANCE: f64 = 1e6;
+
+/// How much a cell is twisted: two triangles lie off by a quarter of it in their middle.
+pub fn twist_of(cell: [f32; 4]) -> f64 {
+    let [h00, h10, h01, h11] = cell.map(f64::from);
+    (h00 - h10 - h01 + h11).abs()
 }
 
 /// The place of texture coordinates in a map, counted in texels from the centre of the first one.
@@ -119,8 +129,36 @@ impl Relief {
 
     /// The height at texture coordinates.
     pub fn height_at_uv(&self, uv: DVec2) -> f64 {
-        let [x, y] = place_in(&self.map, uv);
+        self.height_at(self.place(uv))
+    }
+
+    /// The place of texture coordinates in the map, counted in texels from the centre of the first one.
+    pub fn place(&self, uv: DVec2) -> [f64; 2] {
+        place_in(&self.map, uv)
+    }
+
+    /// The height at a place that is counted so.
+    pub fn height_at(&self, [x, y]: [f64; 2]) -> f64 {
         self.map.height_at_place(x, y)
+    }
+
+    /// A tolerance in metres as a height of the map, where a direction of displacement has that length.
+    pub fn tolerance(&self, error_m: f64, normal: f64) -> f64 {
+        (error_m / (self.map.scale_m() * self.reach(normal))).min(MOST_TOLERANCE)
+    }
+
+    /// The greatest twist of all cells.
+    pub fn greatest_twist(&self) -> f64 {
+        let map = &self.map;
+        let of_row =
+            |j: i64| (-1..i64::from(map.width())).map(|i| twist_of(map.cell(i, j))).fold(0.0, f64::max);
+        (-1..i64::from(map.height())).into_par_iter().map(of_row).reduce(|| 0.0, f64::max)
+    }
+
+    /// A point as it lies at a height of the map.
+    pub fn at_height(&self, placed: &Placed, height: f64) -> Placed {
+        let own = self.metres(self.height_at_uv(placed.base.uv));
+        Placed { lift_m: self.metres(height) - own, level: 0.0, ..*placed }
     }
 
     /// The displacement by a height, in metres.

@@ -45,8 +45,8 @@ pub struct Arguments {
     /// Format of a mesh that goes to the standard output, as in -o - --format stl
     #[arg(long, value_enum, value_name = "glb|ply|obj|stl", hide_short_help = true)]
     format: Option<Format>,
-    /// On a plane as few triangles as keep the relief within this of them, everywhere: a length as in 2mm or
-    /// 0.5m, of the mesh that is written, or a part of the scale, as in 1% [default: 0.5%]
+    /// As few triangles as keep the relief within this of them, everywhere: a length as in 2mm or 0.5m, of
+    /// the mesh that is written, or a part of the scale, as in 1% [default: 0.5%, on a plane]
     #[arg(
         long,
         value_name = "LENGTH|PART%",
@@ -55,7 +55,7 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     error: Option<Tolerance>,
-    /// On a plane the least error that so many triangles allow
+    /// The least error that so many triangles allow
     #[arg(
         long,
         value_name = "N",
@@ -119,8 +119,8 @@ pub struct Arguments {
     /// enough, or none, those of the relief [default: heights]
     #[arg(long, value_name = "heights|none", help_heading = "Triangles", hide_short_help = true)]
     fit: Option<Fit>,
-    /// On which side of the relief the triangles of --error and --triangles lie: both; above, so that nothing
-    /// that stands on them sinks into it; or below [default: both]
+    /// On which side of a plane's relief the triangles of --error and --triangles lie: both; above, so that
+    /// nothing that stands on them sinks into it; or below [default: both]
     #[arg(long, value_name = "both|above|below", help_heading = "Triangles")]
     side: Option<Side>,
     /// Close a plane below with walls and a flat bottom, so many millimetres of the file under its lowest
@@ -208,11 +208,14 @@ const AFTER_HELP: &str = "Examples:\n  \
     relief mesh dem.tif --texels 1 -o dem.glb                         # every texel of it\n  \
     relief mesh dem.tif --view flight.toml --pixels 2 -o dem.glb      # every second pixel of a picture\n  \
     relief mesh bark.png --mesh tree.obj --scale 2cm -o tree.glb      # on a mesh with a texture\n  \
+    relief mesh bark.png --mesh tree.obj --scale 2cm --error 1% -o tree.glb   # with few triangles\n  \
     relief mesh wall.png --mesh sphere --tile 8,4 --base lift -o ball.ply\n\n\
     The triangles are the relief that `relief render` shows, with the same --scale and --bias: carved into \
     the mesh unless a bias lifts it, --bias 0 puts it on top. A plane has the proportions of the height map, \
-    its longer side 1 m. On it triangles are as large as --error allows: no point of the relief is farther \
-    from them, measured along the displacement, and the answer says how far it is and where. Without \
+    its longer side 1 m. On it, and with --error elsewhere, triangles are as large as that allows: no point \
+    of the relief is farther from them, measured from the same point of the mesh, and the answer says how \
+    far it is and where. --shading mesh smooths what texels much finer than the triangles do to normals. \
+    Without \
     --seams keep the file has no cracks where the mesh has none: the answer counts open edges, those of a \
     sheet's border among them. Look at it with `relief render --mesh FILE`, `relief inspect FILE`, or any \
     viewer of glTF.";
@@ -503,8 +506,8 @@ fn of_mesher(error: MesherError) -> Failure {
         MesherError::TooFine { .. } | MesherError::NotReached { .. } => {
             Failure::Work(format!("--error: {error} (a larger one, or --texels 1)"))
         }
-        MesherError::NoPlane { .. } => {
-            Failure::Work(format!("{error}; this mesh is none: --texels N divides its edges"))
+        MesherError::OnPlanesAlone { .. } => {
+            Failure::Work(format!("{error}: leave it out, or --texels N divides the mesh's edges evenly"))
         }
         MesherError::PartOfNoPlane | MesherError::TooManyParts { .. } => {
             Failure::Work(format!("--tiles: {error}"))

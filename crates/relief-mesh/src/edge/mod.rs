@@ -46,10 +46,14 @@ pub enum Divides {
     Evenly(Evenly),
     /// By the voxels that their ends lie in: in how many parts.
     Voxels(fn([[i32; 3]; 2]) -> u64),
-    /// By what lies along the side of a tile of a plane: which knots are its points, the first and the last
-    /// among them, rising. The tolerance is a height of the map.
-    Along(fn(knots: &[Knot], tolerance: f64) -> Vec<usize>),
+    /// By what lies along the side.
+    Along(Along),
 }
+
+/// Which knots of a side are its points, the first and the last among them, rising. There is a row of knots
+/// for every height map's edge that the side is, at the same places: one on a plane, two at a seam. The
+/// tolerance is a height of the map.
+pub type Along = fn(rows: &[&[Knot]], tolerance: f64) -> Vec<usize>;
 
 /// Where sides are divided evenly.
 #[derive(Clone, Copy, Debug)]
@@ -64,7 +68,7 @@ pub struct Evenly {
     pub lines: fn(from: f64, to: f64, &MeshSettings) -> Vec<f64>,
 }
 
-/// A point that a side of a tile may have.
+/// A point that a side may have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Knot {
     /// Where it is, in texels along the side.

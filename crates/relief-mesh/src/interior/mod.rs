@@ -8,7 +8,9 @@ use std::ops::Range;
 
 use relief_core::registry::{Publication, UnknownName};
 
-pub use adapt::{Filled, Gap, INTERIOR as ADAPT, STEPS, Seen, Wanted, Window};
+pub use adapt::{
+    Extremes, Facet, Filled, Gap, Ground, INTERIOR as ADAPT, PAIR, STEPS, Seen, Wanted, Window, along,
+};
 pub use dice::INTERIOR as DICE;
 pub use sweep::INTERIOR as SWEEP;
 
@@ -35,24 +37,26 @@ pub struct Interior {
     pub(crate) fills: Fills,
 }
 
-impl Interior {
-    /// Whether it fills planes alone.
-    pub fn is_for_planes(&self) -> bool {
-        matches!(self.fills, Fills::Tile(_))
-    }
-}
-
 /// What an interior fills, and how.
 #[derive(Clone, Copy, Debug)]
 pub enum Fills {
     /// Any patch, by a pattern.
     Patch(Pattern),
-    /// Tiles of a plane, by what is on them. None where there would be too many triangles.
-    Tile(Fill),
+    /// Any patch, by what is on it.
+    Ground(Fill),
 }
 
-/// Fills a tile of a plane, whose border has those points.
-pub type Fill = fn(&Window, border: &[([i32; 2], f32)], Wanted) -> Option<Filled>;
+/// Fills patches whose borders have those points, with heights. None where there would be too many triangles.
+#[derive(Clone, Copy, Debug)]
+pub struct Fill {
+    /// A tile of a plane.
+    pub tile: FillOf<Window>,
+    /// A base triangle.
+    pub facet: FillOf<Facet>,
+}
+
+/// Fills a patch over some ground.
+pub type FillOf<G> = fn(&G, border: &[([i32; 2], f32)], Wanted) -> Option<Filled>;
 
 /// A pattern that follows from the points of the sides alone.
 #[derive(Clone, Copy, Debug)]

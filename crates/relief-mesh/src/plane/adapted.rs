@@ -8,58 +8,15 @@ use relief_core::mesh::Vertex;
 
 use super::span::{Span, TILE, spans};
 use super::{BorderPoint, Rectangle};
-use crate::edge::{Knot, LONGEST};
+use crate::edge::{Along, Knot, LONGEST};
 use crate::error::MOST;
-use crate::interior::{Fill, Filled, Gap, STEPS, Seen, Wanted, Window};
-use crate::surface::Relief;
-use crate::{Judge, MeshSettings, MesherError, Side, Watch};
-
-/// The least tolerance, as a height of the map: below it numbers of `f32` are too coarse.
-const LEAST: f64 = 1e-6;
-
-/// The part of a cell's twist that remains where it is cut as finely as the lattice allows: two triangles lie
-/// off by a quarter of the twist times length and width.
-const FINEST: f64 = 0.25 / (STEPS * STEPS) as f64;
-
-/// Bytes that a triangle takes while its tile is filled.
-const BYTES_MADE: u64 = 200;
-
-/// Bytes that a triangle takes afterwards, with its part of the points.
-const BYTES_HELD: u64 = 20;
+use crate::filling::{Filling, Room, least_tolerance};
+use crate::interior::{Filled, Gap, STEPS, Seen, Window};
+use crate::surface::{Relief, twist_of};
+use crate::{Certificate, Judge, MeshSettings, MesherError, Side, Watch};
 
 /// Bytes that a tile of two triangles takes, with its sides.
 const BYTES_PER_TILE: u64 = 400;
-
-/// How far the relief is from the triangles of a mesh, at most, along the direction of displacement.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Certificate {
-    /// The greatest distance in metres, exact but for the rounding of positions to `f32`.
-    pub error_m: f64,
-    /// Where it is: texture coordinates.
-    pub uv: [f64; 2],
-    /// The mean of the distances at the centres of texels, in metres.
-    pub mean_m: f64,
-    /// Where distances were looked at.
-    pub judge: Judge,
-}
-
-impl Certificate {
-    /// Whether the triangles are the relief.
-    pub fn is_exact(&self) -> bool {
-        self.error_m == 0.0
-    }
-}
-
-/// How tiles are filled.
-#[derive(Clone, Copy, Debug)]
-pub struct Filling {
-    /// What fills them.
-    pub fill: Fill,
-    /// Which knots of a side are its points.
-    pub side: fn(&[Knot], f64) -> Vec<usize>,
-    /// The most triangles of all.
-    pub most: u64,
-}
 
 /// A rectangle in tiles that are filled.
 #[derive(Debug)]
@@ -88,23 +45,19 @@ impl Adapted {
         filling: Filling,
         watch: &Watch,
     ) -> Result<Self, MesherError> {
-        let Filling { fill, side: divide, most } = filling;
-        if !(settings.error_m > 0.0 && settings.error_m.is_finite()) {
-            return Err(MesherError::BadTolerance { error_m: settings.error_m });
-        }
+        let Filling { fill, side: divide, .. } = filling;
         let range = rectangle.range(relief, settings.part)?;
         check_tiles(range, settings.max_bytes)?;
         let spans = range.map(|[from, to]| spans(from, to));
         // A height of the map in metres.
         let metres = relief.map().scale_m() * relief.reach(rectangle.reach());
-        let tolerance = (settings.error_m / metres).min(1e6);
+        let tolerance = relief.tolerance(settings.error_m, rectangle.reach());
         // Above alone is the same as on both sides of a surface that is higher by half of the tolerance.
         let (whole, tolerance) = match settings.side {
             Side::Both => (tolerance, tolerance),
             Side::Above | Side::Below => (tolerance, 0.5 * tolerance),
         };
-        let twist = if settings.judge == Judge::Surface { greatest_twist(relief) } else { 0.0 };
-        let least = LEAST.max(FINEST * twist);
+        let least = least_tolerance(relief, settings.judge);
         if tolerance < least {
             let (error_m, least_m) = (settings.error_m, least * metres * whole / tolerance);
             return Err(MesherError::TooFine { error_m, least_m });
@@ -117,7 +70,7 @@ impl Adapted {
             tiles: Vec::new(),
             raise: settings.side.sign() * tolerance,
             first_of_tile: Vec::new(),
-            certificate: Certificate { error_m: 0.0, uv: [0.0; 2], mean_m: 0.0, judge: settings.judge },
+            certificate: Certificate::exact(settings.judge),
         };
         let [across, down] = adapted.across();
         let sides = 0..2 * across * down + across + down;
@@ -129,48 +82,31 @@ impl Adapted {
             vertices += side.len() as u64;
         }
         adapted.first_of_side.push(numbered(vertices, 0)?);
-        let (triangles, done) = (AtomicU64::new(0), AtomicU64::new(0));
-        // Half of the memory is for what is held, a quarter for any tile in work: numbers of triangles, so
-        // that it does not matter which tile comes first.
-        let limit = settings.max_bytes;
-        let [held, made] = [limit / 2 / BYTES_HELD, limit / 4 / BYTES_MADE];
-        let check = |triangles: u64, fits: u64| match triangles {
-            too_many if too_many > most => Err(MesherError::MoreThan { most }),
-            too_many if too_many > fits => Err(MesherError::NoMemory { limit }),
-            _ => Ok(()),
-        };
+        let done = AtomicU64::new(0);
+        let room = Room::new(settings, filling.most);
         let tiles: Result<Vec<Filled>, MesherError> = (0..across * down)
             .into_par_iter()
             .map(|tile| {
                 if watch.cancel.load(Ordering::Relaxed) {
                     return Err(MesherError::Cancelled);
                 }
-                let room = made.min(most).min(u64::from(u32::MAX / 4));
-                let wanted =
-                    Wanted { tolerance, judge: settings.judge, fit: settings.fit, most: room as u32 };
-                let filled = fill(&adapted.window(relief, tile), &adapted.border(relief, tile), wanted);
-                let Some(filled) = filled else {
-                    check(room + 1, made)?;
-                    return Err(MesherError::NoMemory { limit });
-                };
-                let own = filled.triangles.len() as u64;
-                check(triangles.fetch_add(own, Ordering::Relaxed) + own, held)?;
+                let wanted = room.wanted(tolerance);
+                let filled =
+                    (fill.tile)(&adapted.window(relief, tile), &adapted.border(relief, tile), wanted);
+                let filled = room.taken(filled)?;
                 (watch.tell)((done.fetch_add(1, Ordering::Relaxed) + 1) as f32 / (across * down) as f32);
                 Ok(filled)
             })
             .collect();
         adapted.tiles = tiles?;
-        let triangles = triangles.into_inner();
+        let triangles = room.triangles();
         for tile in 0..across * down {
             adapted.first_of_tile.push(numbered(vertices, triangles)?);
             vertices += (adapted.tiles[tile].points.len() - adapted.border_count(tile)) as u64;
         }
         adapted.first_of_tile.push(numbered(vertices, triangles)?);
         adapted.certify(relief, metres);
-        let reached_m = adapted.certificate.error_m;
-        if reached_m > settings.error_m * (1.0 + 1e-9) {
-            return Err(MesherError::NotReached { error_m: settings.error_m, reached_m });
-        }
+        adapted.certificate.check(settings.error_m)?;
         Ok(adapted)
     }
 
@@ -203,7 +139,8 @@ impl Adapted {
         let mean =
             if self.raise == 0.0 { seen.sum / count } else { (self.raise - seen.signed / count).abs() };
         let judge = self.certificate.judge;
-        self.certificate = Certificate { error_m: height.abs() * metres, uv, mean_m: metres * mean, judge };
+        let error_m = height.abs() * metres;
+        self.certificate = Certificate { error_m, uv, mean_m: metres * mean, ..Certificate::exact(judge) };
     }
 
     /// How far the relief is from the triangles.
@@ -401,13 +338,7 @@ impl Adapted {
     }
 
     /// The points of a side, without its ends.
-    fn side(
-        &self,
-        relief: &Relief,
-        side: usize,
-        divide: fn(&[Knot], f64) -> Vec<usize>,
-        tolerance: f64,
-    ) -> Vec<(i32, f32)> {
+    fn side(&self, relief: &Relief, side: usize, divide: Along, tolerance: f64) -> Vec<(i32, f32)> {
         let (axis, span, line) = self.along(side);
         let [first, last] = span.steps;
         let twist_after = |step: i32| -> f64 {
@@ -442,7 +373,7 @@ impl Adapted {
             Knot { place: span.place(step), height, twist }
         };
         let knots: Vec<Knot> = steps.iter().map(knot).collect();
-        let chosen = divide(&knots, tolerance);
+        let chosen = divide(&[&knots], tolerance);
         let inner = &chosen[1..chosen.len() - 1];
         inner.iter().map(|&at| (steps[at].0, knots[at].height as f32)).collect()
     }
@@ -509,17 +440,5 @@ fn numbered(vertices: u64, triangles: u64) -> Result<u32, MesherError> {
 
 /// How much the cell at a place is twisted.
 fn twist_at(relief: &Relief, [x, y]: [f64; 2]) -> f64 {
-    twist(relief.map().cell((x - 0.5).floor() as i64, (y - 0.5).floor() as i64))
-}
-
-fn twist(cell: [f32; 4]) -> f64 {
-    let [h00, h10, h01, h11] = cell.map(f64::from);
-    (h00 - h10 - h01 + h11).abs()
-}
-
-/// The greatest twist of all cells.
-fn greatest_twist(relief: &Relief) -> f64 {
-    let map = relief.map();
-    let of_row = |j: i64| (-1..i64::from(map.width())).map(|i| twist(map.cell(i, j))).fold(0.0, f64::max);
-    (-1..i64::from(map.height())).into_par_iter().map(of_row).reduce(|| 0.0, f64::max)
+    twist_of(relief.map().cell((x - 0.5).floor() as i64, (y - 0.5).floor() as i64))
 }

@@ -8,7 +8,7 @@ mod span;
 use glam::{DVec2, DVec3, Vec3};
 use relief_core::mesh::{BasePoint, Mesh, Vertex};
 
-pub use adapted::{Adapted, Certificate, Filling};
+pub use adapted::Adapted;
 pub use grid::{Grid, Tile};
 pub use solid::{BorderPoint, Faces, Solid};
 

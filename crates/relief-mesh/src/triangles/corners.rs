@@ -21,6 +21,8 @@ pub struct Corners {
     vertices: Vec<Vertex>,
     /// Along what each is displaced; empty where that is its normal.
     directions: Vec<Vec3>,
+    /// What vertices are displaced by that lie between others, and the others; empty where there are none.
+    between: Vec<BasePoint>,
     /// The derivatives of the directions by `u` and `v`.
     turns: Vec<[Vec3; 2]>,
     /// The vertex whose texture coordinates say how far each is displaced; empty where it is itself.
@@ -53,9 +55,31 @@ impl Corners {
             number => *first.entry(surface_bits(vertex)).or_insert(number),
         });
         let smooth = smooth.collect();
-        let mut corners = Self { vertices, directions, turns: Vec::new(), seen, used, numbers, smooth };
+        let (between, turns) = (Vec::new(), Vec::new());
+        let mut corners = Self { vertices, directions, between, turns, seen, used, numbers, smooth };
         corners.turns = corners.turns_of(mesh);
         corners
+    }
+
+    /// The same with vertices that lie half-way between others: the first ones are those of a whole mesh, and
+    /// for each further one there are two before it. They are not rounded, so that the surface stays as it
+    /// is.
+    #[must_use]
+    pub fn between(mut self, whole: &Self, parents: &[[u32; 2]]) -> Self {
+        let mut all: Vec<BasePoint> = (0..whole.vertices.len() as u32).map(|at| whole.base(at)).collect();
+        self.turns[..all.len()].copy_from_slice(&whole.turns);
+        for parents in parents {
+            let [a, b] = parents.map(|parent| all[parent as usize]);
+            let [turn_a, turn_b] = parents.map(|parent| self.turns[parent as usize]);
+            self.turns[all.len()] = [0, 1].map(|axis| turn_a[axis] * 0.5 + turn_b[axis] * 0.5);
+            all.push(BasePoint {
+                position: a.position * 0.5 + b.position * 0.5,
+                normal: a.normal * 0.5 + b.normal * 0.5,
+                uv: a.uv * 0.5 + b.uv * 0.5,
+            });
+        }
+        self.between = all;
+        self
     }
 
     pub fn vertex(&self, vertex: u32) -> &Vertex {
@@ -74,11 +98,19 @@ impl Corners {
 
     /// What a vertex is displaced by.
     pub fn base(&self, vertex: u32) -> BasePoint {
+        if let Some(base) = self.between.get(vertex as usize) {
+            return *base;
+        }
         let mut base = BasePoint::from(self.vertex(vertex));
         if let Some(direction) = self.directions.get(vertex as usize) {
             base.normal = direction.as_dvec3();
         }
         base
+    }
+
+    /// The length of the longest direction of displacement.
+    pub fn longest(&self) -> f64 {
+        self.used.iter().map(|&vertex| self.base(vertex).normal.length()).fold(0.0, f64::max)
     }
 
     /// What a vertex is shaded by.

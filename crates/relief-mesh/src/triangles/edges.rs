@@ -1,7 +1,8 @@
-//! The edges of a base: how many points each has, and who shares them.
+//! The edges of a base: which points each has, and who shares them.
 
 use std::collections::HashMap;
 
+use rayon::prelude::*;
 use relief_core::mesh::Mesh;
 
 use super::corners::Corners;
@@ -30,12 +31,32 @@ struct Seam {
     parts: u32,
     /// The first edge.
     first: u32,
+    /// The steps along them, of which some are points; 0 where parts are equal.
+    size: u32,
+    /// The place of the first point's step in the list of all.
+    first_step: u32,
+}
+
+/// How the edges of a seam are divided.
+#[derive(Clone, Debug)]
+pub enum Division {
+    /// In equal parts.
+    Even(u64),
+    /// At some of so many equal steps, rising, between the ends.
+    Steps { size: u32, steps: Vec<u16> },
+}
+
+impl Division {
+    /// Nowhere.
+    pub const WHOLE: Self = Self::Even(1);
 }
 
 #[derive(Debug)]
 pub struct Edges {
     edges: Vec<Edge>,
     seams: Vec<Seam>,
+    /// The points of seams that are not divided evenly.
+    steps: Vec<u16>,
     sides: Vec<[u32; 3]>,
     /// The number after the last inner point.
     end: u64,
@@ -51,11 +72,12 @@ struct Side {
 }
 
 impl Edges {
+    /// The edges of a mesh. `divide` says how a seam is, by the ends of its edges, as each is ordered.
     pub fn new(
         mesh: &Mesh,
         point_of: &[u32],
         corners: &Corners,
-        parts_of: impl Fn([u32; 2]) -> u64,
+        divide: impl Fn(&[[u32; 2]]) -> Result<Division, MesherError> + Sync,
     ) -> Result<Self, MesherError> {
         let count = mesh.triangles().len();
         if count > (u32::MAX / 3) as usize {
@@ -70,22 +92,39 @@ impl Edges {
             let before = at.checked_sub(1).map(|before| &all[before]);
             let is_new_seam = before.is_none_or(|before| before.points != side.points);
             if is_new_seam {
-                seams.push(Seam { parts: 1, first: edges.len() as u32 });
+                seams.push(Seam { parts: 1, first: edges.len() as u32, size: 0, first_step: 0 });
             }
             let (triangle, place) = (side.number as usize / 3, side.number as usize % 3);
             if is_new_seam || before.is_none_or(|before| before.ends != side.ends) {
                 let seam = seams.len() - 1;
-                // An edge without a length has no points but its ends.
-                if side.points[0] != side.points[1] {
-                    let parts = counted(parts_of(side.ends))?;
-                    seams[seam].parts = seams[seam].parts.max(parts);
-                }
                 let lift = lifts[triangle][(place + 2) % 3];
                 edges.push(Edge { ends: side.ends, seam: seam as u32, first: 0, smooth: 0, lift });
             }
             sides[triangle][place] = edges.len() as u32 - 1;
         }
-        let mut edges = Self { edges, seams, sides, end: 0 };
+        let ends: Vec<[u32; 2]> = edges.iter().map(|edge| edge.ends).collect();
+        let divided: Result<Vec<Division>, MesherError> = (0..seams.len())
+            .into_par_iter()
+            .map(|seam| {
+                let first = seams[seam].first as usize;
+                let end = seams.get(seam + 1).map_or(ends.len(), |next| next.first as usize);
+                let [a, b] = ends[first].map(|end| point_of[end as usize]);
+                // An edge without a length has no points but its ends.
+                if a == b { Ok(Division::WHOLE) } else { divide(&ends[first..end]) }
+            })
+            .collect();
+        let mut all_steps = Vec::new();
+        for (seam, division) in seams.iter_mut().zip(divided?) {
+            match division {
+                Division::Even(parts) => seam.parts = counted(parts)?,
+                Division::Steps { size, steps } => {
+                    seam.parts = steps.len() as u32 + 1;
+                    (seam.size, seam.first_step) = (size, counted(all_steps.len() as u64)?);
+                    all_steps.extend(steps);
+                }
+            }
+        }
+        let mut edges = Self { edges, seams, steps: all_steps, sides, end: 0 };
         edges.number(corners)?;
         Ok(edges)
     }
@@ -127,6 +166,18 @@ impl Edges {
         self.seams[self.edges[edge as usize].seam as usize].parts
     }
 
+    /// How many steps lie before an inner point of an edge, and of how many along it.
+    pub fn place(&self, edge: u32, at: u32) -> [u32; 2] {
+        let Seam { parts, size, first_step, .. } = self.seams[self.edges[edge as usize].seam as usize];
+        if size == 0 { [at, parts] } else { [self.steps[(first_step + at) as usize - 1].into(), size] }
+    }
+
+    /// The steps along an edge, of which some are points.
+    pub fn size(&self, edge: u32) -> u32 {
+        let Seam { parts, size, .. } = self.seams[self.edges[edge as usize].seam as usize];
+        if size == 0 { parts } else { size }
+    }
+
     pub fn ends(&self, edge: u32) -> [u32; 2] {
         self.edges[edge as usize].ends
     }
@@ -161,6 +212,6 @@ fn sorted_sides(mesh: &Mesh, point_of: &[u32]) -> Vec<Side> {
             all.push(Side { points, ends, number: (3 * triangle + place) as u32 });
         }
     }
-    rayon::slice::ParallelSliceMut::par_sort_unstable(all.as_mut_slice());
+    all.par_sort_unstable();
     all
 }

@@ -1,14 +1,20 @@
 //! Bases of triangles: which sides meet, and the points of patches.
 
+mod adapted;
 mod corners;
+mod creases;
 mod cubic;
 mod edges;
+mod halves;
+mod profile;
 
 use glam::{DVec3, Vec3};
 use relief_core::mesh::{BasePoint, Mesh, Vertex};
 
+pub use self::adapted::Adapted;
 use self::corners::Corners;
-use self::edges::Edges;
+use self::creases::Creases;
+use self::edges::{Division, Edges};
 use crate::edge::Divides;
 use crate::error::MOST;
 use crate::patch::Patch;
@@ -49,37 +55,64 @@ impl Numbered {
 impl Triangles {
     pub fn new(mesh: &Mesh, relief: &Relief, settings: &MeshSettings) -> Result<Self, MesherError> {
         let is_welded = settings.seams == Seams::Weld;
-        let point_of = mesh.welded();
-        let corners = Corners::new(mesh, &point_of, is_welded);
-        let (mut voxels, mut footprints) = (Vec::new(), Vec::new());
         let sides = relief.sides();
+        let mut point_of = mesh.welded();
+        let mut corners = Corners::new(mesh, &point_of, is_welded);
+        let (mut creases, mut halved) = (None, None);
+        if let Divides::Along(_) = settings.edges.divides {
+            let tolerance = relief.tolerance(settings.error_m, corners.longest());
+            let found = Creases::new(relief, tolerance)?;
+            found.check(relief, settings, corners.longest())?;
+            halved = halves::halved(mesh, relief, &found, settings)?;
+            creases = Some(found);
+        }
+        if let Some(halved) = &halved {
+            point_of = halved.mesh.welded();
+            corners = Corners::new(&halved.mesh, &point_of, is_welded).between(&corners, &halved.parents);
+        }
+        let mesh = halved.as_ref().map_or(mesh, |halved| &halved.mesh);
+        let (mut voxels, mut footprints) = (Vec::new(), Vec::new());
+        let most = |parts: &mut dyn Iterator<Item = u64>| Ok(Division::Even(parts.max().unwrap_or(1)));
         let edges = match settings.edges.divides {
-            Divides::Evenly(evenly) => Edges::new(mesh, &point_of, &corners, |ends| {
-                let [a, b] = ends.map(|end| corners.vertex(end).uv.as_dvec2());
-                (evenly.parts)([(b.x - a.x) * sides[0], (b.y - a.y) * sides[1]], settings)
+            Divides::Evenly(evenly) => Edges::new(mesh, &point_of, &corners, |all| {
+                most(&mut all.iter().map(|ends| {
+                    let [a, b] = ends.map(|end| corners.vertex(end).uv.as_dvec2());
+                    (evenly.parts)([(b.x - a.x) * sides[0], (b.y - a.y) * sides[1]], settings)
+                }))
             })?,
             Divides::Voxels(parts) => {
                 let view = settings.view.ok_or(MesherError::NoView { edges: settings.edges.name })?;
                 let grid = view.voxels()?;
                 let places = mesh.vertices().iter().map(|vertex| grid.of(vertex.position.as_dvec3()));
-                voxels = places.collect();
+                voxels = places.collect::<Vec<Voxel>>();
                 if relief.has_levels() {
                     let around = |vertex: &Vertex| grid.size_m() * texels_per_metre(vertex, sides);
                     footprints = mesh.vertices().iter().map(around).collect();
                 }
-                Edges::new(mesh, &point_of, &corners, |ends| {
-                    let voxels = parts(ends.map(|end| voxels[end as usize].at));
-                    if settings.weights == Weights::NONE {
-                        return voxels;
-                    }
-                    let factor = settings.weights.factor(relief, &view, ends.map(|end| corners.vertex(end)));
-                    // A float that is too large becomes the greatest number.
-                    (voxels as f64 * factor).ceil().max(1.0) as u64
+                Edges::new(mesh, &point_of, &corners, |all| {
+                    most(&mut all.iter().map(|ends| {
+                        let voxels = parts(ends.map(|end| voxels[end as usize].at));
+                        if settings.weights == Weights::NONE {
+                            return voxels;
+                        }
+                        let ends = ends.map(|end| corners.vertex(end));
+                        let factor = settings.weights.factor(relief, &view, ends);
+                        // A float that is too large becomes the greatest number.
+                        (voxels as f64 * factor).ceil().max(1.0) as u64
+                    }))
                 })?
             }
-            Divides::Along(_) => {
-                let (edges, interior) = (settings.edges.name, settings.interior.name);
-                return Err(MesherError::NoPlane { edges, interior });
+            Divides::Along(along) => {
+                let reaches = reaches(mesh, &corners);
+                Edges::new(mesh, &point_of, &corners, |all| {
+                    let Some(creases) = &creases else { return Ok(Division::WHOLE) };
+                    let edge = |ends: &[u32; 2]| {
+                        let [a, b] = ends.map(|end| reaches[end as usize]);
+                        profile::Edge { ends: ends.map(|end| corners.base(end)), reach: a.min(b) }
+                    };
+                    let edges: Vec<profile::Edge> = all.iter().map(edge).collect();
+                    Ok(profile::division(relief, creases, &edges, along, settings))
+                })?
             }
         };
         let triangles = mesh.triangles().to_vec();
@@ -179,7 +212,8 @@ impl Triangles {
     /// The weights that the ends of an edge have at a point of it.
     fn along(&self, edge: u32, at: u32) -> [f64; 2] {
         let shares = self.edges.ends(edge).map(|end| self.share(end));
-        point::weights(shares, at, self.edges.parts(edge))
+        let [before, all] = self.edges.place(edge, at);
+        point::weights(shares, before, all)
     }
 
     fn lift(&self, edge: u32) -> f64 {
@@ -217,6 +251,19 @@ impl Triangles {
         relief.vertex(relief.displaced(&seen), &Placed { base, ..seen }, &frame)
     }
 
+    /// The edge at a side of a patch, and whether both run the same way.
+    fn side(&self, patch: u32, side: u32) -> (u32, bool) {
+        let edge = self.edges.sides(patch)[side as usize];
+        let from = self.triangles[patch as usize][side as usize];
+        (edge, self.edges.ends(edge)[0] == from)
+    }
+
+    /// The number of a point along an edge, which are counted from the end that comes first by its bits, and
+    /// not as the patch runs.
+    fn counted_on(&self, edge: u32, is_forth: bool, at: u32) -> u32 {
+        if is_forth { at } else { self.edges.parts(edge) - at }
+    }
+
     /// The number and the position of a point of the border of a patch.
     pub fn border(&self, relief: &Relief, patch: u32, side: u32, at: u32) -> (Numbered, Vec3) {
         if at == 0 {
@@ -224,10 +271,8 @@ impl Triangles {
             let position = relief.displaced(&self.at_corner(vertex));
             return (self.corners.numbered(vertex), point::stored(position));
         }
-        let edge = self.edges.sides(patch)[side as usize];
-        let from = self.triangles[patch as usize][side as usize];
-        // Edges are counted from the end that comes first by its bits, and not by the patch.
-        let at = if self.edges.ends(edge)[0] == from { at } else { self.edges.parts(edge) - at };
+        let (edge, is_forth) = self.side(patch, side);
+        let at = self.counted_on(edge, is_forth, at);
         let position = relief.displaced(&self.on_edge(edge, at));
         (self.edges.numbered(edge, at), point::stored(position))
     }
@@ -263,13 +308,36 @@ impl Triangles {
         point::stored(relief.displaced(&placed))
     }
 
+    /// The vertex at an inner point that lies at a height of the map.
+    fn inner_vertex_at(&self, relief: &Relief, patch: u32, weights: [f64; 2], height: f64) -> Vertex {
+        let (placed, weights) = self.inside(patch, weights);
+        self.vertex_inside(relief, patch, &relief.at_height(&placed, height), weights)
+    }
+
     /// The vertex at an inner point.
     pub fn inner_vertex(&self, relief: &Relief, patch: u32, weights: [f64; 2]) -> Vertex {
         let (placed, weights) = self.inside(patch, weights);
+        self.vertex_inside(relief, patch, &placed, weights)
+    }
+
+    fn vertex_inside(&self, relief: &Relief, patch: u32, placed: &Placed, weights: [f64; 3]) -> Vertex {
         let corners = self.triangles[patch as usize];
         let frame = Frame::weighted(corners.map(|vertex| self.corners.frame(vertex)), weights);
-        relief.vertex(relief.displaced(&placed), &placed, &frame)
+        relief.vertex(relief.displaced(placed), placed, &frame)
     }
+}
+
+/// The length of the longest direction of displacement of the triangles around each vertex.
+fn reaches(mesh: &Mesh, corners: &Corners) -> Vec<f64> {
+    let mut reaches = vec![0.0_f64; mesh.vertices().len()];
+    for triangle in mesh.triangles() {
+        let lengths = triangle.map(|vertex| corners.base(vertex).normal.length());
+        let longest = lengths.into_iter().fold(0.0, f64::max);
+        for &vertex in triangle {
+            reaches[vertex as usize] = reaches[vertex as usize].max(longest);
+        }
+    }
+    reaches
 }
 
 /// Texels of a map of so many columns and rows in a metre around a vertex, along `u` or `v`, whichever has

@@ -116,6 +116,7 @@ impl Making<'_> {
         let certificate = mesher.certificate().map(|certificate| Certificate {
             error_m: certificate.error_m * size,
             mean_m: certificate.mean_m * size,
+            seams_m: certificate.seams_m * size,
             ..*certificate
         });
         Ok(WrittenPart { name, counts, streamed, certificate, bytes })

@@ -21,6 +21,9 @@ pub struct About<'a> {
     pub surface: &'a Surface,
 }
 
+/// What seams are off by is told from this part of the error on.
+const TOLD: f64 = 0.01;
+
 impl About<'_> {
     fn sum(&self, of: impl Fn(&WrittenPart) -> u64) -> u64 {
         self.written.iter().map(of).sum()
@@ -60,9 +63,11 @@ impl About<'_> {
                 "open_edges": open, "branching_edges": branching, "pieces": pieces,
                 "size_m": size_m, "scale_m": scale_m, "bias_m": bias_m, "bytes": bytes, "seconds": seconds,
             });
-            if let Some(Certificate { error_m, uv, mean_m, judge }) = certificate {
-                about["error"] =
-                    json!({ "greatest_m": error_m, "at_uv": uv, "mean_m": mean_m, "judge": judge.name() });
+            if let Some(Certificate { error_m, uv, mean_m, seams_m, judge }) = certificate {
+                about["error"] = json!({
+                    "greatest_m": error_m, "at_uv": uv, "mean_m": mean_m, "seams_m": seams_m,
+                    "judge": judge.name(),
+                });
             }
             if arguments.tiles.is_some() {
                 about["files"] = written.iter().map(of_part).collect();
@@ -91,11 +96,16 @@ impl About<'_> {
         writeln!(out, "  size        {x} x {y} x {z} {unit}")?;
         let [scale, bias] = [scale_m, bias_m].map(six_digits);
         writeln!(out, "  relief      --scale {scale} --bias {bias}")?;
-        if let Some(Certificate { error_m, uv, mean_m, judge }) = certificate {
-            let [greatest, mean] = [error_m, mean_m].map(|metres| six_digits(metres * factor));
+        if let Some(Certificate { error_m, uv, mean_m, seams_m, judge }) = certificate {
+            let [greatest, mean, seams] =
+                [error_m, mean_m, seams_m].map(|metres| six_digits(metres * factor));
             let [u, v] = uv.map(six_digits);
             let at = format!("at uv {u},{v}, judged at the {judge}");
             writeln!(out, "  error       at most {greatest} {unit} {at}; {mean} {unit} on average")?;
+            if seams_m > error_m * TOLD {
+                let why = "where the two sides of a seam see other heights";
+                writeln!(out, "  seams       up to {seams} {unit} more in triangles at seams, {why}")?;
+            }
         }
         let edges = match (open, branching) {
             (0, 0) => "closed, no open edge".to_owned(),

@@ -6,12 +6,25 @@
 /// No half-edge.
 pub const NONE: u32 = u32::MAX;
 
-/// Largest coordinate: what the tests compare then fits 64 bits.
+/// Largest coordinate: what the tests compare then fits 64 bits, with the plain metric.
 pub const MOST: i32 = 1 << 13;
+
+/// What circles are: the square of the length of a step `x, y` is `m[0] x² + m[1] x y + m[2] y²`.
+pub type Metric = [i64; 3];
+
+/// Circles that are round on the lattice.
+pub const ROUND: Metric = [1, 0, 1];
+
+/// The greatest number of a metric for coordinates up to [`MOST_BENT`].
+pub const MOST_METRIC: i64 = 1 << 12;
+
+/// Largest coordinate with any metric.
+pub const MOST_BENT: i32 = 1 << 11;
 
 /// The triangles of some points.
 #[derive(Clone, Debug, Default)]
 pub struct Delaunay {
+    metric: Metric,
     points: Vec<[i32; 2]>,
     corners: Vec<u32>,
     opposite: Vec<u32>,
@@ -48,17 +61,32 @@ fn area([ax, ay]: [i32; 2], [bx, by]: [i32; 2], [cx, cy]: [i32; 2]) -> i64 {
 }
 
 /// Whether a point lies within the circle through three that turn from the first axis to the second.
-fn is_in_circle(a: [i32; 2], b: [i32; 2], c: [i32; 2], p: [i32; 2]) -> bool {
+fn is_in_circle(metric: Metric, a: [i32; 2], b: [i32; 2], c: [i32; 2], p: [i32; 2]) -> bool {
     let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|[x, y]| [i64::from(x - p[0]), i64::from(y - p[1])]);
-    let (a, b, c) = (ax * ax + ay * ay, bx * bx + by * by, cx * cx + cy * cy);
+    let square = |x: i64, y: i64| metric[0] * x * x + metric[1] * x * y + metric[2] * y * y;
+    let (a, b, c) = (square(ax, ay), square(bx, by), square(cx, cy));
     a * (bx * cy - by * cx) - b * (ax * cy - ay * cx) + c * (ax * by - ay * bx) > 0
 }
 
 impl Delaunay {
+    /// A triangle along two sides of as many steps, whose corners are its points 0 to 2.
+    pub fn of_triangle(size: i32, metric: Metric) -> Self {
+        debug_assert!(size <= MOST_BENT && metric.iter().all(|part| part.abs() <= 2 * MOST_METRIC));
+        Self {
+            metric,
+            points: vec![[0, 0], [size, 0], [0, size]],
+            corners: vec![0, 1, 2],
+            opposite: vec![NONE; 3],
+            changed: vec![0],
+            pending: Vec::new(),
+        }
+    }
+
     /// The two triangles of a rectangle, whose corners are its points 0 to 3, by rows.
-    pub fn new([x0, y0]: [i32; 2], [x1, y1]: [i32; 2]) -> Self {
+    pub fn of_rectangle([x0, y0]: [i32; 2], [x1, y1]: [i32; 2]) -> Self {
         let points = vec![[x0, y0], [x1, y0], [x0, y1], [x1, y1]];
         Self {
+            metric: ROUND,
             points,
             corners: vec![0, 1, 2, 3, 2, 1],
             opposite: vec![NONE, 4, NONE, NONE, 1, NONE],
@@ -105,7 +133,7 @@ impl Delaunay {
     /// Whether a point lies within the circle through a triangle's corners.
     pub fn is_in_circle_of(&self, triangle: u32, point: [i32; 2]) -> bool {
         let [a, b, c] = self.triangle(triangle).map(|corner| self.points[corner as usize]);
-        is_in_circle(a, b, c, point)
+        is_in_circle(self.metric, a, b, c, point)
     }
 
     /// Where a point of the rectangle lies, sought from a triangle onward.
@@ -216,7 +244,7 @@ impl Delaunay {
                 continue;
             }
             let [a, b, c] = [edge, next(edge), before(edge)].map(|edge| self.point(edge));
-            if !is_in_circle(a, b, c, self.point(before(far))) {
+            if !is_in_circle(self.metric, a, b, c, self.point(before(far))) {
                 continue;
             }
             let [from, to, here, there] =
@@ -236,7 +264,7 @@ impl Delaunay {
 mod tests {
     use super::*;
 
-    fn check(triangles: &Delaunay, area_of_all: i64) {
+    fn check(triangles: &Delaunay, twice_all: i64) {
         let mut sum = 0;
         for number in 0..triangles.count() {
             let [a, b, c] = triangles.triangle(number).map(|at| triangles.points[at as usize]);
@@ -249,24 +277,40 @@ mod tests {
                     assert_eq!(triangles.opposite(far), edge);
                     let [from, to] = triangles.ends(edge);
                     assert_eq!(triangles.ends(far), [to, from]);
-                    assert!(!is_in_circle(a, b, c, triangles.point(before(far))));
+                    assert!(!triangles.is_in_circle_of(number, triangles.point(before(far))));
                 }
             }
         }
-        assert_eq!(sum, 2 * area_of_all);
+        assert_eq!(sum, twice_all);
+    }
+
+    /// Numbers below some other, that look random.
+    fn random() -> impl FnMut(u32) -> i32 {
+        let mut random = 7u32;
+        move |below: u32| {
+            random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            ((random >> 8) % below) as i32
+        }
+    }
+
+    fn insert(triangles: &mut Delaunay, point: [i32; 2], from: u32) {
+        let at = triangles.locate(point, from);
+        let known = triangles.points().iter().position(|other| *other == point);
+        match (known, at) {
+            (Some(known), Location::Point(there)) => assert_eq!(known, there as usize),
+            (None, Location::Inside(_) | Location::Edge(_)) => {}
+            _ => panic!("{point:?}: {known:?}, {at:?}"),
+        }
+        triangles.insert(point, at);
     }
 
     #[test]
     fn circles_are_empty_and_the_rectangle_is_full() {
-        let mut random = 7u32;
-        let mut next_random = move |below: u32| {
-            random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            ((random >> 8) % below) as i32
-        };
+        let mut random = random();
         for (size, count) in [([40, 30], 2000), ([2080, 2071], 3000), ([1, 200], 300), ([16, 3], 60)] {
-            let mut triangles = Delaunay::new([0, 0], size);
+            let mut triangles = Delaunay::of_rectangle([0, 0], size);
             for turn in 0..count {
-                let mut point = size.map(|size| next_random(size as u32 + 1));
+                let mut point = size.map(|size| random(size as u32 + 1));
                 // Often on the border, and on few lines.
                 if turn % 5 == 0 {
                     point[0] = 0;
@@ -274,17 +318,35 @@ mod tests {
                 if turn % 3 == 0 {
                     point[1] = point[1] / 4 * 4;
                 }
-                let from = next_random(triangles.count()) as u32;
-                let at = triangles.locate(point, from);
-                let known = triangles.points().iter().position(|other| *other == point);
-                match (known, at) {
-                    (Some(known), Location::Point(there)) => assert_eq!(known, there as usize),
-                    (None, Location::Inside(_) | Location::Edge(_)) => {}
-                    _ => panic!("{point:?}: {known:?}, {at:?}"),
-                }
-                triangles.insert(point, at);
+                let from = random(triangles.count()) as u32;
+                insert(&mut triangles, point, from);
             }
-            check(&triangles, i64::from(size[0]) * i64::from(size[1]));
+            check(&triangles, 2 * i64::from(size[0]) * i64::from(size[1]));
+        }
+    }
+
+    #[test]
+    fn ellipses_are_empty_and_the_triangle_is_full() {
+        let mut random = random();
+        let most = MOST_METRIC;
+        for metric in [[1, 1, 1], [most, 2 * most - 1, most], [most, -most, 300], [1, 0, most], [3, -5, 4]] {
+            for (size, count) in [(MOST_BENT, 1500), (16, 100), (64, 800)] {
+                let mut triangles = Delaunay::of_triangle(size, metric);
+                for turn in 0..count {
+                    let x = random(size as u32 + 1);
+                    let y = random((size - x) as u32 + 1);
+                    // Often on one of the three sides.
+                    let point = match turn % 7 {
+                        0 => [0, y],
+                        1 => [x, 0],
+                        2 => [x, size - x],
+                        _ => [x, y],
+                    };
+                    let from = random(triangles.count()) as u32;
+                    insert(&mut triangles, point, from);
+                }
+                check(&triangles, i64::from(size) * i64::from(size));
+            }
         }
     }
 }

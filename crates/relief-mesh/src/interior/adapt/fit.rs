@@ -4,7 +4,7 @@
 //! are the greatest of their triangles and edges lower it, until most triangles lie within.
 
 use super::delaunay::NONE;
-use super::judge::{Gap, Gaps, along, within};
+use super::ground::{Gap, Ground};
 use super::refine::Refined;
 use crate::Judge;
 
@@ -35,8 +35,8 @@ struct Sample {
 }
 
 /// The tile while its heights are moved.
-struct Fit<'t, 'w> {
-    tile: &'t mut Refined<'w>,
+struct Fit<'t, 'w, G> {
+    tile: &'t mut Refined<'w, G>,
     /// The corners of the triangles.
     corners: Vec<[u32; 3]>,
     /// Points before this one do not move.
@@ -47,7 +47,7 @@ struct Fit<'t, 'w> {
 
 /// Moves the heights of the points within a tile so that fewer distances exceed the tolerance, and by less:
 /// what exceeds it counts by its square. If nothing is gained the heights stay as they are.
-pub fn fit(tile: &mut Refined, tolerance: f64) {
+pub fn fit<G: Ground>(tile: &mut Refined<G>, tolerance: f64) {
     let free = tile.border();
     let count = tile.heights.len();
     if count == free {
@@ -84,7 +84,7 @@ fn beyond(gap: f64, tolerance: f64) -> f64 {
     (gap.abs() - tolerance).max(0.0).copysign(gap)
 }
 
-impl Fit<'_, '_> {
+impl<G: Ground> Fit<'_, '_, G> {
     /// Finds the greatest distances above and below of every triangle and edge.
     fn look(&mut self) {
         let tile = &*self.tile;
@@ -102,8 +102,8 @@ impl Fit<'_, '_> {
             };
             let corners = points.map(|point| tile.corner(point));
             let at = corners.map(|(at, _)| at.map(f64::from));
-            let Gaps { above, below } = within(tile.window, corners);
-            for gap in [above, below] {
+            let bend = tile.ground.bend(corners);
+            for gap in tile.ground.within(corners).bent(bend) {
                 take(gap, weights(at, gap.place));
             }
             for k in 0..3 {
@@ -114,7 +114,7 @@ impl Fit<'_, '_> {
                         let (at, height) = corners[k];
                         let mut own = [0.0; 3];
                         own[k] = 1.0;
-                        take(Gap { height: tile.window.height(at) - height, place: at.map(f64::from) }, own);
+                        take(Gap { height: tile.ground.height(at) - height, place: at.map(f64::from) }, own);
                     }
                     continue;
                 }
@@ -126,8 +126,7 @@ impl Fit<'_, '_> {
                 let ends = [corners[a], corners[b]];
                 let run = [0, 1].map(|axis| f64::from(ends[1].0[axis] - ends[0].0[axis]));
                 let axis = usize::from(run[1].abs() > run[0].abs());
-                let Gaps { above, below } = along(tile.window, ends);
-                for gap in [above, below] {
+                for gap in tile.ground.along(ends).bent(bend) {
                     let part = (gap.place[axis] - f64::from(ends[0].0[axis])) / run[axis];
                     let mut weights = [0.0; 3];
                     (weights[a], weights[b]) = ((1.0 - part) as f32, part as f32);

@@ -5,53 +5,57 @@
 //! quadratic. So it is enough to look at the corners of cells within the triangle, at the places where its
 //! edges cross lines between cells, and at the vertices of the quadratics along the edges.
 
+use super::delaunay::Delaunay;
+use super::ground::{Corner, Gap, Gaps, Ground};
 use super::window::{STEPS, Window, bilinear};
+use crate::Judge;
 
-/// A distance of the surface from a triangle, along the direction of displacement: greater than 0 where the
-/// surface is above.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gap {
-    pub height: f64,
-    /// Where, in steps of the lattice.
-    pub place: [f64; 2],
-}
-
-/// The greatest and the least distance of the surface from something.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gaps {
-    pub above: Gap,
-    pub below: Gap,
-}
-
-impl Gaps {
-    /// Of nothing.
-    pub const NONE: Self = Self {
-        above: Gap { height: f64::NEG_INFINITY, place: [0.0; 2] },
-        below: Gap { height: f64::INFINITY, place: [0.0; 2] },
-    };
-
-    /// Takes one more distance.
-    fn take(&mut self, height: f64, place: impl Fn() -> [f64; 2]) {
-        if height > self.above.height {
-            self.above = Gap { height, place: place() };
-        }
-        if height < self.below.height {
-            self.below = Gap { height, place: place() };
-        }
+impl Ground for Window {
+    fn first_triangles(&self) -> Delaunay {
+        Delaunay::of_rectangle(self.from, self.to)
     }
 
-    /// The farther one, if there is any.
-    pub fn worst(&self) -> Option<Gap> {
-        let gap = if self.above.height >= -self.below.height { self.above } else { self.below };
-        gap.height.is_finite().then_some(gap)
+    fn is_inside(&self, point: [i32; 2]) -> bool {
+        (0..2).all(|axis| point[axis] > self.from[axis] && point[axis] < self.to[axis])
+    }
+
+    fn step(&self, judge: Judge) -> i32 {
+        if judge == Judge::Texels { STEPS } else { 1 }
+    }
+
+    fn height(&self, point: [i32; 2]) -> f64 {
+        self.height_at(point)
+    }
+
+    fn centres(&self) -> usize {
+        self.columns() * (self.to[1] / STEPS + 1) as usize
+    }
+
+    fn each_centre(&self, corners: [Corner; 3], mut each: impl FnMut(usize, f64, &dyn Fn() -> [f64; 2])) {
+        rows(self, corners, |row, heights| {
+            let first = row.j as usize * self.columns() + row.from as usize;
+            for (k, &height) in heights.iter().enumerate() {
+                let place = || [row.from + k as i32, row.j].map(|at| f64::from(at * STEPS));
+                each(first + k, row.gap(k, height), &place);
+            }
+        });
+    }
+
+    fn worst_within(&self, corners: [Corner; 3]) -> Option<Gap> {
+        worst_within(self, corners)
+    }
+
+    fn within(&self, corners: [Corner; 3]) -> Gaps {
+        within(self, corners)
+    }
+
+    fn along(&self, ends: [Corner; 2]) -> Gaps {
+        along(self, ends)
     }
 }
-
-/// A corner of a triangle: where, and how high.
-pub type Corner = ([i32; 2], f64);
 
 /// The greatest and the least distance at the corners of cells within a triangle, and on its edges, in `f32`.
-pub fn within(window: &Window, corners: [Corner; 3]) -> Gaps {
+fn within(window: &Window, corners: [Corner; 3]) -> Gaps {
     let mut best = [None::<Best>; 2];
     rows(window, corners, |row, heights| {
         let line = row.line();
@@ -69,7 +73,7 @@ pub fn within(window: &Window, corners: [Corner; 3]) -> Gaps {
 
 /// The farthest distance at the corners of cells within a triangle, and on its edges: as fast as can be, in
 /// `f32`.
-pub fn worst_within(window: &Window, corners: [Corner; 3]) -> Option<Gap> {
+fn worst_within(window: &Window, corners: [Corner; 3]) -> Option<Gap> {
     let mut worst = -1.0_f32;
     let mut found = (0.0, [0; 2]);
     rows(window, corners, |row, heights| {
@@ -94,7 +98,7 @@ pub fn worst_within(window: &Window, corners: [Corner; 3]) -> Option<Gap> {
 }
 
 /// The rows of cells' corners within a triangle, and on its edges, with their heights.
-pub fn rows(window: &Window, corners: [Corner; 3], mut each: impl FnMut(Row, &[f32])) {
+fn rows(window: &Window, corners: [Corner; 3], mut each: impl FnMut(Row, &[f32])) {
     let mut sorted = corners;
     for [a, b] in [[0, 1], [1, 2], [0, 1]] {
         if sorted[a].0[1] > sorted[b].0[1] {
@@ -178,11 +182,11 @@ fn slopes([(a, za), (b, zb), (c, zc)]: [Corner; 3]) -> [f64; 2] {
 
 /// A row of cells' corners within a triangle.
 #[derive(Clone, Copy, Debug)]
-pub struct Row {
+struct Row {
     /// Which row.
-    pub j: i32,
+    j: i32,
     /// The first corner.
-    pub from: i32,
+    from: i32,
     /// The triangle's height at the first corner.
     start: f64,
     /// How much it rises at each.
@@ -191,7 +195,7 @@ pub struct Row {
 
 impl Row {
     /// How far a height lies above the triangle, so many corners from the first.
-    pub fn gap(&self, k: usize, height: f32) -> f64 {
+    fn gap(&self, k: usize, height: f32) -> f64 {
         f64::from(height) - (self.start + self.slope * k as f64)
     }
 
@@ -262,7 +266,7 @@ impl Best {
 }
 
 /// Distances along an edge, its ends among them.
-pub fn along(window: &Window, [a, b]: [Corner; 2]) -> Gaps {
+fn along(window: &Window, [a, b]: [Corner; 2]) -> Gaps {
     let mut gaps = Gaps::NONE;
     let ((from, start), (to, end)) = (a, b);
     let run = [to[0] - from[0], to[1] - from[1]];

@@ -1,35 +1,39 @@
 //! Greedy Delaunay insertion: triangles as large as the tolerance allows.
 //!
-//! The points of a tile lie on a lattice of a sixteenth of a texel, so that what decides how they are joined
-//! is exact in whole numbers. The point farthest from its triangle is inserted until none is farther than the
-//! tolerance. With a fit a looser tolerance is enough at first: a triangle that lies wholly below a bulge
-//! comes nearer when its corners are raised.
+//! The points of a tile of a plane lie on a lattice of a sixteenth of a texel, those of a base triangle on
+//! one of its barycentric coordinates, so that what decides how they are joined is exact in whole numbers.
+//! The point farthest from its triangle is inserted until none is farther than the tolerance. With a fit a
+//! looser tolerance is enough at first: a triangle that lies wholly below a bulge comes nearer when its
+//! corners are raised.
 
 mod delaunay;
+mod facet;
 mod fit;
+mod ground;
 mod judge;
 mod refine;
 mod window;
 
 use relief_core::registry::Publication;
 
-use super::{Fills, Interior};
+use super::{Fill, Fills, Interior};
 use crate::{Fit, Judge, Spacing};
-pub use judge::Gap;
+pub use facet::{Extremes, Facet, PAIR, along};
+pub use ground::{Gap, Ground};
 use refine::Refined;
 pub use refine::Seen;
 pub use window::{STEPS, Window};
 
 pub const INTERIOR: Interior = Interior {
     name: "adapt",
-    summary: "on a plane as few triangles as the tolerance allows, large where the relief is smooth",
+    summary: "as few triangles as the tolerance allows, large where the relief is smooth",
     publication: Publication {
         paper: "Garland and Heckbert 1995, Fast Polygonal Approximation of Terrains and Height Fields",
         section: "4",
     },
     takes: &[Spacing::Uneven],
     why: "sides that do not go by the tolerance have more points than it asks for, or too few",
-    fills: Fills::Tile(fill),
+    fills: Fills::Ground(Fill { tile: fill, facet: fill }),
 };
 
 /// How much looser the tolerance is before heights are fitted: found by trying, see `docs/mesh.md`.
@@ -38,7 +42,7 @@ const LOOSER: f64 = 1.35;
 /// What distances of `f32` may be wrong by.
 const ROUNDING: f64 = 2e-7;
 
-/// How a tile is to be filled.
+/// How a patch is to be filled.
 #[derive(Clone, Copy, Debug)]
 pub struct Wanted {
     /// The farthest that the surface may lie from a triangle, as a height of the map.
@@ -51,26 +55,26 @@ pub struct Wanted {
     pub most: u32,
 }
 
-/// A tile that is filled.
+/// A patch that is filled.
 #[derive(Clone, Debug)]
 pub struct Filled {
     /// The points, in steps of the lattice: first those of the border, as they were given.
     pub points: Vec<[u16; 2]>,
     /// Their heights.
     pub heights: Vec<f32>,
-    /// Triangles by their points, turning from `u` to `v`.
+    /// Triangles by their points, turning from the first axis of the lattice to the second.
     pub triangles: Vec<[u32; 3]>,
     /// The farthest that the surface lies above the triangles and below them, and where.
     pub seen: Seen,
 }
 
-/// Fills a tile, whose border's points are its corners, by rows, and then any others. None where it would
-/// have too many triangles.
-pub fn fill(window: &Window, border: &[([i32; 2], f32)], wanted: Wanted) -> Option<Filled> {
+/// Fills a patch, whose border's points are its corners, in the ground's order, and then any others. None
+/// where it would have too many triangles.
+fn fill<G: Ground>(ground: &G, border: &[([i32; 2], f32)], wanted: Wanted) -> Option<Filled> {
     // So that what is found in f64 holds, too.
     let tolerance = wanted.tolerance * (1.0 - 1e-5) - ROUNDING;
     let refined = |fit: Fit| {
-        let mut tile = Refined::new(window, wanted.judge, border);
+        let mut tile = Refined::new(ground, wanted.judge, border);
         match fit {
             Fit::None => tile.refine(tolerance, wanted.most)?,
             Fit::Heights => {

@@ -6,21 +6,20 @@
 use std::collections::BinaryHeap;
 
 use super::delaunay::{Delaunay, Location, NONE};
-use super::judge::{Corner, Gap, along, rows, worst_within};
-use super::window::{STEPS, Window};
+use super::ground::{Corner, Gap, Ground};
 use crate::Judge;
 
-/// A triangulated tile.
+/// A triangulated patch.
 #[derive(Clone, Debug)]
-pub struct Refined<'a> {
-    pub window: &'a Window,
+pub struct Refined<'a, G> {
+    pub ground: &'a G,
     pub mesh: Delaunay,
     /// Heights of the points; each is a number of `f32`.
     pub heights: Vec<f64>,
     pub judge: Judge,
     /// How many points lie on the border. They are the first ones, and stay.
     border: usize,
-    /// The worst of each triangle.
+    /// The worst of each triangle, with what it is bent by.
     worst: Vec<Gap>,
     /// The worst of each half-edge, with the points at its ends, as far as they are known.
     edges: Vec<([u32; 2], Gap)>,
@@ -56,6 +55,16 @@ impl Seen {
         self.above.height.max(-self.below.height)
     }
 
+    /// Takes one more distance, of a triangle that is bent.
+    fn take_bent(&mut self, height: f64, bend: f64, place: impl Fn() -> [f64; 2]) {
+        if height + bend > self.above.height {
+            self.above = Gap { height: height + bend, place: place() };
+        }
+        if height - bend < self.below.height {
+            self.below = Gap { height: height - bend, place: place() };
+        }
+    }
+
     /// Takes one more distance.
     fn take(&mut self, gap: Gap) {
         if gap.height > self.above.height {
@@ -80,19 +89,20 @@ impl Seen {
 /// No gap.
 const LEVEL: Gap = Gap { height: 0.0, place: [0.0; 2] };
 
-impl<'a> Refined<'a> {
-    /// The two triangles of a tile, and what its border's points make of them: points in any order, with
-    /// their heights, the four corners first, by rows.
-    pub fn new(window: &'a Window, judge: Judge, border: &[([i32; 2], f32)]) -> Self {
-        let mut mesh = Delaunay::new(window.from, window.to);
+impl<'a, G: Ground> Refined<'a, G> {
+    /// The triangles that a patch begins with, and what its border's points make of them: the corners as the
+    /// ground counts them, then the others in any order, with their heights.
+    pub fn new(ground: &'a G, judge: Judge, border: &[([i32; 2], f32)]) -> Self {
+        let mut mesh = ground.first_triangles();
+        let corners = mesh.points().len();
         let mut near = 0;
-        for (point, _) in &border[4..] {
+        for (point, _) in &border[corners..] {
             let at = mesh.locate(*point, near);
             mesh.insert(*point, at);
             near = mesh.count() - 1;
         }
         Self {
-            window,
+            ground,
             mesh,
             heights: border.iter().map(|(_, height)| f64::from(*height)).collect(),
             judge,
@@ -154,7 +164,7 @@ impl<'a> Refined<'a> {
                 continue;
             }
             let corners = self.mesh.triangle(triangle).map(|point| self.corner(point));
-            let mut worst = worst_within(self.window, corners).unwrap_or(LEVEL);
+            let mut worst = self.ground.worst_within(corners).unwrap_or(LEVEL);
             if self.judge == Judge::Surface {
                 for edge in 3 * triangle..3 * triangle + 3 {
                     let gap = self.edge(edge).unwrap_or(LEVEL);
@@ -163,6 +173,15 @@ impl<'a> Refined<'a> {
                     }
                 }
             }
+            let bend = self.ground.bend(corners);
+            if bend > 0.0 {
+                // The border stays as it is, and where the surface is near by itself, too, smaller triangles
+                // are bent less.
+                let border = self.at_border(triangle);
+                let is_bent = bend.max(border) > worst.height.abs();
+                let place = if is_bent { self.ground.bend_place(corners) } else { worst.place };
+                worst = Gap { height: worst.height.abs().max(border) + bend, place };
+            }
             self.worst[triangle as usize] = worst;
             if worst.height.abs() > tolerance {
                 self.queue.push((key_of(worst), triangle));
@@ -170,6 +189,19 @@ impl<'a> Refined<'a> {
         }
         changed.clear();
         self.changed = changed;
+    }
+
+    /// The farthest distance along the edges of a triangle that lie on the border.
+    fn at_border(&self, triangle: u32) -> f64 {
+        if self.judge == Judge::Texels {
+            return 0.0;
+        }
+        let edges = (3 * triangle..3 * triangle + 3).filter(|edge| self.mesh.opposite(*edge) == NONE);
+        let along = edges.filter_map(|edge| {
+            let ends = self.mesh.ends(edge).map(|point| self.corner(point));
+            self.ground.along(ends).worst()
+        });
+        along.map(|gap| gap.height.abs()).fold(0.0, f64::max)
     }
 
     /// The worst along an edge that two triangles share.
@@ -187,7 +219,7 @@ impl<'a> Refined<'a> {
         } else {
             // From the same end for both sides.
             let ends = [a.min(b), a.max(b)].map(|point| self.corner(point));
-            along(self.window, ends).worst()?
+            self.ground.along(ends).worst()?
         };
         self.edges[edge as usize] = ([a, b], gap);
         self.edges[far as usize] = ([b, a], gap);
@@ -197,19 +229,17 @@ impl<'a> Refined<'a> {
     /// Inserts the lattice point nearest to a place of a triangle, of those that do away with the triangle.
     /// Whether there is one.
     fn insert(&mut self, triangle: u32, place: [f64; 2]) -> bool {
-        let step = if self.judge == Judge::Texels { STEPS } else { 1 };
+        let step = self.ground.step(self.judge);
         let nearest = [0, 1].map(|axis| (place[axis] / f64::from(step)).round() as i32 * step);
         for [x, y] in AROUND {
             let point = [nearest[0] + x * step, nearest[1] + y * step];
-            let is_inside =
-                (0..2).all(|axis| point[axis] > self.window.from[axis] && point[axis] < self.window.to[axis]);
-            if !is_inside || !self.mesh.is_in_circle_of(triangle, point) {
+            if !self.ground.is_inside(point) || !self.mesh.is_in_circle_of(triangle, point) {
                 continue;
             }
             let at = self.mesh.locate(point, triangle);
             if !matches!(at, Location::Point(_)) {
                 self.mesh.insert(point, at);
-                self.heights.push(f64::from(self.window.height(point) as f32));
+                self.heights.push(f64::from(self.ground.height(point) as f32));
                 return true;
             }
         }
@@ -218,38 +248,34 @@ impl<'a> Refined<'a> {
 
     /// What all triangles together show, worked out in `f64`.
     pub fn seen(&self) -> Seen {
-        let to = self.window.to;
-        let columns = (to[0] / STEPS + 1) as usize;
-        let mut is_counted = vec![false; columns * (to[1] / STEPS + 1) as usize];
-        let level = Gap { height: 0.0, place: self.window.from.map(f64::from) };
+        let ground = self.ground;
+        let mut is_counted = vec![false; ground.centres()];
+        let corner = self.mesh.points()[0];
+        let level = Gap { height: 0.0, place: corner.map(f64::from) };
         let mut seen = Seen { above: level, below: level, ..Seen::NOTHING };
         for triangle in 0..self.mesh.count() {
             let corners = self.mesh.triangle(triangle).map(|point| self.corner(point));
-            rows(self.window, corners, |row, heights| {
-                let first = row.j as usize * columns + row.from as usize;
-                for (k, (&height, is_counted)) in heights.iter().zip(&mut is_counted[first..]).enumerate() {
-                    let gap = row.gap(k, height);
-                    // A corner on an edge is one of both triangles.
-                    if !std::mem::replace(is_counted, true) {
-                        seen.sum += gap.abs();
-                        seen.signed += gap;
-                        seen.count += 1;
-                    }
-                    if gap > seen.above.height || gap < seen.below.height {
-                        let place = [row.from + k as i32, row.j].map(|at| f64::from(at * STEPS));
-                        seen.take(Gap { height: gap, place });
-                    }
+            let bend = ground.bend(corners);
+            ground.each_centre(corners, |centre, gap, place| {
+                // A centre on an edge is one of both triangles.
+                if !std::mem::replace(&mut is_counted[centre], true) {
+                    seen.sum += gap.abs();
+                    seen.signed += gap;
+                    seen.count += 1;
                 }
+                seen.take_bent(gap, bend, place);
             });
             if self.judge == Judge::Texels {
                 continue;
             }
             for edge in 3 * triangle..3 * triangle + 3 {
                 let [a, b] = self.mesh.ends(edge);
-                if self.mesh.opposite(edge) == NONE || a < b {
-                    let gaps = along(self.window, [a, b].map(|point| self.corner(point)));
-                    seen.take(gaps.above);
-                    seen.take(gaps.below);
+                // An edge is the same to both of its triangles, unless these are bent.
+                if bend > 0.0 || self.mesh.opposite(edge) == NONE || a < b {
+                    let gaps = ground.along([a, b].map(|point| self.corner(point)));
+                    for gap in [gaps.above, gaps.below] {
+                        seen.take_bent(gap.height, bend, || gap.place);
+                    }
                 }
             }
         }

@@ -46,8 +46,23 @@ impl Window {
         [pair[0], pair[1]]
     }
 
+    /// Corners along the first axis.
+    pub fn columns(&self) -> usize {
+        self.corners[0]
+    }
+
+    /// Corners along the second axis.
+    pub fn rows(&self) -> usize {
+        self.corners[1]
+    }
+
+    /// The cell at a place, in cells; that at the border where rounding put it beyond.
+    pub fn cell_at(&self, place: [f64; 2]) -> [i32; 2] {
+        [0, 1].map(|axis| (place[axis].floor() as i32).clamp(0, self.corners[axis] as i32 - 2))
+    }
+
     /// The height at a lattice point.
-    pub fn height(&self, point: [i32; 2]) -> f64 {
+    pub fn height_at(&self, point: [i32; 2]) -> f64 {
         let cell = [0, 1].map(|axis| (point[axis] / STEPS).min(self.corners[axis] as i32 - 2));
         let part = |axis: usize| f64::from(point[axis] - STEPS * cell[axis]) / f64::from(STEPS);
         bilinear(self.cell(cell), [part(0), part(1)])

@@ -1,0 +1,95 @@
+//! What triangles are laid over: how far the surface is from them, by places on a lattice.
+
+use super::delaunay::Delaunay;
+use crate::Judge;
+
+/// A distance of the surface from a triangle, along the direction of displacement: greater than 0 where the
+/// surface is above.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gap {
+    pub height: f64,
+    /// Where, in steps of the lattice.
+    pub place: [f64; 2],
+}
+
+/// The greatest and the least distance of the surface from something.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gaps {
+    pub above: Gap,
+    pub below: Gap,
+}
+
+impl Gaps {
+    /// Of nothing.
+    pub const NONE: Self = Self {
+        above: Gap { height: f64::NEG_INFINITY, place: [0.0; 2] },
+        below: Gap { height: f64::INFINITY, place: [0.0; 2] },
+    };
+
+    /// Takes one more distance.
+    pub fn take(&mut self, height: f64, place: impl Fn() -> [f64; 2]) {
+        if height > self.above.height {
+            self.above = Gap { height, place: place() };
+        }
+        if height < self.below.height {
+            self.below = Gap { height, place: place() };
+        }
+    }
+
+    /// Both, as they are of a triangle that is bent.
+    pub fn bent(self, bend: f64) -> [Gap; 2] {
+        let Self { above, below } = self;
+        [Gap { height: above.height + bend, ..above }, Gap { height: below.height - bend, ..below }]
+    }
+
+    /// The farther one, if there is any.
+    pub fn worst(&self) -> Option<Gap> {
+        let gap = if self.above.height >= -self.below.height { self.above } else { self.below };
+        gap.height.is_finite().then_some(gap)
+    }
+}
+
+/// A corner of a triangle: where, and how high.
+pub type Corner = ([i32; 2], f64);
+
+/// What a patch is triangulated over. Places are counted in steps of its lattice.
+pub trait Ground {
+    /// The triangles of its corners, which are the first points.
+    fn first_triangles(&self) -> Delaunay;
+
+    /// Whether a point lies within it, and not on its border.
+    fn is_inside(&self, point: [i32; 2]) -> bool;
+
+    /// How many steps apart points are that are inserted.
+    fn step(&self, judge: Judge) -> i32;
+
+    /// The height of the surface at a point.
+    fn height(&self, point: [i32; 2]) -> f64;
+
+    /// A bound of the numbers of the centres of texels.
+    fn centres(&self) -> usize;
+
+    /// The centres of texels within a triangle, and on its edges: number, distance, and place.
+    fn each_centre(&self, corners: [Corner; 3], each: impl FnMut(usize, f64, &dyn Fn() -> [f64; 2]));
+
+    /// The farthest distance at the centres of texels within a triangle, and on its edges.
+    fn worst_within(&self, corners: [Corner; 3]) -> Option<Gap>;
+
+    /// The greatest and the least distance there.
+    fn within(&self, corners: [Corner; 3]) -> Gaps;
+
+    /// Distances along an edge, its ends among them.
+    fn along(&self, ends: [Corner; 2]) -> Gaps;
+
+    /// How much farther the surface may be from a triangle than its distances say, because the direction of
+    /// displacement turns over it.
+    fn bend(&self, _corners: [Corner; 3]) -> f64 {
+        0.0
+    }
+
+    /// Where a point makes a triangle bend less.
+    fn bend_place(&self, corners: [Corner; 3]) -> [f64; 2] {
+        let [a, b, c] = corners.map(|(at, _)| at.map(f64::from));
+        [0, 1].map(|axis| (a[axis] + b[axis] + c[axis]) / 3.0)
+    }
+}

@@ -1,0 +1,288 @@
+//! Base triangles that are filled with as few triangles as a tolerance allows.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use glam::Vec3;
+use rayon::prelude::*;
+use relief_core::mesh::{Mesh, Vertex};
+
+use super::{Numbered, Triangles, counted};
+use crate::error::MOST;
+use crate::filling::{Filling, Room};
+use crate::interior::{Facet, Filled, Ground};
+use crate::surface::Relief;
+use crate::{BaseSurface, Certificate, Directions, MeshSettings, MesherError, Side, Watch};
+
+/// Patches that are filled one after the other.
+const TOGETHER: usize = 64;
+
+/// A base of triangles that are filled.
+#[derive(Debug)]
+pub struct Adapted {
+    base: Triangles,
+    /// The points within patches, on the lattice of each, and their heights.
+    inner: Vec<([u16; 2], f32)>,
+    /// Triangles by the points of their patch: first those of its border, then its own.
+    triangles: Vec<[u32; 3]>,
+    /// The places of each patch's first point and first triangle in these, and one more.
+    first: Vec<[u32; 2]>,
+    certificate: Certificate,
+}
+
+/// What some patches are filled with.
+struct Several {
+    inner: Vec<([u16; 2], f32)>,
+    triangles: Vec<[u32; 3]>,
+    counts: Vec<[u32; 2]>,
+    error: Errors,
+}
+
+/// What is known of the errors of some patches.
+#[derive(Clone, Copy)]
+struct Errors {
+    error_m: f64,
+    uv: [f64; 2],
+    sum_m: f64,
+    count: u64,
+    seams_m: f64,
+}
+
+impl Errors {
+    const NONE: Self = Self { error_m: 0.0, uv: [0.0; 2], sum_m: 0.0, count: 0, seams_m: 0.0 };
+
+    fn with(self, other: Self) -> Self {
+        let worse = if other.error_m > self.error_m { other } else { self };
+        Self {
+            sum_m: self.sum_m + other.sum_m,
+            count: self.count + other.count,
+            seams_m: self.seams_m.max(other.seams_m),
+            ..worse
+        }
+    }
+}
+
+impl Adapted {
+    /// Fills the triangles of a mesh.
+    pub fn new(
+        mesh: &Mesh,
+        relief: &Relief,
+        settings: &MeshSettings,
+        filling: Filling,
+        watch: &Watch,
+    ) -> Result<Self, MesherError> {
+        let refused = [
+            ("one side of the relief", settings.side != Side::Both),
+            ("a smooth base", settings.base != BaseSurface::Flat),
+            ("directions of one length", settings.directions != Directions::Raw),
+        ];
+        if let Some((what, _)) = refused.into_iter().find(|(_, is_asked)| *is_asked) {
+            return Err(MesherError::OnPlanesAlone { what });
+        }
+        let base = Triangles::new(mesh, relief, settings)?;
+        let (room, done) = (Room::new(settings, filling.most), AtomicU64::new(0));
+        let patches: Vec<u32> = (0..base.count()).collect();
+        let made: Result<Vec<Several>, MesherError> = patches
+            .par_chunks(TOGETHER)
+            .map(|patches| {
+                if watch.cancel.load(Ordering::Relaxed) {
+                    return Err(MesherError::Cancelled);
+                }
+                let mut made = Several {
+                    inner: Vec::new(),
+                    triangles: Vec::new(),
+                    counts: Vec::with_capacity(patches.len()),
+                    error: Errors::NONE,
+                };
+                for &patch in patches {
+                    base.fill(relief, patch, settings, (&filling, &room), &mut made)?;
+                }
+                let count = patches.len() as u64;
+                let before = done.fetch_add(count, Ordering::Relaxed);
+                (watch.tell)((before + count) as f32 / base.count() as f32);
+                Ok(made)
+            })
+            .collect();
+        let mut adapted = Self {
+            base,
+            inner: Vec::new(),
+            triangles: Vec::new(),
+            first: Vec::with_capacity(patches.len() + 1),
+            certificate: Certificate::exact(settings.judge),
+        };
+        let mut errors = Errors::NONE;
+        for several in made? {
+            let (mut inner, mut triangles) = (adapted.inner.len() as u64, adapted.triangles.len() as u64);
+            for [points, own] in several.counts {
+                adapted.first.push([counted(inner)?, counted(triangles)?]);
+                (inner, triangles) = (inner + u64::from(points), triangles + u64::from(own));
+            }
+            adapted.inner.extend(several.inner);
+            adapted.triangles.extend(several.triangles);
+            errors = errors.with(several.error);
+        }
+        let (inner, triangles) = (adapted.inner.len() as u64, adapted.triangles.len() as u64);
+        adapted.first.push([counted(inner)?, counted(triangles)?]);
+        let vertices = adapted.vertices();
+        if vertices > MOST {
+            return Err(MesherError::TooLarge { vertices, triangles });
+        }
+        let Errors { error_m, uv, sum_m, count, seams_m } = errors;
+        let mean_m = sum_m / count.max(1) as f64;
+        adapted.certificate = Certificate { error_m, uv, mean_m, seams_m, ..adapted.certificate };
+        adapted.certificate.check(settings.error_m)?;
+        Ok(adapted)
+    }
+
+    /// How far the relief is from the triangles.
+    pub fn certificate(&self) -> &Certificate {
+        &self.certificate
+    }
+
+    /// The base.
+    pub fn base(&self) -> &Triangles {
+        &self.base
+    }
+
+    /// Vertices of all patches.
+    pub fn vertices(&self) -> u64 {
+        self.base.border_count() + self.inner.len() as u64
+    }
+
+    /// Vertices within a patch, and its triangles.
+    pub fn counts(&self, patch: u32) -> [u32; 2] {
+        let [from, to] = [0, 1].map(|more| self.first[patch as usize + more]);
+        [to[0] - from[0], to[1] - from[1]]
+    }
+
+    /// The triangles of a patch by its points: first those of the border, then its own.
+    pub fn triangles(&self, patch: u32) -> &[[u32; 3]] {
+        let [from, to] = [0, 1].map(|more| self.first[patch as usize + more][1] as usize);
+        &self.triangles[from..to]
+    }
+
+    /// The number of the first vertex within a patch.
+    pub fn first_of_patch(&self, patch: u32) -> u32 {
+        // All vertices were counted.
+        (self.base.border_count() + u64::from(self.first[patch as usize][0])) as u32
+    }
+
+    /// The border of a patch, in the order of its points: numbers and positions.
+    pub fn border_points(&self, relief: &Relief, patch: u32) -> Vec<(Numbered, Vec3)> {
+        self.base.border_of(patch).map(|[side, at]| self.base.border(relief, patch, side, at)).collect()
+    }
+
+    /// A vertex within a patch.
+    pub fn inner_vertex(&self, relief: &Relief, patch: u32, at: u32) -> Vertex {
+        let (lattice, height) = self.inner[(self.first[patch as usize][0] + at) as usize];
+        let size = f64::from(self.base.size(patch));
+        let weights = lattice.map(|steps| f64::from(steps) / size);
+        self.base.inner_vertex_at(relief, patch, weights, f64::from(height))
+    }
+
+    /// Bytes that are held.
+    pub fn bytes(&self) -> u64 {
+        (size_of_val(&self.inner[..]) + size_of_val(&self.triangles[..]) + size_of_val(&self.first[..]))
+            as u64
+    }
+}
+
+impl Triangles {
+    /// Steps of a patch's lattice along a side: those of all sides go into it.
+    fn size(&self, patch: u32) -> u32 {
+        self.edges.sides(patch).map(|edge| self.edges.size(edge)).into_iter().fold(1, u32::max)
+    }
+
+    /// The points of a patch's border by their sides: its corners, then the points along each side.
+    fn border_of(&self, patch: u32) -> impl Iterator<Item = [u32; 2]> + use<'_> {
+        let sides = self.edges.sides(patch);
+        let along = move |side: u32| (1..self.edges.parts(sides[side as usize])).map(move |at| [side, at]);
+        (0..3).map(|side| [side, 0]).chain((0..3).flat_map(along))
+    }
+
+    /// Where a point of a patch's border is on its lattice.
+    fn on_lattice(&self, patch: u32, [side, at]: [u32; 2]) -> [i32; 2] {
+        let size = self.size(patch) as i32;
+        let steps = match at {
+            0 => 0,
+            _ => {
+                let (edge, is_forth) = self.side(patch, side);
+                let [before, all] = self.edges.place(edge, self.counted_on(edge, is_forth, at));
+                let before = if is_forth { before } else { all - before };
+                before as i32 * (size / all as i32)
+            }
+        };
+        match side {
+            0 => [steps, 0],
+            1 => [size - steps, steps],
+            _ => [0, size - steps],
+        }
+    }
+
+    /// A patch as triangles are laid over it.
+    fn facet(&self, relief: &Relief, patch: u32) -> Facet {
+        let corners = self.triangles[patch as usize].map(|vertex| self.corners.base(vertex));
+        let places = corners.map(|corner| relief.place(corner.uv));
+        let map = relief.map();
+        Facet::new(self.size(patch), places, corners.map(|corner| corner.normal), |[i, j]| map.texel(i, j))
+    }
+
+    /// By how many metres the heights of a border's point differ between a patch and the side of the seam
+    /// that says where the point is.
+    fn apart_m(&self, relief: &Relief, patch: u32, [side, at]: [u32; 2], own: f64) -> f64 {
+        if !self.is_welded {
+            return 0.0;
+        }
+        let seen = match at {
+            0 => self.at_corner(self.triangles[patch as usize][side as usize]),
+            _ => {
+                let (edge, is_forth) = self.side(patch, side);
+                self.on_edge(edge, self.counted_on(edge, is_forth, at))
+            }
+        };
+        let apart = relief.height_at_uv(seen.base.uv) - own;
+        apart.abs() * relief.map().scale_m() * seen.base.normal.length()
+    }
+
+    /// Fills a patch.
+    fn fill(
+        &self,
+        relief: &Relief,
+        patch: u32,
+        settings: &MeshSettings,
+        (filling, room): (&Filling, &Room),
+        into: &mut Several,
+    ) -> Result<(), MesherError> {
+        let facet = self.facet(relief, patch);
+        let mut seams_m = 0.0_f64;
+        let border: Vec<([i32; 2], f32)> = self
+            .border_of(patch)
+            .map(|point| {
+                let at = self.on_lattice(patch, point);
+                let height = facet.height(at);
+                seams_m = seams_m.max(self.apart_m(relief, patch, point, height));
+                (at, height as f32)
+            })
+            .collect();
+        let tolerance = relief.tolerance(settings.error_m, facet.longest());
+        let filled = room.taken((filling.fill.facet)(&facet, &border, room.wanted(tolerance)))?;
+        let Filled { points, heights, triangles, seen } = filled;
+        let metres = relief.map().scale_m() * facet.longest();
+        let gap = if seen.above.height >= -seen.below.height { seen.above } else { seen.below };
+        let uv = {
+            let corners = self.triangles[patch as usize].map(|vertex| self.corners.base(vertex).uv);
+            let [a, b, c] = facet.weights(gap.place);
+            (corners[0] * a + corners[1] * b + corners[2] * c).to_array()
+        };
+        into.error = into.error.with(Errors {
+            error_m: gap.height.abs() * metres,
+            uv,
+            sum_m: seen.sum * metres,
+            count: seen.count,
+            seams_m,
+        });
+        into.counts.push([(points.len() - border.len()) as u32, triangles.len() as u32]);
+        into.inner.extend(points.into_iter().zip(heights).skip(border.len()));
+        into.triangles.extend(triangles);
+        Ok(())
+    }
+}

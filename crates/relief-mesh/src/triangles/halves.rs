@@ -1,0 +1,170 @@
+//! Large base triangles are halved along their longer sides until none is too large to be filled at once.
+
+use std::collections::{HashMap, HashSet};
+
+use relief_core::mesh::{Mesh, Vertex};
+
+use super::creases::Creases;
+use crate::error::MOST;
+use crate::surface::Relief;
+use crate::{MeshSettings, Mesher, MesherError};
+
+/// A mesh whose sides are halved.
+#[derive(Debug)]
+pub struct Halved {
+    pub mesh: Mesh,
+    /// For each vertex after those of the whole mesh the two that it lies between.
+    pub parents: Vec<[u32; 2]>,
+}
+
+/// A mesh while it is halved.
+struct Halves<'a> {
+    relief: &'a Relief,
+    creases: &'a Creases,
+    vertices: Vec<Vertex>,
+    /// The position that each vertex is at, and how many there are.
+    points: Vec<u32>,
+    count: u32,
+    parents: Vec<[u32; 2]>,
+    /// The vertex between two of a triangle, and the position between two.
+    middles: HashMap<[u32; 2], u32>,
+    middle_points: HashMap<[u32; 2], u32>,
+}
+
+/// The mesh with no side that is too long for its lattice; none where it has no such side. A side is halved
+/// in all triangles that have it.
+pub fn halved(
+    mesh: &Mesh,
+    relief: &Relief,
+    creases: &Creases,
+    settings: &MeshSettings,
+) -> Result<Option<Halved>, MesherError> {
+    let points = mesh.welded();
+    let mut halves = Halves {
+        relief,
+        creases,
+        vertices: mesh.vertices().to_vec(),
+        count: points.len() as u32,
+        points,
+        parents: Vec::new(),
+        middles: HashMap::new(),
+        middle_points: HashMap::new(),
+    };
+    let mut triangles = mesh.triangles().to_vec();
+    // Before memory is taken for them.
+    let count = triangles
+        .iter()
+        .map(|corners| Creases::fewest(corners.map(|at| halves.place(at))))
+        .fold(0, u64::saturating_add);
+    if count > MOST {
+        return Err(MesherError::TooLarge { vertices: 0, triangles: count });
+    }
+    if count.saturating_mul(Mesher::BYTES_PER_TRIANGLE) > settings.max_bytes {
+        return Err(MesherError::NoMemory { limit: settings.max_bytes });
+    }
+    loop {
+        let long = halves.long(&triangles);
+        if long.is_empty() {
+            break;
+        }
+        if triangles.len() as u64 * 4 > MOST {
+            return Err(MesherError::TooLarge { vertices: 0, triangles: triangles.len() as u64 * 4 });
+        }
+        let mut finer = Vec::with_capacity(triangles.len() * 2);
+        for corners in triangles {
+            halves.cut(corners, &long, &mut finer);
+        }
+        triangles = finer;
+    }
+    if halves.parents.is_empty() {
+        return Ok(None);
+    }
+    let Halves { vertices, parents, .. } = halves;
+    Ok(Some(Halved { mesh: Mesh::new(vertices, triangles)?, parents }))
+}
+
+/// Two numbers, the lower one first.
+fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
+    [a.min(b), a.max(b)]
+}
+
+impl Halves<'_> {
+    /// Where a vertex is in the map.
+    fn place(&self, vertex: u32) -> [f64; 2] {
+        self.relief.place(self.vertices[vertex as usize].uv.as_dvec2())
+    }
+
+    /// The square of the length of a side, in texels.
+    fn square(&self, ends: [u32; 2]) -> f64 {
+        let [a, b] = ends.map(|end| self.place(end));
+        (b[0] - a[0]).powi(2) + (b[1] - a[1]).powi(2)
+    }
+
+    fn points_of(&self, ends: [u32; 2]) -> [u32; 2] {
+        sorted(ends.map(|end| self.points[end as usize]))
+    }
+
+    /// The sides that are too long in some triangle, by their positions.
+    fn long(&self, triangles: &[[u32; 3]]) -> HashSet<[u32; 2]> {
+        let all = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        let long = all.filter(|ends| self.creases.is_long(ends.map(|end| self.place(end))));
+        // One without a length has no middle.
+        long.map(|ends| self.points_of(ends)).filter(|[a, b]| a != b).collect()
+    }
+
+    /// The vertex between two.
+    fn middle(&mut self, ends: [u32; 2]) -> u32 {
+        let (ends, points) = (sorted(ends), self.points_of(ends));
+        if let Some(middle) = self.middles.get(&ends) {
+            return *middle;
+        }
+        let [a, b] = ends.map(|end| self.vertices[end as usize]);
+        let number = self.vertices.len() as u32;
+        self.vertices.push(Vertex {
+            position: a.position * 0.5 + b.position * 0.5,
+            normal: a.normal * 0.5 + b.normal * 0.5,
+            tangent: a.tangent * 0.5 + b.tangent * 0.5,
+            bitangent: a.bitangent * 0.5 + b.bitangent * 0.5,
+            uv: a.uv * 0.5 + b.uv * 0.5,
+        });
+        let next = self.count;
+        let point = *self.middle_points.entry(points).or_insert(next);
+        self.count = self.count.max(point + 1);
+        self.points.push(point);
+        self.parents.push(ends);
+        self.middles.insert(ends, number);
+        number
+    }
+
+    /// Cuts a triangle at the middles of its long sides.
+    fn cut(&mut self, [a, b, c]: [u32; 3], long: &HashSet<[u32; 2]>, into: &mut Vec<[u32; 3]>) {
+        let all = [[a, b], [b, c], [c, a]];
+        let is_long = all.map(|ends| long.contains(&self.points_of(ends)));
+        // Turned so that the sides that stay come last.
+        let turned = match is_long {
+            [false, false, false] => return into.push([a, b, c]),
+            [true, false, false] | [true, true, _] => [a, b, c],
+            [false, true, _] => [b, c, a],
+            [_, false, true] => [c, a, b],
+        };
+        let [a, b, c] = turned;
+        let ab = self.middle([a, b]);
+        match is_long.into_iter().filter(|is_long| *is_long).count() {
+            1 => into.extend([[a, ab, c], [ab, b, c]]),
+            2 => {
+                let bc = self.middle([b, c]);
+                into.push([ab, b, bc]);
+                // The rest is cut along the shorter diagonal.
+                if self.square([a, bc]) < self.square([ab, c]) {
+                    into.extend([[a, ab, bc], [a, bc, c]]);
+                } else {
+                    into.extend([[a, ab, c], [ab, bc, c]]);
+                }
+            }
+            _ => {
+                let [bc, ca] = [self.middle([b, c]), self.middle([c, a])];
+                into.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
+            }
+        }
+    }
+}

@@ -1,0 +1,272 @@
+//! Meshes that are made to an error over bases that are no plane: no point of the relief is farther from them
+//! than their bound, they have no crack, and the comparator that says so notices a vertex out of its place.
+
+use glam::{DVec2, DVec3, Vec2, Vec3};
+use rayon::ThreadPoolBuilder;
+use rayon::prelude::*;
+use relief_core::mesh::{BasePoint, Mesh, cube, cylinder, sphere, torus};
+use relief_core::{HeightMap, Wrap};
+use relief_mesh::{
+    BaseSurface, Certificate, CrackTest, Directions, Fit, Judge, MeshSettings, Mesher, MesherError, Seams,
+    Shading, Side, Watch,
+};
+use relief_tests::maps;
+
+/// Metres of displacement between heights 0 and 1.
+const SCALE_M: f64 = 0.04;
+
+/// What stored positions and texture coordinates may be wrong by, as a part of the scale.
+const ROUNDING: f64 = 2e-5;
+
+fn displaced(map: &HeightMap) -> HeightMap {
+    map.clone().with_displacement(SCALE_M, -0.01).expect("lengths")
+}
+
+fn map(name: &str, wrap: Wrap) -> HeightMap {
+    displaced(&maps::ALL.iter().find(|map| map.name == name).expect("it is listed").build(wrap))
+}
+
+fn made(base: &Mesh, map: &HeightMap, settings: &MeshSettings) -> (Mesh, Certificate) {
+    let mesher = Mesher::new(base, map, settings).expect("a mesh");
+    (mesher.mesh().expect("finite"), *mesher.certificate().expect("made to an error"))
+}
+
+/// The barycentric weights of texture coordinates in a triangle of them.
+fn weights([a, b, c]: [DVec2; 3], at: DVec2) -> [f64; 3] {
+    let area = (b - a).perp_dot(c - a);
+    let [of_b, of_c] = [(at - a).perp_dot(c - a) / area, (b - a).perp_dot(at - a) / area];
+    [1.0 - of_b - of_c, of_b, of_c]
+}
+
+/// The farthest that samples of the relief are from the mesh at the same base points, `n` along each side of
+/// a triangle, and the sum of the triangles' areas in the texture. Charts must not overlap.
+fn farthest(base: &Mesh, map: &HeightMap, mesh: &Mesh, n: u32) -> (f64, f64) {
+    let bases: Vec<[BasePoint; 3]> = (0..base.triangles().len() as u32)
+        .map(|triangle| base.corners(triangle).map(BasePoint::from))
+        .collect();
+    let of_piece = |piece: u32| -> (f64, f64) {
+        let corners = mesh.corners(piece);
+        let uvs = corners.map(|corner| corner.uv.as_dvec2());
+        let area = 0.5 * (uvs[1] - uvs[0]).perp_dot(uvs[2] - uvs[0]).abs();
+        let middle = (uvs[0] + uvs[1] + uvs[2]) / 3.0;
+        let inside = |base: &&[BasePoint; 3]| {
+            weights(base.map(|corner| corner.uv), middle).iter().all(|weight| *weight > -1e-6)
+        };
+        let base = bases.iter().find(inside).expect("a piece lies in a base triangle");
+        let chart = base.map(|corner| corner.uv);
+        let mut farthest = 0.0_f64;
+        for i in 0..=n {
+            for j in 0..=n - i {
+                let of = [i, j, n - i - j].map(|part| f64::from(part) / f64::from(n));
+                let uv = uvs[0] * of[0] + uvs[1] * of[1] + uvs[2] * of[2];
+                let there: DVec3 = (0..3).map(|k| corners[k].position.as_dvec3() * of[k]).sum();
+                let point = BasePoint::weighted(*base, weights(chart, uv));
+                let relief = point.displaced(map.displacement_m(map.height_at(uv.x, uv.y)));
+                farthest = farthest.max(relief.distance(there));
+            }
+        }
+        (farthest, area)
+    };
+    let all: Vec<(f64, f64)> = (0..mesh.triangles().len() as u32).into_par_iter().map(of_piece).collect();
+    let most = all.iter().map(|(farthest, _)| *farthest).fold(0.0, f64::max);
+    (most, all.iter().map(|(_, area)| area).sum())
+}
+
+/// Bases whose normals are the same on all sides, and whose charts fill the texture; those of poles leave out
+/// triangles.
+fn smooth_bases() -> Vec<(&'static str, Mesh, f64)> {
+    vec![
+        ("torus", torus(12, 6).expect("a mesh"), 1.0),
+        ("coarse torus", torus(3, 3).expect("a mesh"), 1.0),
+        ("sphere", sphere(10, 6).expect("a mesh"), 1.0 - 1.0 / 6.0),
+    ]
+}
+
+#[test]
+fn no_sample_is_farther_than_the_bound() {
+    let mut turn = 0;
+    for (name, base, area) in smooth_bases() {
+        for named in maps::ALL.iter().filter(|named| named.name != "white noise 128x128") {
+            for wrap in Wrap::ALL {
+                let map = displaced(&named.build(wrap));
+                let error_m = [0.02, 0.05, 0.1][turn % 3] * SCALE_M;
+                let fit = Fit::ALL[turn % 2];
+                turn += 1;
+                let settings = MeshSettings { fit, ..MeshSettings::within(error_m) };
+                let (mesh, certificate) = made(&base, &map, &settings);
+                let about = format!("{name}, {}, {wrap}, {fit}: {certificate:?}", named.name);
+                assert!(certificate.error_m <= error_m, "{about}");
+                let (found, covered) = farthest(&base, &map, &mesh, 6);
+                let bound_m = certificate.error_m + certificate.seams_m + ROUNDING * SCALE_M;
+                assert!(found <= bound_m, "{about}: {found}");
+                assert!((covered - area).abs() < 1e-4, "{about}: {covered} of {area}");
+                // The bound says something.
+                assert!(found >= 0.3 * certificate.error_m, "{about}: {found}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_vertex_out_of_its_place_is_noticed() {
+    let (base, map) = (torus(12, 6).expect("a mesh"), map("natural 101x67", Wrap::Repeat));
+    let error_m = 0.02 * SCALE_M;
+    let (mesh, certificate) = made(&base, &map, &MeshSettings::within(error_m));
+    assert!(certificate.seams_m <= ROUNDING * SCALE_M, "{certificate:?}");
+    for moved in [0, mesh.vertices().len() / 2, mesh.vertices().len() - 1] {
+        let mut vertices = mesh.vertices().to_vec();
+        let up = vertices[moved].normal;
+        vertices[moved].position += up * (2.0 * error_m) as f32;
+        let wrong = Mesh::new(vertices, mesh.triangles().to_vec()).expect("a mesh");
+        let (found, _) = farthest(&base, &map, &wrong, 4);
+        assert!(found > error_m + ROUNDING * SCALE_M, "{moved}: {found}");
+    }
+}
+
+#[test]
+fn large_triangles_are_cut_first_and_nothing_moves() {
+    // Sides of 350 texels and more.
+    let texel = |i: u32, j: u32| 0.5 + 0.3 * (i as f32 * 0.05).sin() * (j as f32 * 0.031).cos();
+    let large = displaced(&HeightMap::from_fn(1050, 700, Wrap::Repeat, texel).expect("a map"));
+    for (name, base) in [("torus", torus(3, 3)), ("sphere", sphere(3, 2))] {
+        let base = base.expect("a mesh");
+        let error_m = 0.01 * SCALE_M;
+        let (mesh, certificate) = made(&base, &large, &MeshSettings::within(error_m));
+        assert!(certificate.error_m <= error_m);
+        let (found, _) = farthest(&base, &large, &mesh, 6);
+        let bound_m = certificate.error_m + certificate.seams_m + ROUNDING * SCALE_M;
+        assert!(found <= bound_m, "{name}: {found}, {certificate:?}");
+        assert!(CrackTest::of_mesh(&mesh).is_closed(), "{name}");
+        assert!(mesh.triangles().len() < 1050 * 700 / 20, "{name}: {}", mesh.triangles().len());
+    }
+}
+
+#[test]
+fn meshes_are_closed_where_their_bases_are() {
+    let bases = [cube(1), cube(3), cylinder(16, 2), sphere(24, 12), torus(24, 10)];
+    let mut turn = 0;
+    for base in bases {
+        let base = base.expect("a mesh");
+        for named in maps::ALL.iter().filter(|named| named.name != "white noise 128x128") {
+            for wrap in Wrap::ALL {
+                let map = displaced(&named.build(wrap));
+                let error_m = [0.05, 0.3, 0.02][turn % 3] * SCALE_M;
+                let settings = MeshSettings { judge: Judge::ALL[turn % 2], ..MeshSettings::within(error_m) };
+                turn += 1;
+                let (mesh, certificate) = made(&base, &map, &settings);
+                let cracks = CrackTest::of_mesh(&mesh);
+                let about = format!("{}, {wrap}: {cracks:?}, {certificate:?}", named.name);
+                assert!(cracks.is_closed() && cracks.pieces == 1, "{about}");
+            }
+        }
+    }
+}
+
+#[test]
+fn spot_is_closed() {
+    let Some(base) = relief_tests::spot("spot_triangulated.obj") else { return };
+    let was = CrackTest::of_mesh(&base);
+    for (name, error) in [("natural 128x128", 0.02), ("white noise 37x53", 0.1)] {
+        let map = map(name, Wrap::Repeat);
+        for fit in Fit::ALL {
+            let settings = MeshSettings { fit: *fit, ..MeshSettings::within(error * SCALE_M) };
+            let (mesh, certificate) = made(&base, &map, &settings);
+            let cracks = CrackTest::of_mesh(&mesh);
+            println!("spot, {name}, {fit}: {} triangles, {certificate:?}", mesh.triangles().len());
+            assert_eq!((cracks.open, cracks.branching, cracks.pieces), (was.open, was.branching, was.pieces));
+        }
+    }
+}
+
+#[test]
+fn kept_seams_gape_and_keep_the_bound() {
+    let base = torus(12, 6).expect("a mesh");
+    let map = map("white noise 37x53", Wrap::Clamp);
+    let settings = MeshSettings { seams: Seams::Keep, ..MeshSettings::within(0.05 * SCALE_M) };
+    let (mesh, certificate) = made(&base, &map, &settings);
+    assert_eq!(certificate.seams_m, 0.0);
+    let (found, _) = farthest(&base, &map, &mesh, 6);
+    assert!(found <= certificate.error_m + ROUNDING * SCALE_M, "{found}");
+    assert!(!CrackTest::of_mesh(&mesh).is_closed());
+    let (_, welded) = made(&base, &map, &MeshSettings::within(0.05 * SCALE_M));
+    assert!(welded.seams_m > 0.1 * SCALE_M, "{welded:?}");
+}
+
+#[test]
+fn smooth_relief_needs_few_triangles() {
+    let base = torus(48, 24).expect("a mesh");
+    let level = displaced(&HeightMap::from_fn(200, 90, Wrap::Repeat, |_, _| 0.25).expect("a map"));
+    let (mesh, certificate) = made(&base, &level, &MeshSettings::within(1e-4 * SCALE_M));
+    assert_eq!(mesh.triangles().len(), base.triangles().len());
+    assert!(certificate.error_m <= 1e-6 * SCALE_M, "{certificate:?}");
+    let turns = |of: u32, all: u32| (of as f32 / all as f32) * std::f32::consts::TAU;
+    let hills = |i: u32, j: u32| 0.5 + 0.25 * turns(2 * i, 800).sin() + 0.25 * turns(j, 400).cos();
+    let hills = displaced(&HeightMap::from_fn(800, 400, Wrap::Repeat, hills).expect("a map"));
+    let count = |fit: Fit, error: f64| {
+        let settings = MeshSettings { fit, ..MeshSettings::within(error * SCALE_M) };
+        made(&base, &hills, &settings).0.triangles().len()
+    };
+    let [fitted, plain, fine] = [(Fit::Heights, 0.005), (Fit::None, 0.005), (Fit::None, 0.0005)]
+        .map(|(fit, error)| count(fit, error));
+    println!("{fitted} fitted, {plain} not, {fine} to a tenth");
+    assert!(fitted <= plain && plain < 800 * 400 / 20 && plain < fine, "{fitted} {plain} {fine}");
+}
+
+#[test]
+fn so_many_triangles_are_used_and_no_more() {
+    let (base, map) = (torus(12, 6).expect("a mesh"), map("natural 101x67", Wrap::Repeat));
+    let settings = MeshSettings::within(f64::NAN);
+    let mut before = f64::INFINITY;
+    for most in [1000, 4000] {
+        let mesher = Mesher::with_at_most(&base, &map, &settings, most, &Watch::NOBODY).expect("a mesh");
+        let error_m = mesher.certificate().expect("made to an error").error_m;
+        let triangles = mesher.triangles();
+        assert!(triangles <= most && triangles * 10 >= most * 9, "{most}: {triangles}");
+        assert!(error_m < before);
+        before = error_m;
+    }
+    let none = Mesher::with_at_most(&base, &map, &settings, 10, &Watch::NOBODY);
+    assert!(matches!(none, Err(MesherError::MoreThan { most: 10 })));
+}
+
+#[test]
+fn the_same_bits_whatever_the_number_of_threads() {
+    let (base, map) = (sphere(24, 12).expect("a mesh"), map("white noise 37x53", Wrap::Mirror));
+    let settings = MeshSettings { shading: Shading::Mesh, ..MeshSettings::within(0.1 * SCALE_M) };
+    let with = |threads: usize| {
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        pool.install(|| made(&base, &map, &settings))
+    };
+    let bits = |mesh: &Mesh| -> Vec<[Vec3; 2]> {
+        mesh.vertices().iter().map(|vertex| [vertex.position, vertex.normal]).collect()
+    };
+    let [(alone, certificate), (together, same)] = [1, 4].map(with);
+    assert_eq!((alone.triangles(), bits(&alone)), (together.triangles(), bits(&together)));
+    assert_eq!(certificate, same);
+}
+
+#[test]
+fn what_cannot_be_made_is_refused() {
+    let (base, map) = (torus(12, 6).expect("a mesh"), map("white noise 37x53", Wrap::Repeat));
+    let within = MeshSettings::within(0.1 * SCALE_M);
+    let refused = |settings: MeshSettings| Mesher::new(&base, &map, &settings).expect_err("refused");
+    for settings in [
+        MeshSettings { directions: Directions::Unit, ..within },
+        MeshSettings { base: BaseSurface::Lift, ..within },
+        MeshSettings { side: Side::Above, ..within },
+    ] {
+        assert!(matches!(refused(settings), MesherError::OnPlanesAlone { .. }));
+    }
+    for error_m in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert!(matches!(refused(MeshSettings::within(error_m)), MesherError::BadTolerance { .. }));
+    }
+    let fine = refused(MeshSettings::within(1e-9 * SCALE_M));
+    let MesherError::TooFine { least_m, .. } = fine else { panic!("{fine}") };
+    assert!(least_m > 1e-9 * SCALE_M && least_m < 0.1 * SCALE_M);
+    let held = MeshSettings { max_bytes: 1000, ..within };
+    assert!(matches!(refused(held), MesherError::NoMemory { limit: 1000 }));
+    // A texture that repeats so often that no memory holds its texels.
+    let endless = torus(3, 3).expect("a mesh").tiled(Vec2::splat(1e9)).expect("factors");
+    let error = Mesher::new(&endless, &map, &within).expect_err("refused");
+    assert!(matches!(error, MesherError::TooLarge { .. }), "{error}");
+}
