@@ -1,5 +1,6 @@
 //! `relief height`: height maps from normal maps, photographs and pairs of meshes, and for a mesh.
 
+mod described;
 mod for_mesh;
 mod from_meshes;
 mod from_normals;
@@ -14,6 +15,7 @@ use relief_core::{ByteSize, Wrap};
 use relief_io::{DEFAULT_MAX_BYTES, HeightNote};
 use serde_json::{Value, json};
 
+use self::described::Described;
 use self::output::{Content, Format, Output};
 use crate::failure::Failure;
 use crate::interrupt::cancelled;
@@ -210,29 +212,16 @@ impl Relief {
         } else {
             "least squares of the slopes, and of waves of about two texels by the damping"
         };
-        let mut entries = vec![
-            ("wrap", how.wrap.name().to_owned()),
-            ("settings", format!("damping={damping} steepest={steepest}")),
-            ("convention", "height 1 is highest; row 0 is on top, v grows downward".to_owned()),
-            ("units", "lengths in metres; heights in fractions of the scale, above the bias".to_owned()),
-            ("guarantee", guarantee.to_owned()),
-            ("published", "Szirmay-Kalos and Umenhoffer 2008 2.2".to_owned()),
-            ("generator", concat!("relief ", env!("CARGO_PKG_VERSION")).to_owned()),
-            ("channels", "height".to_owned()),
-            ("ranges", "0,1".to_owned()),
-            ("rounding", "nearest".to_owned()),
-            ("stored_as", output.stored_as().to_owned()),
-            ("size", format!("{width} {height} 1")),
-        ];
-        entries.extend(more);
-        let metadata = note.metadata(entries).map_err(|problem| Failure::Work(problem.to_string()))?;
-        let content = Content {
+        let described = Described {
             size: [width, height],
-            names: &["height"],
-            planes: vec![map.texels().to_vec()],
-            bits: 16,
-            metadata,
+            texels: map.texels().to_vec(),
+            wrap: how.wrap,
+            note,
+            origin: vec![("settings", format!("damping={damping} steepest={steepest}"))],
+            guarantee: Some(guarantee),
+            more,
         };
+        let content = described.content(output)?;
         Ok(Self { content, note, how, misfit })
     }
 

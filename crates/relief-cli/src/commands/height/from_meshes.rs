@@ -20,6 +20,7 @@ use relief_render::scene::MeshChoice;
 use serde_json::json;
 
 use super::check_memory;
+use super::described::Described;
 use super::output::{Content, Format, Output};
 use crate::commands::staged::Staged;
 use crate::failure::Failure;
@@ -279,28 +280,23 @@ impl Arguments {
         note: HeightNote,
         output: &Output,
     ) -> Result<Content, Failure> {
-        let [width, height] = heights.size;
-        let entries = vec![
-            ("wrap", self.wrap.name().to_owned()),
-            ("mesh", self.low.to_string()),
-            ("detailed_mesh", self.high.to_string()),
-            (
-                "settings",
-                format!("cage={} layer={} two_sided={}", heights.cage_m, self.layer, self.two_sided),
-            ),
-            ("convention", "height 1 is highest; row 0 is on top, v grows downward".to_owned()),
-            ("units", "lengths in metres; heights in fractions of the scale, above the bias".to_owned()),
-            ("published", "Szirmay-Kalos and Umenhoffer 2008 2.2".to_owned()),
-            ("generator", concat!("relief ", env!("CARGO_PKG_VERSION")).to_owned()),
-            ("channels", "height".to_owned()),
-            ("ranges", "0,1".to_owned()),
-            ("rounding", "nearest".to_owned()),
-            ("stored_as", output.stored_as().to_owned()),
-            ("size", format!("{width} {height} 1")),
-        ];
-        let metadata = note.metadata(entries).map_err(|problem| Failure::Work(problem.to_string()))?;
-        let planes = vec![heights.texels()];
-        Ok(Content { size: heights.size, names: &["height"], planes, bits: 16, metadata })
+        let described = Described {
+            size: heights.size,
+            texels: heights.texels(),
+            wrap: self.wrap,
+            note,
+            origin: vec![
+                ("mesh", self.low.to_string()),
+                ("detailed_mesh", self.high.to_string()),
+                (
+                    "settings",
+                    format!("cage={} layer={} two_sided={}", heights.cage_m, self.layer, self.two_sided),
+                ),
+            ],
+            guarantee: None,
+            more: Vec::new(),
+        };
+        described.content(output)
     }
 
     /// Normals as a file of that format holds them: fractions in PNG, themselves in EXR.
