@@ -11,6 +11,7 @@ use relief_core::mesh::{Mesh, MeshBlock, Vertex};
 use crate::crack::{CrackPart, CrackTest, Cracks};
 use crate::edge::Divides;
 use crate::error::MOST;
+use crate::folds::{self, FoldedBase, Folds};
 use crate::interior::{Cut, Fills, Pattern};
 use crate::patch::{Patch, PatchPoint};
 use crate::plan::{Plan, Work};
@@ -86,12 +87,14 @@ pub struct Stream<'a> {
 }
 
 /// What is known of a mesh that was handed over.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Streamed {
     /// The least and the greatest corner of a box around it, in metres.
     pub bounds_m: [Vec3; 2],
     /// What there is of cracks, if it was looked at.
     pub cracks: Option<Cracks>,
+    /// What was folded over.
+    pub folds: Folds,
 }
 
 /// A block that was made.
@@ -101,6 +104,8 @@ struct Made {
     /// The smooth numbers of the triangles' corners.
     smooth: Vec<[u32; 3]>,
     bounds_m: [Vec3; 2],
+    /// What is folded over, in the order of the base's triangles.
+    folds: Vec<FoldedBase>,
 }
 
 /// No box around nothing.
@@ -309,7 +314,7 @@ impl Mesher {
             normals = Some(sums);
         }
         let mut test = how.check.then(CrackTest::default);
-        let mut bounds_m = EMPTY;
+        let (mut bounds_m, mut folds) = (EMPTY, Folds::default());
         let tell = |part: f32| (how.watch.tell)(1.0 - (1.0 - part) / rounds);
         self.each_block(how, normals.as_ref(), &tell, |made| {
             if let (Some(test), Some(part)) = (&mut test, made.part) {
@@ -317,9 +322,12 @@ impl Mesher {
             }
             let [least, greatest] = made.bounds_m;
             bounds_m = [bounds_m[0].min(least), bounds_m[1].max(greatest)];
+            for found in made.folds {
+                folds.add(FoldedBase { middle_m: found.middle_m * how.size, ..found });
+            }
             sink(&made.block).map_err(StreamError::Sink)
         })?;
-        Ok(Streamed { bounds_m, cracks: test.map(CrackTest::finish) })
+        Ok(Streamed { bounds_m, cracks: test.map(CrackTest::finish), folds })
     }
 
     /// The whole mesh.
@@ -410,7 +418,7 @@ impl Mesher {
             // The plan of one base has no work of the other.
             _ => {}
         }
-        let Making { mut block, smooth, .. } = making;
+        let Making { mut block, smooth, folds, .. } = making;
         scale(&mut block, how.size);
         let positions = block.vertices.iter().map(|vertex| vertex.position);
         let bounds_m = positions.clone().fold(EMPTY, |[low, high], at| [low.min(at), high.max(at)]);
@@ -418,7 +426,7 @@ impl Mesher {
             return None;
         }
         let part = how.check.then(|| CrackPart::of(block.points.iter().copied()));
-        Some(Made { block, part, smooth, bounds_m })
+        Some(Made { block, part, smooth, bounds_m, folds })
     }
 
     fn patches(
@@ -461,9 +469,34 @@ impl Mesher {
                 });
             }
             making.triangles(&cut.triangles, &points, false);
+            making.folds.extend(self.folded(base, patch, &cut, &points));
             first_vertex += own;
             first_inner = 0;
         }
+    }
+
+    /// What of a patch is folded over.
+    fn folded(
+        &self,
+        base: &Triangles,
+        patch: u32,
+        cut: &Cut,
+        points: &[(Numbered, Vec3)],
+    ) -> Option<FoldedBase> {
+        if !base.can_fold() {
+            return None;
+        }
+        let of_corners = base.directions(patch);
+        let is_folded = |corners: &&[u32; 3]| {
+            let positions = corners.map(|corner| points[corner as usize].1);
+            // Directions between are sums of the corners'.
+            folds::may_be_folded(positions, of_corners) && {
+                let direction = |corner: u32| base.direction(patch, &cut.points[corner as usize]);
+                folds::is_folded(positions, corners.map(|corner| self.relief.direction(direction(corner))))
+            }
+        };
+        let pieces = cut.triangles.iter().filter(is_folded).count() as u64;
+        (pieces > 0).then(|| FoldedBase { triangle: patch, pieces, middle_m: base.middle(patch) })
     }
 
     fn filled(&self, plane: &Adapted, tile: u32, making: &mut Making) {
@@ -506,6 +539,7 @@ struct Making<'a> {
     block: MeshBlock,
     smooth: Vec<[u32; 3]>,
     normals: Option<&'a Normals>,
+    folds: Vec<FoldedBase>,
 }
 
 impl Making<'_> {

@@ -214,7 +214,8 @@ const AFTER_HELP: &str = "Examples:\n  \
     its longer side 1 m. On it triangles are as large as --error allows: no point of the relief is farther \
     from them, measured along the displacement, and the answer says how far it is and where. Without \
     --seams keep the file has no cracks where the mesh has none: the answer counts open edges, those of a \
-    sheet's border among them. Look at it with `relief render --mesh FILE`, `relief inspect FILE`, or any \
+    sheet's border among them, and the triangles that are folded over, by those of the mesh (from 0) that \
+    they are pieces of. Look at it with `relief render --mesh FILE`, `relief inspect FILE`, or any \
     viewer of glTF.";
 
 /// A format, by the ending of the output's name.

@@ -11,7 +11,7 @@ use self::corners::Corners;
 use self::edges::Edges;
 use crate::edge::Divides;
 use crate::error::MOST;
-use crate::patch::Patch;
+use crate::patch::{Patch, PatchPoint};
 use crate::surface::{Frame, Placed, Relief};
 use crate::view::{Voxel, log2};
 use crate::{BaseSurface, MeshSettings, MesherError, Seams, Weights, point};
@@ -29,6 +29,7 @@ pub struct Triangles {
     footprints: Vec<f64>,
     base: BaseSurface,
     is_welded: bool,
+    can_fold: bool,
 }
 
 /// A vertex of the mesh that is made: its number, and which vertices have the same normal.
@@ -83,7 +84,10 @@ impl Triangles {
             }
         };
         let triangles = mesh.triangles().to_vec();
-        Ok(Self { corners, edges, triangles, voxels, footprints, base: settings.base, is_welded })
+        let first = corners.used.first().map(|&vertex| corners.base(vertex).normal);
+        let can_fold = corners.used.iter().any(|&vertex| Some(corners.base(vertex).normal) != first);
+        let base = settings.base;
+        Ok(Self { corners, edges, triangles, voxels, footprints, base, is_welded, can_fold })
     }
 
     /// What a vertex counts along the sides that it is an end of.
@@ -224,12 +228,45 @@ impl Triangles {
             let position = relief.displaced(&self.at_corner(vertex));
             return (self.corners.numbered(vertex), point::stored(position));
         }
+        let (edge, at) = self.on_side(patch, side, at);
+        let position = relief.displaced(&self.on_edge(edge, at));
+        (self.edges.numbered(edge, at), point::stored(position))
+    }
+
+    /// The edge that a side of a patch is, and where on it a point of the side lies.
+    fn on_side(&self, patch: u32, side: u32, at: u32) -> (u32, u32) {
         let edge = self.edges.sides(patch)[side as usize];
         let from = self.triangles[patch as usize][side as usize];
         // Edges are counted from the end that comes first by its bits, and not by the patch.
-        let at = if self.edges.ends(edge)[0] == from { at } else { self.edges.parts(edge) - at };
-        let position = relief.displaced(&self.on_edge(edge, at));
-        (self.edges.numbered(edge, at), point::stored(position))
+        (edge, if self.edges.ends(edge)[0] == from { at } else { self.edges.parts(edge) - at })
+    }
+
+    /// Whether its points move along different directions.
+    pub fn can_fold(&self) -> bool {
+        self.can_fold
+    }
+
+    /// The directions of displacement at the corners of a patch, of any length.
+    pub fn directions(&self, patch: u32) -> [DVec3; 3] {
+        self.triangles[patch as usize].map(|vertex| self.at_corner(vertex).base.normal)
+    }
+
+    /// The direction of displacement at a point of a patch, of any length.
+    pub fn direction(&self, patch: u32, point: &PatchPoint) -> DVec3 {
+        match *point {
+            PatchPoint::Border { side, at: 0 } => self.directions(patch)[side as usize],
+            PatchPoint::Border { side, at } => {
+                let (edge, at) = self.on_side(patch, side, at);
+                self.on_edge(edge, at).base.normal
+            }
+            PatchPoint::Inner { weights, .. } => self.inside(patch, weights).0.base.normal,
+        }
+    }
+
+    /// The middle of a triangle of the base.
+    pub fn middle(&self, patch: u32) -> DVec3 {
+        let [a, b, c] = self.triangles[patch as usize].map(|vertex| self.corners.base(vertex).position);
+        (a + b + c) / 3.0
     }
 
     /// An inner point, and its weights.

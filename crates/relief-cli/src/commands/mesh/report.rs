@@ -4,13 +4,14 @@ use std::io::Write;
 
 use glam::Vec3;
 use relief_io::MeshFormat;
-use relief_mesh::{Certificate, Cracks};
+use relief_mesh::{Certificate, Cracks, FoldedBase, Folds};
 use relief_render::scene::Surface;
 use serde_json::json;
 
 use super::Arguments;
 use super::made::WrittenPart;
 use crate::failure::Failure;
+use crate::say;
 use crate::values::six_digits;
 
 /// A mesh that was made.
@@ -32,6 +33,11 @@ impl About<'_> {
         let worst = all().reduce(|a, b| if b.error_m > a.error_m { b } else { a })?;
         let mean_m = all().map(|certificate| certificate.mean_m).sum::<f64>() / all().count() as f64;
         Some(Certificate { mean_m, ..worst })
+    }
+
+    /// What is folded over. Parts are those of planes, which do not fold.
+    fn folds(&self) -> Option<&Folds> {
+        self.written.iter().map(|part| &part.streamed.folds).find(|folds| folds.triangles > 0)
     }
 
     /// Says it.
@@ -64,6 +70,7 @@ impl About<'_> {
                 about["error"] =
                     json!({ "greatest_m": error_m, "at_uv": uv, "mean_m": mean_m, "judge": judge.name() });
             }
+            about["folds"] = self.folds().map_or_else(|| of_folds(&Folds::default()), of_folds);
             if arguments.tiles.is_some() {
                 about["files"] = written.iter().map(of_part).collect();
             }
@@ -104,8 +111,36 @@ impl About<'_> {
         };
         writeln!(out, "  edges       {edges}")?;
         writeln!(out, "  pieces      {pieces}")?;
+        if let Some(folds) = self.folds() {
+            let of = surface.mesh().triangles().len();
+            writeln!(out, "  folds       {}", folds_in_words(folds, of))?;
+            say::note(FOLDED);
+        }
         Ok(())
     }
+}
+
+/// What to do about folds.
+const FOLDED: &str = "the relief is folded over where the mesh curves more than it lets be displaced, and \
+    shows its back there: a smaller --scale, another --bias, or a rounder mesh there; relief inspect MESH \
+    says how far a mesh can be displaced before it folds";
+
+fn folds_in_words(folds: &Folds, of: usize) -> String {
+    let Folds { triangles, base_triangles, first, .. } = folds;
+    let named: Vec<String> = first.iter().map(|base| base.triangle.to_string()).collect();
+    let more = if *base_triangles > first.len() as u64 { ", ..." } else { "" };
+    let named = named.join(", ");
+    format!("{triangles} triangles turned over, on {base_triangles} of the mesh's {of}: {named}{more}")
+}
+
+fn of_folds(folds: &Folds) -> serde_json::Value {
+    let first: Vec<serde_json::Value> = folds.first.iter().map(of_folded).collect();
+    json!({ "triangles": folds.triangles, "mesh_triangles": folds.base_triangles, "first": first })
+}
+
+fn of_folded(base: &FoldedBase) -> serde_json::Value {
+    let middle_m = base.middle_m.to_array().map(six_digits);
+    json!({ "mesh_triangle": base.triangle, "triangles": base.pieces, "middle_m": middle_m })
 }
 
 fn of_part(part: &WrittenPart) -> serde_json::Value {
