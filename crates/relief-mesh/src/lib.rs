@@ -52,7 +52,7 @@ pub use edge::{EDGE_RULES, EdgeRule, Spacing, Weights, edge_rule};
 pub use error::{MesherError, StreamError};
 pub use folds::{FoldedBase, Folds};
 pub use interior::{INTERIORS, Interior, check_pair, interior};
-pub use mesher::{Mesher, Stream, Streamed};
+pub use mesher::{Bounds, Mesher, Rounded, Stream, Streamed};
 pub use plane::Certificate;
 pub use settings::{MeshSettings, Part};
 pub use view::View;

@@ -3,10 +3,10 @@
 use std::convert::Infallible;
 use std::sync::atomic::Ordering;
 
-use glam::{DVec3, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 use rayon::prelude::*;
 use relief_core::HeightMap;
-use relief_core::mesh::{Mesh, MeshBlock, Vertex};
+use relief_core::mesh::{Mesh, MeshBlock, PositionGrid, Vertex};
 
 use crate::crack::{CrackPart, CrackTest, Cracks};
 use crate::edge::Divides;
@@ -82,6 +82,9 @@ pub struct Stream<'a> {
     pub size: f64,
     /// Whether the mesh is looked at for cracks.
     pub check: bool,
+    /// The lattice that positions are rounded to, after they are made larger or smaller. Cracks are looked
+    /// for in what this leaves.
+    pub grid: Option<PositionGrid>,
     /// Who watches.
     pub watch: Watch<'a>,
 }
@@ -95,6 +98,37 @@ pub struct Streamed {
     pub cracks: Option<Cracks>,
     /// What was folded over.
     pub folds: Folds,
+    /// What a lattice changed, if there was one.
+    pub rounded: Option<Rounded>,
+}
+
+/// What became of a mesh whose positions were rounded to a lattice.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Rounded {
+    /// The farthest that a vertex was moved, in metres. No point of the surface was moved farther.
+    pub greatest_m: f64,
+    /// Triangles that had an area and have none now.
+    pub without_area: u64,
+}
+
+impl Rounded {
+    /// What became of two meshes together.
+    #[must_use]
+    pub fn with(self, other: Self) -> Self {
+        Self {
+            greatest_m: self.greatest_m.max(other.greatest_m),
+            without_area: self.without_area + other.without_area,
+        }
+    }
+}
+
+/// The least and the greatest numbers of a mesh's vertices.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// The positions, in metres.
+    pub positions_m: [Vec3; 2],
+    /// The texture coordinates.
+    pub uvs: [Vec2; 2],
 }
 
 /// A block that was made.
@@ -106,6 +140,7 @@ struct Made {
     bounds_m: [Vec3; 2],
     /// What is folded over, in the order of the base's triangles.
     folds: Vec<FoldedBase>,
+    rounded: Rounded,
 }
 
 /// No box around nothing.
@@ -306,7 +341,7 @@ impl Mesher {
         if self.shading == Shading::Mesh {
             rounds = 2.0;
             let mut sums = Normals::new(self.vertices);
-            let plain = Stream { check: false, ..*how };
+            let plain = Stream { check: false, grid: None, ..*how };
             self.each_block(&plain, None, &|part| (how.watch.tell)(part / 2.0), |made| {
                 sums.add(&made.block.points, &made.smooth);
                 Ok(())
@@ -314,7 +349,7 @@ impl Mesher {
             normals = Some(sums);
         }
         let mut test = how.check.then(CrackTest::default);
-        let (mut bounds_m, mut folds) = (EMPTY, Folds::default());
+        let (mut bounds_m, mut folds, mut rounded) = (EMPTY, Folds::default(), Rounded::default());
         let tell = |part: f32| (how.watch.tell)(1.0 - (1.0 - part) / rounds);
         self.each_block(how, normals.as_ref(), &tell, |made| {
             if let (Some(test), Some(part)) = (&mut test, made.part) {
@@ -325,9 +360,35 @@ impl Mesher {
             for found in made.folds {
                 folds.add(FoldedBase { middle_m: found.middle_m * how.size, ..found });
             }
+            rounded = rounded.with(made.rounded);
             sink(&made.block).map_err(StreamError::Sink)
         })?;
-        Ok(Streamed { bounds_m, cracks: test.map(CrackTest::finish), folds })
+        Ok(Streamed {
+            bounds_m,
+            cracks: test.map(CrackTest::finish),
+            folds,
+            rounded: how.grid.map(|_| rounded),
+        })
+    }
+
+    /// The least and the greatest numbers of the vertices of the mesh, made larger by a factor. All of the
+    /// mesh is made for that and thrown away.
+    ///
+    /// # Errors
+    ///
+    /// When it is cancelled, or a vertex lies beyond what `f32` holds.
+    pub fn bounds(&self, size: f64, watch: &Watch) -> Result<Bounds, StreamError<Infallible>> {
+        let how = Stream { size, check: false, grid: None, watch: *watch };
+        let mut bounds = Bounds { positions_m: EMPTY, uvs: [Vec2::INFINITY, Vec2::NEG_INFINITY] };
+        self.each_block(&how, None, &watch.tell, |made| {
+            let ([least, greatest], [low, high]) = (made.bounds_m, bounds.positions_m);
+            bounds.positions_m = [low.min(least), high.max(greatest)];
+            for vertex in &made.block.vertices {
+                bounds.uvs = [bounds.uvs[0].min(vertex.uv), bounds.uvs[1].max(vertex.uv)];
+            }
+            Ok(())
+        })?;
+        Ok(bounds)
     }
 
     /// The whole mesh.
@@ -336,7 +397,7 @@ impl Mesher {
     ///
     /// When a vertex lies beyond what `f32` holds.
     pub fn mesh(&self) -> Result<Mesh, StreamError<Infallible>> {
-        let how = Stream { size: 1.0, check: false, watch: Watch::NOBODY };
+        let how = Stream { size: 1.0, check: false, grid: None, watch: Watch::NOBODY };
         let mut vertices = Vec::with_capacity(self.vertices as usize);
         let mut triangles = Vec::with_capacity(self.triangles as usize);
         self.stream(&how, |block| {
@@ -420,13 +481,14 @@ impl Mesher {
         }
         let Making { mut block, smooth, folds, .. } = making;
         scale(&mut block, how.size);
+        let rounded = how.grid.map(|grid| round(&mut block, &grid)).unwrap_or_default();
         let positions = block.vertices.iter().map(|vertex| vertex.position);
         let bounds_m = positions.clone().fold(EMPTY, |[low, high], at| [low.min(at), high.max(at)]);
         if !positions.clone().all(|position| position.is_finite()) {
             return None;
         }
         let part = how.check.then(|| CrackPart::of(block.points.iter().copied()));
-        Some(Made { block, part, smooth, bounds_m, folds })
+        Some(Made { block, part, smooth, bounds_m, folds, rounded })
     }
 
     fn patches(
@@ -589,4 +651,26 @@ fn scale(block: &mut MeshBlock, size: f64) {
     for point in block.points.as_flattened_mut() {
         *point = scaled(*point);
     }
+}
+
+/// Rounds the positions of a block to a lattice.
+fn round(block: &mut MeshBlock, grid: &PositionGrid) -> Rounded {
+    let mut rounded = Rounded::default();
+    for vertex in &mut block.vertices {
+        let position = grid.snapped(vertex.position);
+        let moved_m = position.as_dvec3().distance(vertex.position.as_dvec3());
+        rounded.greatest_m = rounded.greatest_m.max(moved_m);
+        vertex.position = position;
+    }
+    for corners in &mut block.points {
+        let had_area = has_area(corners);
+        *corners = corners.map(|corner| grid.snapped(corner));
+        rounded.without_area += u64::from(had_area && !has_area(corners));
+    }
+    rounded
+}
+
+fn has_area(corners: &[Vec3; 3]) -> bool {
+    let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+    (b - a).cross(c - a) != DVec3::ZERO
 }

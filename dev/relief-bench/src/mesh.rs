@@ -132,7 +132,7 @@ impl Work {
         folder: &Path,
     ) -> Result<Option<Cracks>, String> {
         let check = !matches!(self, Self::Made);
-        let how = Stream { size: 1.0, check, watch: Watch::NOBODY };
+        let how = Stream { size: 1.0, check, grid: None, watch: Watch::NOBODY };
         match self {
             Self::Counted => {
                 let counted = Mesher::new(base, map, settings);

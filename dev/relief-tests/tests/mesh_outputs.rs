@@ -3,9 +3,12 @@
 use std::collections::BTreeMap;
 
 use glam::{DVec3, Vec3};
-use relief_core::mesh::{Mesh, cylinder, rectangle, sphere, square, torus};
+use relief_core::mesh::{Mesh, MeshBlock, PositionGrid, cube, cylinder, rectangle, sphere, square, torus};
 use relief_core::{HeightMap, Wrap};
-use relief_mesh::{Directions, Folds, INTERIORS, MeshSettings, Mesher, Seams, Stream, Streamed, Watch};
+use relief_io::{GlbLayout, GlbLevel, MeshCounts, Quantization, read_raw_mesh, write_glb};
+use relief_mesh::{
+    CrackTest, Directions, Folds, INTERIORS, MeshSettings, Mesher, Part, Seams, Stream, Streamed, Watch,
+};
 
 /// Moves everything by so many metres.
 fn moved(by_m: f64) -> HeightMap {
@@ -20,7 +23,7 @@ fn hills(scale_m: f64) -> HeightMap {
 }
 
 fn streamed(mesher: &Mesher, size: f64) -> Streamed {
-    let how = Stream { size, check: true, watch: Watch::NOBODY };
+    let how = Stream { size, check: true, grid: None, watch: Watch::NOBODY };
     mesher.stream(&how, |_| Ok::<(), ()>(())).expect("finite")
 }
 
@@ -129,4 +132,122 @@ fn folds_do_not_depend_on_threads_or_blocks() {
     assert_eq!(by_base.len(), found.first.len());
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a pool");
     assert_eq!(pool.install(|| streamed(&mesher, 1.0)).folds, found);
+}
+
+/// The mesh on a lattice of so many bits: its blocks, and what is said of it.
+fn rounded(mesher: &Mesher, grid: Option<PositionGrid>) -> (Vec<MeshBlock>, Streamed) {
+    let how = Stream { size: 1.0, check: true, grid, watch: Watch::NOBODY };
+    let mut blocks = Vec::new();
+    let streamed = mesher.stream(&how, |block| {
+        blocks.push(block.clone());
+        Ok::<(), ()>(())
+    });
+    (blocks, streamed.expect("finite"))
+}
+
+fn counts(mesher: &Mesher) -> MeshCounts {
+    MeshCounts { vertices: mesher.vertices(), triangles: mesher.triangles() }
+}
+
+fn level(mesher: &Mesher, coverage: f64) -> GlbLevel {
+    GlbLevel { counts: counts(mesher), coverage }
+}
+
+#[test]
+fn integers_are_read_as_the_lattice_and_open_no_crack() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let ring = torus(24, 12).and_then(|ring| ring.tiled([4.0, 3.0].into()));
+    for (at, base) in [ring, sphere(24, 12), cube(3)].into_iter().enumerate() {
+        let base = base.expect("a mesh");
+        let settings = MeshSettings { texels: 1, ..MeshSettings::default() };
+        let mesher = Mesher::new(&base, &hills(0.06), &settings).expect("a mesh");
+        let (exact, plain) = rounded(&mesher, None);
+        assert_eq!(plain.rounded, None);
+        for bits in [8, 9, 12, 13, 16] {
+            let bounds = mesher.bounds(1.0, &Watch::NOBODY).expect("finite");
+            assert_eq!(bounds.positions_m, plain.bounds_m);
+            let grid = PositionGrid::around(&[bounds.positions_m], bits).expect("finite")[0];
+            let (blocks, streamed) = rounded(&mesher, Some(grid));
+            let found = streamed.rounded.expect("it was rounded");
+            let cracks = streamed.cracks.expect("it was looked at");
+            assert_eq!(cracks.open, 0, "{at} {bits} {cracks:?}");
+            // What is said of vertices and triangles is what a comparison finds.
+            let (mut farthest, mut lost) = (0.0_f64, 0);
+            let has_area = |[a, b, c]: [Vec3; 3]| (b - a).as_dvec3().cross((c - a).as_dvec3()).length() > 0.0;
+            for (before, after) in exact.iter().zip(&blocks) {
+                for (a, b) in before.vertices.iter().zip(&after.vertices) {
+                    farthest = farthest.max(a.position.as_dvec3().distance(b.position.as_dvec3()));
+                }
+                for (a, b) in before.points.iter().zip(&after.points) {
+                    lost += u64::from(has_area(*a) && !has_area(*b));
+                }
+            }
+            assert_eq!((found.greatest_m, found.without_area), (farthest, lost), "{at} {bits}");
+            assert!(farthest > 0.2 * grid.step_m() && farthest < 0.867 * grid.step_m());
+            assert!(bits > 8 || at > 0 || lost > 0);
+            // The file holds these floats, from rounded positions and from others.
+            let uvs = bounds.uvs[0].min_element() >= 0.0 && bounds.uvs[1].max_element() <= 1.0;
+            let quantization = Some(Quantization { grid, uvs });
+            let layout = GlbLayout { levels: vec![level(&mesher, 0.0)], quantization };
+            let paths = [(&blocks, "a.glb"), (&exact, "b.glb")].map(|(blocks, name)| {
+                let path = folder.path().join(name);
+                write_glb(&path, &layout, |sink| blocks.iter().try_for_each(&mut *sink)).expect("written");
+                path
+            });
+            let [a, b] = paths.each_ref().map(|path| std::fs::read(path).expect("written"));
+            assert!(a == b && a.len() as u64 == layout.bytes());
+            let read = read_raw_mesh(paths[0].as_path(), 1 << 30).expect("read");
+            let vertices = || blocks.iter().flat_map(|block| &block.vertices);
+            assert_eq!(read.positions, vertices().map(|vertex| vertex.position).collect::<Vec<_>>());
+            let off = if bits < 13 { 0.008 } else { 0.00005 };
+            for (vertex, (normal, uv)) in vertices().zip(read.normals.iter().zip(&read.uvs)) {
+                assert!(normal.distance(vertex.normal) < off, "{bits}");
+                assert!((*uv - vertex.uv).abs().max_element() <= if uvs { 0.50001 / 65535.0 } else { 0.0 });
+            }
+            let corners = read.triangles.iter().map(|corners| corners.map(|corner| corner.position));
+            assert!(corners.eq(blocks.iter().flat_map(|block| block.triangles.iter().copied())));
+        }
+    }
+}
+
+#[test]
+fn parts_on_one_lattice_meet() {
+    let base = rectangle([1.0, 0.5], 1).expect("a mesh");
+    let map = hills(0.1);
+    let part = |at: u32| {
+        let settings = MeshSettings { part: Part { of: [2, 1], at: [at, 0] }, ..MeshSettings::within(0.001) };
+        Mesher::new(&base, &map, &settings).expect("a mesh")
+    };
+    let parts = [part(0), part(1)];
+    let boxes = parts.each_ref().map(|part| part.bounds(1.0, &Watch::NOBODY).expect("finite").positions_m);
+    let grids = PositionGrid::around(&boxes, 10).expect("finite");
+    let triangles = |part: usize| {
+        let (blocks, streamed) = rounded(&parts[part], Some(grids[part]));
+        let points: Vec<[Vec3; 3]> = blocks.iter().flat_map(|block| block.points.iter().copied()).collect();
+        (points, streamed.cracks.expect("looked at").open)
+    };
+    let ((left, open_left), (right, open_right)) = (triangles(0), triangles(1));
+    let both = CrackTest::of_triangles(left.into_iter().chain(right));
+    let shared = open_left + open_right - both.open;
+    assert!(both.pieces == 1 && shared > 10 && shared.is_multiple_of(2), "{both:?} {shared}");
+    assert_eq!(grids[0].step_m(), grids[1].step_m());
+}
+
+#[test]
+fn a_file_of_integers_that_would_be_wrong_is_not_written() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("a.glb");
+    let base = torus(8, 6).expect("a mesh").tiled([2.0, 1.0].into()).expect("tiled");
+    let mesher = Mesher::new(&base, &hills(0.02), &MeshSettings::default()).expect("a mesh");
+    let (blocks, Streamed { bounds_m, .. }) = rounded(&mesher, None);
+    let small = [bounds_m[0], bounds_m[0] + (bounds_m[1] - bounds_m[0]) * 0.5];
+    for (around, uvs) in [(small, false), (bounds_m, true)] {
+        let grid = PositionGrid::around(&[around], 12).expect("finite")[0];
+        let quantization = Some(Quantization { grid, uvs });
+        let layout = GlbLayout { levels: vec![level(&mesher, 0.0)], quantization };
+        let written = write_glb(&path, &layout, |sink| blocks.iter().try_for_each(&mut *sink));
+        let problem = written.expect_err("it lies beyond").problem.to_string();
+        assert!(problem.contains("beyond"), "{problem}");
+    }
+    assert_eq!(std::fs::read_dir(folder.path()).expect("a folder").count(), 0);
 }

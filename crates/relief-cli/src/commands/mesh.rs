@@ -186,6 +186,17 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     print_size: Option<f64>,
+    /// Store a GLB in integers (KHR_mesh_quantization), positions in so many bits a coordinate, from 8 to 16:
+    /// about a third smaller. Cracks do not open; the answer says how far vertices were moved, and how many
+    /// triangles lost their area
+    #[arg(
+        long,
+        value_name = "BITS",
+        value_parser = clap::value_parser!(u32).range(8..=16),
+        allow_hyphen_values = true,
+        help_heading = "Triangles"
+    )]
+    quantize: Option<u32>,
     /// Turn the relief inside out: what is high is low
     #[arg(long, help_heading = "Triangles")]
     invert: bool,
@@ -206,6 +217,7 @@ const AFTER_HELP: &str = "Examples:\n  \
     relief mesh dem.tif --error 2m --tiles 4x4 -o dem.glb             # to 2 m, in 16 files\n  \
     relief mesh dem.tif --print-size 150 --solid 3 -o dem.stl         # 15 cm long, to print\n  \
     relief mesh dem.tif --texels 1 -o dem.glb                         # every texel of it\n  \
+    relief mesh dem.tif --error 2m --quantize 12 -o dem.glb           # a third smaller, in integers\n  \
     relief mesh dem.tif --view flight.toml --pixels 2 -o dem.glb      # every second pixel of a picture\n  \
     relief mesh bark.png --mesh tree.obj --scale 2cm -o tree.glb      # on a mesh with a texture\n  \
     relief mesh wall.png --mesh sphere --tile 8,4 --base lift -o ball.ply\n\n\
@@ -263,7 +275,7 @@ fn interior_help() -> String {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let started = Instant::now();
     let (_, format) = format_of("--output", &arguments.output, &FORMATS, &arguments.inputs())?;
-    arguments.check()?;
+    arguments.check(format)?;
     let spec = arguments.spec()?;
     let scene = {
         let _reading = Progress::spinner("reading", arguments.json);
@@ -318,7 +330,7 @@ impl Arguments {
     }
 
     /// Whether what is given can be used, before anything is read.
-    fn check(&self) -> Result<(), Failure> {
+    fn check(&self, format: MeshFormat) -> Result<(), Failure> {
         if let Some(size) = self.print_size.filter(|size| !(1e-3..=1e9).contains(size)) {
             let must = "it must be from 0.001 to 1e9 millimetres";
             return Err(Failure::Usage(format!("--print-size: {size} cannot be used: {must}")));
@@ -357,9 +369,26 @@ impl Arguments {
                  --view, --edges or --interior ask for: leave one out"
             )));
         }
+        self.check_storage(format)?;
         if self.tiles.is_some() && self.shading == Some(Shading::Mesh) {
             let why = "the normals of triangles would differ where two files meet";
             return Err(Failure::Usage(format!("--tiles: --shading mesh cannot be used with it: {why}")));
+        }
+        Ok(())
+    }
+
+    /// Whether the format has what is asked of it.
+    fn check_storage(&self, format: MeshFormat) -> Result<(), Failure> {
+        if self.quantize.is_none() {
+            return Ok(());
+        }
+        if format != MeshFormat::Gltf {
+            let why = "has no integers that are scaled: only a GLB has";
+            return Err(Failure::Usage(format!("--quantize: {} {why}", format.name())));
+        }
+        if let Some(side @ (Side::Above | Side::Below)) = self.side {
+            let why = "vertices that are rounded would not stay there";
+            return Err(Failure::Usage(format!("--quantize: --side {side} cannot be kept with it: {why}")));
         }
         Ok(())
     }

@@ -1,13 +1,13 @@
 //! Makes the mesh while it is written.
 
-use std::convert::Infallible;
 use std::io;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::Vec3;
-use relief_io::{MeshCounts, MeshFormat, write_mesh};
-use relief_mesh::{Certificate, Mesher, Stream, StreamError, Streamed, Watch};
+use relief_core::mesh::PositionGrid;
+use relief_io::{GlbLayout, GlbLevel, MeshCounts, MeshFormat, MeshSink, Quantization, write_glb, write_mesh};
+use relief_mesh::{Bounds, Certificate, Mesher, Stream, StreamError, Streamed, Watch};
 
 use super::parts::PartFile;
 use super::seen::Seen;
@@ -26,6 +26,8 @@ pub struct WrittenPart {
     pub streamed: Streamed,
     /// How far the relief is from the triangles; lengths of the mesh as it was written.
     pub certificate: Option<Certificate>,
+    /// How its vertices are stored in integers, if they are.
+    pub quantization: Option<Quantization>,
     /// Of the file.
     pub bytes: u64,
 }
@@ -48,7 +50,7 @@ pub fn write(
     let making = Making { arguments, seen, format, cancel };
     let print_m = arguments.print_size.map(|mm| mm / 1000.0);
     let Some(print_m) = print_m else {
-        return files.iter().map(|file| making.written(file, staged, [1.0, 1.0])).collect();
+        return making.all_written(files, staged, [1.0, 1.0]);
     };
     // How long it is follows from the mesh, and the mesh from the tolerance, which may follow from that.
     let mut expected = print_m / making.expected_length();
@@ -58,7 +60,7 @@ pub fn write(
         let is_kept = (arguments.error.is_none() || ratio >= 1.0 - ROUNDING)
             && (arguments.solid.is_none() || (ratio - 1.0).abs() <= ROUNDING);
         if is_kept {
-            return files.iter().map(|file| making.written(file, staged, [expected, size])).collect();
+            return making.all_written(files, staged, [expected, size]);
         }
         expected = size;
     }
@@ -96,29 +98,58 @@ impl Making<'_> {
         Ok(mesher)
     }
 
-    /// Makes and writes a part. Of the sizes the first is the one that tolerances are meant for, the second
+    /// Makes and writes all parts. Of the sizes the first is the one that tolerances are meant for, the second
     /// is how much larger the mesh becomes.
+    fn all_written(
+        &self,
+        files: &[PartFile],
+        staged: &mut Staged,
+        [expected, size]: [f64; 2],
+    ) -> Result<Vec<WrittenPart>, Failure> {
+        let Some(bits) = self.arguments.quantize else {
+            let written = |file| self.written(file, self.mesher(file, expected)?, None, staged, size);
+            return files.iter().map(written).collect();
+        };
+        // A lattice begins where the mesh does, which is known when it was made once. Parts share theirs.
+        if let [file] = files {
+            let mesher = self.mesher(file, expected)?;
+            let bounds = self.bounds(&mesher, size)?;
+            let quantization = quantizations(&[bounds], bits)?.pop();
+            return Ok(vec![self.written(file, mesher, quantization, staged, size)?]);
+        }
+        let bounds = files.iter().map(|file| self.bounds(&self.mesher(file, expected)?, size));
+        let quantizations = quantizations(&bounds.collect::<Result<Vec<_>, _>>()?, bits)?;
+        let of_parts = files.iter().zip(quantizations);
+        let written = |(file, how)| self.written(file, self.mesher(file, expected)?, Some(how), staged, size);
+        of_parts.map(written).collect()
+    }
+
+    /// Writes a part that was counted.
     fn written(
         &self,
         file: &PartFile,
+        mesher: Mesher,
+        quantization: Option<Quantization>,
         staged: &mut Staged,
-        [expected, size]: [f64; 2],
+        size: f64,
     ) -> Result<WrittenPart, Failure> {
         let name = file.path.display().to_string();
-        let mesher = self.mesher(file, expected)?;
         let counts = MeshCounts { vertices: mesher.vertices(), triangles: mesher.triangles() };
-        self.format
-            .check(counts)
-            .map_err(|problem| Failure::Work(format!("{name}: {problem} ({COARSER})")))?;
+        let layout = GlbLayout { levels: vec![GlbLevel { counts, coverage: 0.0 }], quantization };
+        let is_storable =
+            if self.format == MeshFormat::Gltf { layout.check() } else { self.format.check(counts) };
+        is_storable.map_err(|problem| Failure::Work(format!("{name}: {problem} ({COARSER})")))?;
         let aside = staged.aside(&file.path)?;
-        let streamed = self.stream(&mesher, &name, &aside, counts, size)?;
+        let streamed = self.stream(&mesher, &name, &aside, &layout, size)?;
         let bytes = std::fs::metadata(&aside).map_err(Failure::work)?.len();
+        // Wherever the surface was, it is moved as far as its vertices at most.
+        let moved_m = streamed.rounded.map_or(0.0, |rounded| rounded.greatest_m);
         let certificate = mesher.certificate().map(|certificate| Certificate {
-            error_m: certificate.error_m * size,
+            error_m: certificate.error_m * size + moved_m,
             mean_m: certificate.mean_m * size,
             ..*certificate
         });
-        Ok(WrittenPart { name, counts, streamed, certificate, bytes })
+        Ok(WrittenPart { name, counts, streamed, certificate, quantization, bytes })
     }
 
     fn stream(
@@ -126,26 +157,30 @@ impl Making<'_> {
         mesher: &Mesher,
         name: &str,
         aside: &Path,
-        counts: MeshCounts,
+        layout: &GlbLayout,
         size: f64,
     ) -> Result<Streamed, Failure> {
         let bar = Progress::bar("meshing", self.arguments.json);
         let tell = |part: f32| bar.show(part);
-        let how = Stream { size, check: true, watch: Watch { tell: &tell, cancel: self.cancel } };
+        let grid = layout.quantization.map(|how| how.grid);
+        let how = Stream { size, check: true, grid, watch: Watch { tell: &tell, cancel: self.cancel } };
         let mut made = None;
-        let written =
-            write_mesh(aside, self.format, counts, |sink| match mesher.stream(&how, |block| sink(block)) {
-                Ok(streamed) => {
-                    made = Some(Ok(streamed));
-                    Ok(())
-                }
-                Err(StreamError::Sink(error)) => Err(error),
-                Err(error) => {
-                    let text = error.to_string();
-                    made = Some(Err(error));
-                    Err(io::Error::other(text))
-                }
-            });
+        let blocks = |sink: &mut MeshSink| match mesher.stream(&how, |block| sink(block)) {
+            Ok(streamed) => {
+                made = Some(Ok(streamed));
+                Ok(())
+            }
+            Err(StreamError::Sink(error)) => Err(error),
+            Err(error) => {
+                let text = error.to_string();
+                made = Some(Err(error));
+                Err(io::Error::other(text))
+            }
+        };
+        let written = match self.format {
+            MeshFormat::Gltf => write_glb(aside, layout, blocks),
+            format => write_mesh(aside, format, layout.counts(), blocks),
+        };
         if self.cancel.load(Ordering::Relaxed) {
             return Err(cancelled());
         }
@@ -155,6 +190,16 @@ impl Making<'_> {
             (Some(Ok(streamed)), Ok(())) => Ok(streamed),
             (None, Ok(())) => Err(Failure::Work(format!("{name}: nothing was written"))),
         }
+    }
+
+    /// The least and the greatest numbers of a mesh, made larger by a factor.
+    fn bounds(&self, mesher: &Mesher, size: f64) -> Result<Bounds, Failure> {
+        let bar = Progress::bar("measuring", self.arguments.json);
+        let tell = |part: f32| bar.show(part);
+        mesher.bounds(size, &Watch { tell: &tell, cancel: self.cancel }).map_err(|error| match error {
+            StreamError::Cancelled => cancelled(),
+            error => Failure::Work(format!("{}: {error}", self.arguments.output.display())),
+        })
     }
 
     /// The longest side of a box around the base, displaced as far as the map goes: about that of the mesh.
@@ -175,15 +220,7 @@ impl Making<'_> {
         let name = self.arguments.output.display();
         let [mut least, mut greatest] = [Vec3::INFINITY, Vec3::NEG_INFINITY];
         for file in files {
-            let mesher = self.mesher(file, expected)?;
-            let bar = Progress::bar("measuring", self.arguments.json);
-            let tell = |part: f32| bar.show(part);
-            let how = Stream { size: 1.0, check: false, watch: Watch { tell: &tell, cancel: self.cancel } };
-            let measured = match mesher.stream(&how, |_| Ok::<(), Infallible>(())) {
-                Ok(streamed) => streamed.bounds_m,
-                Err(StreamError::Cancelled) => return Err(cancelled()),
-                Err(error) => return Err(Failure::Work(format!("{name}: {error}"))),
-            };
+            let measured = self.bounds(&self.mesher(file, expected)?, 1.0)?.positions_m;
             (least, greatest) = (least.min(measured[0]), greatest.max(measured[1]));
         }
         let length = f64::from((greatest - least).max_element());
@@ -192,4 +229,16 @@ impl Making<'_> {
         }
         Err(Failure::Work(format!("{name}: the mesh is a point, which has no size")))
     }
+}
+
+/// How parts are stored in integers of so many bits: on one lattice, so that they meet.
+fn quantizations(bounds: &[Bounds], bits: u32) -> Result<Vec<Quantization>, Failure> {
+    let boxes: Vec<[Vec3; 2]> = bounds.iter().map(|bounds| bounds.positions_m).collect();
+    let grids = PositionGrid::around(&boxes, bits).map_err(Failure::usage)?;
+    // All parts store their texture coordinates alike.
+    let uvs = bounds.iter().all(|bounds| {
+        let [least, greatest] = bounds.uvs;
+        least.min_element() >= 0.0 && greatest.max_element() <= 1.0
+    });
+    Ok(grids.into_iter().map(|grid| Quantization { grid, uvs }).collect())
 }

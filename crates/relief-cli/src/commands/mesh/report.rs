@@ -3,8 +3,8 @@
 use std::io::Write;
 
 use glam::Vec3;
-use relief_io::MeshFormat;
-use relief_mesh::{Certificate, Cracks, FoldedBase, Folds};
+use relief_io::{MeshFormat, Quantization};
+use relief_mesh::{Certificate, Cracks, FoldedBase, Folds, Rounded};
 use relief_render::scene::Surface;
 use serde_json::json;
 
@@ -22,6 +22,15 @@ pub struct About<'a> {
     pub surface: &'a Surface,
 }
 
+/// What became of positions that were rounded to a lattice.
+struct OnLattice {
+    bits: u32,
+    step_m: f64,
+    /// How texture coordinates are stored.
+    uvs: &'static str,
+    of: Rounded,
+}
+
 impl About<'_> {
     fn sum(&self, of: impl Fn(&WrittenPart) -> u64) -> u64 {
         self.written.iter().map(of).sum()
@@ -33,6 +42,17 @@ impl About<'_> {
         let worst = all().reduce(|a, b| if b.error_m > a.error_m { b } else { a })?;
         let mean_m = all().map(|certificate| certificate.mean_m).sum::<f64>() / all().count() as f64;
         Some(Certificate { mean_m, ..worst })
+    }
+
+    /// What became of positions that were rounded, of all parts.
+    fn rounded(&self) -> Option<OnLattice> {
+        let of_part = |part: &WrittenPart| {
+            let Quantization { grid, uvs } = part.quantization?;
+            let of = part.streamed.rounded?;
+            let uvs = if uvs { "16 bits" } else { "floats" };
+            Some(OnLattice { bits: grid.bits(), step_m: grid.step_m(), uvs, of })
+        };
+        self.written.iter().filter_map(of_part).reduce(|a, b| OnLattice { of: a.of.with(b.of), ..a })
     }
 
     /// What is folded over. Parts are those of planes, which do not fold.
@@ -70,6 +90,12 @@ impl About<'_> {
                 about["error"] =
                     json!({ "greatest_m": error_m, "at_uv": uv, "mean_m": mean_m, "judge": judge.name() });
             }
+            if let Some(rounded) = self.rounded() {
+                about["quantized"] = json!({
+                    "bits": rounded.bits, "step_m": rounded.step_m, "greatest_m": rounded.of.greatest_m,
+                    "triangles_without_area": rounded.of.without_area, "uvs": rounded.uvs,
+                });
+            }
             about["folds"] = self.folds().map_or_else(|| of_folds(&Folds::default()), of_folds);
             if arguments.tiles.is_some() {
                 about["files"] = written.iter().map(of_part).collect();
@@ -101,8 +127,19 @@ impl About<'_> {
         if let Some(Certificate { error_m, uv, mean_m, judge }) = certificate {
             let [greatest, mean] = [error_m, mean_m].map(|metres| six_digits(metres * factor));
             let [u, v] = uv.map(six_digits);
-            let at = format!("at uv {u},{v}, judged at the {judge}");
+            let rounded = if self.rounded().is_some() { ", its rounding counted" } else { "" };
+            let at = format!("at uv {u},{v}, judged at the {judge}{rounded}");
             writeln!(out, "  error       at most {greatest} {unit} {at}; {mean} {unit} on average")?;
+        }
+        if let Some(rounded) = self.rounded() {
+            let [greatest, step] =
+                [rounded.of.greatest_m, rounded.step_m].map(|metres| six_digits(metres * factor));
+            let bits = rounded.bits;
+            write!(
+                out,
+                "  quantised   to {bits} bits, steps of {step} {unit}: vertices moved {greatest} {unit} "
+            )?;
+            writeln!(out, "at most, {} triangles without an area", rounded.of.without_area)?;
         }
         let edges = match (open, branching) {
             (0, 0) => "closed, no open edge".to_owned(),
