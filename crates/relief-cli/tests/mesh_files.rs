@@ -77,9 +77,50 @@ fn files_that_cannot_be_are_refused() {
         ("--quantize -9 -o out/a.glb", ["--quantize", "-9"]),
         ("--quantize 12 -o out/a.ply", ["--quantize", "GLB"]),
         ("--quantize 12 -o out/a.stl", ["--quantize", "GLB"]),
+        ("--lods 1 -o out/a.glb", ["--lods", "2..=8"]),
+        ("--lods 99 -o out/a.glb", ["--lods", "2..=8"]),
+        ("--lods 3 -o out/a.obj", ["--lods", "GLB"]),
         ("--quantize 12 --side above -o out/a.glb", ["--quantize", "--side above"]),
     ] {
         let ran = folder.relief(&format!("mesh hills.png {line}"));
         assert_refused(&folder, &ran, 2, &words);
     }
+}
+
+#[test]
+fn levels_of_detail_are_coarser_and_coarser() {
+    let folder = folder();
+    folder.write("view.toml", "height = 'hills.png'\neye = [0.3, 0.6, 1]\nsize = [320, 240]\n");
+    for (flags, most) in [
+        ("--mesh torus --tile 4,2 --texels 1 --scale 2cm", 0.3),
+        ("--texels 1 --scale 0.1", 0.3),
+        ("--view view.toml --pixels 1 --scale 0.1", 0.3),
+        ("--error 0.2% --scale 0.1", 0.7),
+        ("--triangles 8000 --scale 0.1", 0.3),
+    ] {
+        let line = format!("mesh hills.png {flags} --lods 3 --json -o out/a.glb");
+        let about = json_of(&folder.relief(&line).fine());
+        let lods = about["lods"].as_array().unwrap_or_else(|| panic!("{about}"));
+        let number = |level: usize, name: &str| lods[level][name].as_f64();
+        assert_eq!((lods.len(), &lods[0]["triangles"]), (3, &about["triangles"]), "{about}");
+        for level in [1, 2] {
+            let [here, before] = [level, level - 1].map(|level| number(level, "triangles").expect("a count"));
+            assert!(here <= most * before && here > 0.15 * before, "{flags}: {here} of {before}");
+            if let (Some(here), Some(before)) = (number(level, "greatest_m"), number(level - 1, "greatest_m"))
+            {
+                assert!(here > 1.3 * before, "{flags}: {about}");
+            }
+        }
+        let found = json_of(&folder.relief("inspect out/a.glb --json").fine());
+        assert_eq!(found["triangles"], about["triangles"], "{flags}");
+    }
+    // In parts, in integers, in words.
+    let parts = "mesh hills.png --error 0.2% --scale 0.1 --tiles 2x1 --quantize 15 --lods 2 -o out/part.glb";
+    let ran = folder.relief(parts).fine();
+    assert!(ran.stdout.contains("level 0") && ran.stdout.contains("level 1"), "{}", ran.stdout);
+    assert!(!ran.stdout.contains("level 2"), "{}", ran.stdout);
+    // No level that is not coarser, and nothing is written then.
+    let ran = folder.relief("mesh hills.png --mesh sphere --texels 64 --lods 8 -o out/none.glb");
+    assert!(ran.code == Some(1) && ran.stderr.contains("--lods"), "{}", ran.stderr);
+    assert!(!folder.path("out/none.glb").exists());
 }

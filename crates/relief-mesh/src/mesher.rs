@@ -131,6 +131,16 @@ pub struct Bounds {
     pub uvs: [Vec2; 2],
 }
 
+impl Bounds {
+    /// Those of two meshes together.
+    #[must_use]
+    pub fn with(&self, other: &Self) -> Self {
+        let ([a, b], [c, d]) = (self.positions_m, other.positions_m);
+        let ([e, f], [g, h]) = (self.uvs, other.uvs);
+        Self { positions_m: [a.min(c), b.max(d)], uvs: [e.min(g), f.max(h)] }
+    }
+}
+
 /// A block that was made.
 struct Made {
     block: MeshBlock,

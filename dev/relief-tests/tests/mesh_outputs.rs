@@ -9,6 +9,7 @@ use relief_io::{GlbLayout, GlbLevel, MeshCounts, Quantization, read_raw_mesh, wr
 use relief_mesh::{
     CrackTest, Directions, Folds, INTERIORS, MeshSettings, Mesher, Part, Seams, Stream, Streamed, Watch,
 };
+use serde_json::{Value, json};
 
 /// Moves everything by so many metres.
 fn moved(by_m: f64) -> HeightMap {
@@ -250,4 +251,91 @@ fn a_file_of_integers_that_would_be_wrong_is_not_written() {
         assert!(problem.contains("beyond"), "{problem}");
     }
     assert_eq!(std::fs::read_dir(folder.path()).expect("a folder").count(), 0);
+}
+
+/// The JSON and the buffer of a GLB.
+fn glb(bytes: &[u8]) -> (Value, &[u8]) {
+    let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().expect("four bytes")) as usize;
+    let json = word(12);
+    assert_eq!((word(8), json % 4, &bytes[24 + json..28 + json]), (bytes.len(), 0, &b"BIN\0"[..]));
+    (serde_json::from_slice(&bytes[20..20 + json]).expect("JSON"), &bytes[28 + json..])
+}
+
+#[test]
+fn levels_of_detail_are_meshes_of_one_file() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("a.glb");
+    let base = torus(24, 12).expect("a mesh");
+    let finest = MeshSettings { texels: 1, ..MeshSettings::default() };
+    let map = hills(0.05);
+    let meshers = [0, 1, 2].map(|level| Mesher::new(&base, &map, &finest.coarser(level)).expect("a mesh"));
+    let all = meshers.each_ref().map(counts);
+    let levels = GlbLevel::of(&all);
+    assert!(levels.windows(2).all(|pair| pair[1].coverage <= pair[0].coverage / 2.0), "{levels:?}");
+    assert_eq!(levels[2].coverage, 0.0);
+    let bounds = meshers.each_ref().map(|mesher| mesher.bounds(1.0, &Watch::NOBODY).expect("finite"));
+    let around = bounds[0].with(&bounds[1]).with(&bounds[2]).positions_m;
+    let grid = PositionGrid::around(&[around], 14).expect("finite")[0];
+    for quantization in [None, Some(Quantization { grid, uvs: true })] {
+        let layout = GlbLayout { levels: levels.clone(), quantization };
+        let grid = quantization.map(|how| how.grid);
+        let blocks = meshers.each_ref().map(|mesher| rounded(mesher, grid).0);
+        write_glb(&path, &layout, |sink| blocks.iter().flatten().try_for_each(&mut *sink)).expect("written");
+        let bytes = std::fs::read(&path).expect("written");
+        assert_eq!(bytes.len() as u64, layout.bytes());
+        let (json, buffer) = glb(&bytes);
+        assert_eq!(json["scenes"][0]["nodes"], json!([0]));
+        assert_eq!(json["nodes"][0]["extensions"]["MSFT_lod"]["ids"], json!([1, 2]));
+        let coverages = json["nodes"][0]["extras"]["MSFT_screencoverage"].as_array().expect("a list");
+        let promised = levels.iter().map(|level| Some(level.coverage));
+        assert!(coverages.iter().map(Value::as_f64).eq(promised), "{coverages:?}");
+        assert_eq!(json["buffers"][0]["byteLength"], buffer.len());
+        for (at, blocks) in blocks.iter().enumerate() {
+            // Each level's own lists hold its own mesh.
+            assert_eq!(json["nodes"][at]["mesh"], at);
+            let primitive = &json["meshes"][at]["primitives"][0];
+            let list = |accessor: &Value| {
+                let accessor = &json["accessors"][accessor.as_u64().expect("a number") as usize];
+                let view = &json["bufferViews"][accessor["bufferView"].as_u64().expect("a number") as usize];
+                let number = |of: &Value, name: &str| of[name].as_u64().unwrap_or_default() as usize;
+                let from = number(view, "byteOffset");
+                let stride = number(view, "byteStride").max(4);
+                let bytes = &buffer[from..from + number(view, "byteLength")];
+                (bytes.chunks_exact(stride), number(accessor, "count"))
+            };
+            let (vertices, count) = list(&primitive["attributes"]["POSITION"]);
+            assert_eq!((vertices.len(), count as u64), (count, all[at].vertices));
+            let wanted = blocks.iter().flat_map(|block| &block.vertices).map(|vertex| vertex.position);
+            for (bytes, wanted) in vertices.zip(wanted) {
+                match &quantization {
+                    None => {
+                        let floats = wanted.to_array().map(f32::to_le_bytes);
+                        assert_eq!(&bytes[..12], floats.as_flattened());
+                    }
+                    Some(how) => {
+                        let codes = how.grid.code(wanted).expect("within").map(u16::to_le_bytes);
+                        assert_eq!(&bytes[..6], codes.as_flattened());
+                    }
+                }
+            }
+            let (indices, count) = list(&primitive["indices"]);
+            assert_eq!((indices.len(), count as u64), (count, 3 * all[at].triangles));
+            let wanted = blocks.iter().flat_map(|block| block.triangles.as_flattened());
+            assert!(indices.eq(wanted.map(|corner| corner.to_le_bytes())), "level {at}");
+        }
+        // Who knows nothing of levels shows the finest.
+        let read = read_raw_mesh(path.as_path(), 1 << 30).expect("read");
+        assert_eq!(read.triangles.len() as u64, all[0].triangles);
+        // A level that ends too early, or goes on, is none.
+        for wrong in [&blocks[0][..], &blocks[1][..]] {
+            let mixed = wrong.iter().chain(&blocks[0]).chain(&blocks[2]);
+            let written = write_glb(&path, &layout, |sink| mixed.clone().try_for_each(&mut *sink));
+            assert!(written.is_err());
+        }
+        assert_eq!(std::fs::read(&path).expect("as it was"), bytes);
+    }
+    let same =
+        GlbLayout { levels: vec![level(&meshers[0], 0.1), level(&meshers[1], 0.1)], quantization: None };
+    assert!(same.check().is_err());
+    assert!(GlbLayout { levels: Vec::new(), quantization: None }.check().is_err());
 }

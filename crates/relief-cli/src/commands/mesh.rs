@@ -197,6 +197,17 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     quantize: Option<u32>,
+    /// So many levels of detail in one GLB, 2 to 8, the first as asked for, each of the others twice as coarse:
+    /// --texels and --pixels twice as large, --error too, --triangles a quarter. Programs that know MSFT_lod
+    /// show one or the other, others the first
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = clap::value_parser!(u32).range(2..=8),
+        allow_hyphen_values = true,
+        help_heading = "Triangles"
+    )]
+    lods: Option<u32>,
     /// Turn the relief inside out: what is high is low
     #[arg(long, help_heading = "Triangles")]
     invert: bool,
@@ -218,6 +229,7 @@ const AFTER_HELP: &str = "Examples:\n  \
     relief mesh dem.tif --print-size 150 --solid 3 -o dem.stl         # 15 cm long, to print\n  \
     relief mesh dem.tif --texels 1 -o dem.glb                         # every texel of it\n  \
     relief mesh dem.tif --error 2m --quantize 12 -o dem.glb           # a third smaller, in integers\n  \
+    relief mesh dem.tif --error 1m --lods 4 -o dem.glb                # and three coarser levels of detail\n  \
     relief mesh dem.tif --view flight.toml --pixels 2 -o dem.glb      # every second pixel of a picture\n  \
     relief mesh bark.png --mesh tree.obj --scale 2cm -o tree.glb      # on a mesh with a texture\n  \
     relief mesh wall.png --mesh sphere --tile 8,4 --base lift -o ball.ply\n\n\
@@ -379,12 +391,16 @@ impl Arguments {
 
     /// Whether the format has what is asked of it.
     fn check_storage(&self, format: MeshFormat) -> Result<(), Failure> {
+        let for_glb = [
+            ("--quantize", self.quantize.is_some(), "has no integers that are scaled"),
+            ("--lods", self.lods.is_some(), "has no levels of detail"),
+        ];
+        let asked = for_glb.into_iter().find(|(_, is_asked, _)| *is_asked && format != MeshFormat::Gltf);
+        if let Some((flag, _, why)) = asked {
+            return Err(Failure::Usage(format!("{flag}: {} {why}: only a GLB has", format.name())));
+        }
         if self.quantize.is_none() {
             return Ok(());
-        }
-        if format != MeshFormat::Gltf {
-            let why = "has no integers that are scaled: only a GLB has";
-            return Err(Failure::Usage(format!("--quantize: {} {why}", format.name())));
         }
         if let Some(side @ (Side::Above | Side::Below)) = self.side {
             let why = "vertices that are rounded would not stay there";
@@ -495,9 +511,9 @@ impl Arguments {
     }
 
     /// Whether the mesh can be made within the memory that is allowed.
-    fn check_memory(&self, surface: &Surface, mesher: &Mesher) -> Result<(), Failure> {
+    fn check_memory(&self, surface: &Surface, levels: &[Mesher]) -> Result<(), Failure> {
         let limit = self.limit();
-        let needed = bytes_of(surface) + mesher.bytes() + BYTES_TO_WRITE;
+        let needed = bytes_of(surface) + levels.iter().map(Mesher::bytes).sum::<u64>() + BYTES_TO_WRITE;
         if needed <= limit {
             return Ok(());
         }
@@ -505,7 +521,7 @@ impl Arguments {
         Err(Failure::Work(format!(
             "a mesh of {} triangles takes {mib} MiB to make, more than the {limit} allowed: --max-memory \
              raises it, {COARSER}",
-            mesher.triangles()
+            levels.iter().map(Mesher::triangles).sum::<u64>()
         )))
     }
 }

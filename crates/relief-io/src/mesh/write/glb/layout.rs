@@ -36,6 +36,28 @@ pub struct GlbLevel {
     pub coverage: f64,
 }
 
+/// Pixels of a picture for which levels are chosen, 1920 x 1080.
+const PIXELS: f64 = 1920.0 * 1080.0;
+
+/// Pixels that a triangle of a level may cover, on the mean, before the next finer one is shown.
+const PIXELS_PER_TRIANGLE: f64 = 4.0;
+
+impl GlbLevel {
+    /// Levels of so many vertices and triangles, the finest first: each is shown down to where the triangles
+    /// of the next cover four pixels of a picture of 1920 x 1080 on the mean, and to no more than half of the
+    /// part of the one before; the last one always.
+    pub fn of(counts: &[MeshCounts]) -> Vec<Self> {
+        let mut before = 1.0_f64;
+        let next = counts.iter().skip(1).map(Some).chain([None]);
+        let level = |(&counts, next): (&MeshCounts, Option<&MeshCounts>)| {
+            let enough = next.map_or(0.0, |next| next.triangles as f64 * PIXELS_PER_TRIANGLE / PIXELS);
+            before = enough.min(before / 2.0);
+            Self { counts, coverage: before }
+        };
+        counts.iter().zip(next).map(level).collect()
+    }
+}
+
 impl GlbLayout {
     /// One mesh, in floats.
     pub fn of(counts: MeshCounts) -> Self {
