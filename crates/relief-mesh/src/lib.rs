@@ -28,6 +28,7 @@
 //! ```
 
 mod at_most;
+mod cache_order;
 mod choices;
 mod crack;
 mod edge;
@@ -46,6 +47,7 @@ mod triangles;
 mod view;
 mod watch;
 
+pub use cache_order::cache_misses;
 pub use choices::{BaseSurface, Directions, Fit, Judge, Seams, Shading, Side};
 pub use crack::{CrackPart, CrackTest, Cracks};
 pub use edge::{EDGE_RULES, EdgeRule, Spacing, Weights, edge_rule};

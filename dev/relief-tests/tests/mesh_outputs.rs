@@ -7,7 +7,8 @@ use relief_core::mesh::{Mesh, MeshBlock, PositionGrid, cube, cylinder, rectangle
 use relief_core::{HeightMap, Wrap};
 use relief_io::{GlbLayout, GlbLevel, MeshCounts, Quantization, read_raw_mesh, write_glb};
 use relief_mesh::{
-    CrackTest, Directions, Folds, INTERIORS, MeshSettings, Mesher, Part, Seams, Stream, Streamed, Watch,
+    CrackTest, Directions, Folds, INTERIORS, MeshSettings, Mesher, Part, Seams, Shading, Stream, Streamed,
+    Watch, cache_misses,
 };
 use serde_json::{Value, json};
 
@@ -24,7 +25,7 @@ fn hills(scale_m: f64) -> HeightMap {
 }
 
 fn streamed(mesher: &Mesher, size: f64) -> Streamed {
-    let how = Stream { size, check: true, grid: None, watch: Watch::NOBODY };
+    let how = Stream { size, check: true, grid: None, cache_order: false, watch: Watch::NOBODY };
     mesher.stream(&how, |_| Ok::<(), ()>(())).expect("finite")
 }
 
@@ -137,7 +138,7 @@ fn folds_do_not_depend_on_threads_or_blocks() {
 
 /// The mesh on a lattice of so many bits: its blocks, and what is said of it.
 fn rounded(mesher: &Mesher, grid: Option<PositionGrid>) -> (Vec<MeshBlock>, Streamed) {
-    let how = Stream { size: 1.0, check: true, grid, watch: Watch::NOBODY };
+    let how = Stream { size: 1.0, check: true, grid, cache_order: false, watch: Watch::NOBODY };
     let mut blocks = Vec::new();
     let streamed = mesher.stream(&how, |block| {
         blocks.push(block.clone());
@@ -338,4 +339,53 @@ fn levels_of_detail_are_meshes_of_one_file() {
         GlbLayout { levels: vec![level(&meshers[0], 0.1), level(&meshers[1], 0.1)], quantization: None };
     assert!(same.check().is_err());
     assert!(GlbLayout { levels: Vec::new(), quantization: None }.check().is_err());
+}
+
+#[test]
+fn triangles_in_cache_order_are_the_same_ones_and_find_more_corners() {
+    let ring = torus(12, 8).and_then(|ring| ring.tiled([4.0, 3.0].into())).expect("a mesh");
+    let coarse = torus(3, 3).and_then(|ring| ring.tiled([4.0, 4.0].into())).expect("a mesh");
+    let plane = rectangle([1.0, 0.5], 1).and_then(|plane| plane.tiled([4.0, 4.0].into())).expect("a mesh");
+    let every = MeshSettings { texels: 1, ..MeshSettings::default() };
+    let normals = MeshSettings { shading: Shading::Mesh, ..every };
+    for (name, base, settings, most) in [
+        ("torus", &ring, every, 0.72),
+        ("torus, normals of triangles", &ring, normals, 0.72),
+        ("torus of large triangles", &coarse, every, 0.72),
+        ("plane", &plane, every, 0.75),
+        ("plane to an error", &plane, MeshSettings::within(1e-4), 0.85),
+    ] {
+        let mesher = Mesher::new(base, &hills(0.05), &settings).expect("a mesh");
+        let blocks = |cache_order: bool| {
+            let how = Stream { size: 1.0, check: true, grid: None, cache_order, watch: Watch::NOBODY };
+            let mut blocks = Vec::new();
+            let streamed = mesher.stream(&how, |block| {
+                blocks.push(block.clone());
+                Ok::<(), ()>(())
+            });
+            (blocks, streamed.expect("finite"))
+        };
+        let ((plain, of_plain), (ordered, of_ordered)) = (blocks(false), blocks(true));
+        assert_eq!(of_plain, of_ordered, "{name}");
+        assert_eq!(blocks(true).0, ordered, "{name}");
+        for (a, b) in plain.iter().zip(&ordered) {
+            assert_eq!(a.vertices, b.vertices, "{name}");
+            let sorted = |block: &MeshBlock| {
+                let bits = |points: &[Vec3; 3]| points.map(|point| point.to_array().map(f32::to_bits));
+                let points = block.points.iter().map(bits);
+                let mut all: Vec<_> = block.triangles.iter().copied().zip(points).collect();
+                all.sort_unstable();
+                all
+            };
+            assert!(sorted(a) == sorted(b), "{name}");
+        }
+        let misses = |blocks: &[MeshBlock], cache: usize| {
+            cache_misses(blocks.iter().flat_map(|block| block.triangles.iter().copied()), cache)
+        };
+        let found = [16, 32].map(|cache| [misses(&plain, cache), misses(&ordered, cache)]);
+        println!("{name}: {} triangles, caches of 16 and 32: {found:.3?}", mesher.triangles());
+        assert!(mesher.triangles() > 10_000 && found[0][1] < most && found[0][1] <= found[0][0], "{name}");
+        // Rows are as long as triangles are large.
+        assert!(name.starts_with("torus,") || name == "torus" || found[0][1] < 0.8 * found[0][0], "{name}");
+    }
 }

@@ -226,8 +226,10 @@ impl Making<'_> {
             for mesher in meshers {
                 let part = mesher.triangles() as f32 / all;
                 let tell = |of_level: f32| bar.show(done + part * of_level);
-                let how =
-                    Stream { size, check: true, grid, watch: Watch { tell: &tell, cancel: self.cancel } };
+                let watch = Watch { tell: &tell, cancel: self.cancel };
+                // Other formats are seldom drawn as they are.
+                let cache_order = self.format == MeshFormat::Gltf;
+                let how = Stream { size, check: true, grid, cache_order, watch };
                 match (mesher.stream(&how, |block| sink(block)), &mut made) {
                     (Ok(streamed), Ok(made)) => made.push(streamed),
                     (Err(StreamError::Sink(error)), _) => return Err(error),
