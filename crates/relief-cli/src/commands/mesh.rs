@@ -197,7 +197,7 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     quantize: Option<u32>,
-    /// So many levels of detail in one GLB, 2 to 8, the first as asked for, each of the others twice as coarse:
+    /// So many levels of detail in one GLB, 2 to 8, the first as asked for, each other one twice as coarse:
     /// --texels and --pixels twice as large, --error too, --triangles a quarter. Programs that know MSFT_lod
     /// show one or the other, others the first
     #[arg(
@@ -229,7 +229,7 @@ const AFTER_HELP: &str = "Examples:\n  \
     relief mesh dem.tif --print-size 150 --solid 3 -o dem.stl         # 15 cm long, to print\n  \
     relief mesh dem.tif --texels 1 -o dem.glb                         # every texel of it\n  \
     relief mesh dem.tif --error 2m --quantize 12 -o dem.glb           # a third smaller, in integers\n  \
-    relief mesh dem.tif --error 1m --lods 4 -o dem.glb                # and three coarser levels of detail\n  \
+    relief mesh dem.tif --error 1m --lods 4 -o dem.glb                # and three coarser levels\n  \
     relief mesh dem.tif --view flight.toml --pixels 2 -o dem.glb      # every second pixel of a picture\n  \
     relief mesh bark.png --mesh tree.obj --scale 2cm -o tree.glb      # on a mesh with a texture\n  \
     relief mesh wall.png --mesh sphere --tile 8,4 --base lift -o ball.ply\n\n\

@@ -144,8 +144,8 @@ impl Making<'_> {
         mesher.map_err(of_mesher)
     }
 
-    /// Makes and writes all parts. Of the sizes the first is the one that tolerances are meant for, the second
-    /// is how much larger the mesh becomes.
+    /// Makes and writes all parts. Of the sizes the first is the one that tolerances are meant for, the
+    /// second is how much larger the mesh becomes.
     fn all_written(
         &self,
         files: &[PartFile],
