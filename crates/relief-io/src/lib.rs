@@ -69,8 +69,8 @@ pub use height_note::HeightNote;
 pub use inspect::{HISTOGRAM_BINS, SEAM_LIMIT, SourceInfo, Tiling, Values, inspect};
 pub use layout::{Channel, Format, SampleKind, SampleType};
 pub use mesh::{
-    MeshColors, MeshCounts, MeshFile, MeshFormat, MeshOptions, MeshSink, beside_mesh, read_mesh,
-    read_mesh_extras, read_raw_mesh, write_mesh,
+    GlbLayout, GlbLevel, MeshColors, MeshCounts, MeshFile, MeshFormat, MeshOptions, MeshSink, Quantization,
+    beside_mesh, read_mesh, read_mesh_extras, read_raw_mesh, write_glb, write_mesh,
 };
 pub use normal_map::{GreenSign, NormalMap, NormalVectors, SHORTEST, read_normal_map, read_normal_vectors};
 pub use picture::{Curve, Picture, linear_to_srgb, read_picture, read_picture_as};

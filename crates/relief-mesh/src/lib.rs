@@ -28,12 +28,14 @@
 //! ```
 
 mod at_most;
+mod cache_order;
 mod certificate;
 mod choices;
 mod crack;
 mod edge;
 mod error;
 mod filling;
+mod folds;
 mod interior;
 mod mesher;
 mod patch;
@@ -47,13 +49,15 @@ mod triangles;
 mod view;
 mod watch;
 
+pub use cache_order::cache_misses;
 pub use certificate::Certificate;
 pub use choices::{BaseSurface, Directions, Fit, Judge, Seams, Shading, Side};
 pub use crack::{CrackPart, CrackTest, Cracks};
 pub use edge::{EDGE_RULES, EdgeRule, Spacing, Weights, edge_rule};
 pub use error::{MesherError, StreamError};
+pub use folds::{FoldedBase, Folds};
 pub use interior::{INTERIORS, Interior, check_pair, interior};
-pub use mesher::{Mesher, Stream, Streamed};
+pub use mesher::{Bounds, Mesher, Rounded, Stream, Streamed};
 pub use settings::{MeshSettings, Part};
 pub use view::View;
 pub use watch::Watch;

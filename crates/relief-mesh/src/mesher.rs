@@ -3,15 +3,17 @@
 use std::convert::Infallible;
 use std::sync::atomic::Ordering;
 
-use glam::{DVec3, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 use rayon::prelude::*;
 use relief_core::HeightMap;
-use relief_core::mesh::{Mesh, MeshBlock, Vertex};
+use relief_core::mesh::{Mesh, MeshBlock, PositionGrid, Vertex};
 
+use crate::cache_order::cache_order;
 use crate::crack::{CrackPart, CrackTest, Cracks};
 use crate::edge::Divides;
 use crate::error::MOST;
 use crate::filling::Filling;
+use crate::folds::{self, FoldedBase, Folds};
 use crate::interior::{Cut, Fills, Pattern};
 use crate::patch::{Patch, PatchPoint};
 use crate::plan::{Plan, Work};
@@ -24,7 +26,7 @@ use crate::{
 };
 
 /// Bytes of a vertex and a triangle of a block, whichever takes more, while it is made and looked at.
-const BYTES_IN_A_BLOCK: u64 = 400;
+const BYTES_IN_A_BLOCK: u64 = 480;
 
 /// Blocks that a thread has at hand.
 const BLOCKS_PER_THREAD: usize = 2;
@@ -92,17 +94,66 @@ pub struct Stream<'a> {
     pub size: f64,
     /// Whether the mesh is looked at for cracks.
     pub check: bool,
+    /// The lattice that positions are rounded to, after they are made larger or smaller. Cracks are looked
+    /// for in what this leaves.
+    pub grid: Option<PositionGrid>,
+    /// Whether the triangles of a block are put in an order in which a GPU finds most of their corners in
+    /// its cache.
+    pub cache_order: bool,
     /// Who watches.
     pub watch: Watch<'a>,
 }
 
 /// What is known of a mesh that was handed over.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Streamed {
     /// The least and the greatest corner of a box around it, in metres.
     pub bounds_m: [Vec3; 2],
     /// What there is of cracks, if it was looked at.
     pub cracks: Option<Cracks>,
+    /// What was folded over.
+    pub folds: Folds,
+    /// What a lattice changed, if there was one.
+    pub rounded: Option<Rounded>,
+}
+
+/// What became of a mesh whose positions were rounded to a lattice.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Rounded {
+    /// The farthest that a vertex was moved, in metres. No point of the surface was moved farther.
+    pub greatest_m: f64,
+    /// Triangles that had an area and have none now.
+    pub without_area: u64,
+}
+
+impl Rounded {
+    /// What became of two meshes together.
+    #[must_use]
+    pub fn with(self, other: Self) -> Self {
+        Self {
+            greatest_m: self.greatest_m.max(other.greatest_m),
+            without_area: self.without_area + other.without_area,
+        }
+    }
+}
+
+/// The least and the greatest numbers of a mesh's vertices.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// The positions, in metres.
+    pub positions_m: [Vec3; 2],
+    /// The texture coordinates.
+    pub uvs: [Vec2; 2],
+}
+
+impl Bounds {
+    /// Those of two meshes together.
+    #[must_use]
+    pub fn with(&self, other: &Self) -> Self {
+        let ([a, b], [c, d]) = (self.positions_m, other.positions_m);
+        let ([e, f], [g, h]) = (self.uvs, other.uvs);
+        Self { positions_m: [a.min(c), b.max(d)], uvs: [e.min(g), f.max(h)] }
+    }
 }
 
 /// A block that was made.
@@ -112,6 +163,9 @@ struct Made {
     /// The smooth numbers of the triangles' corners.
     smooth: Vec<[u32; 3]>,
     bounds_m: [Vec3; 2],
+    /// What is folded over, in the order of the base's triangles.
+    folds: Vec<FoldedBase>,
+    rounded: Rounded,
 }
 
 /// No box around nothing.
@@ -325,7 +379,7 @@ impl Mesher {
         if self.shading == Shading::Mesh {
             rounds = 2.0;
             let mut sums = Normals::new(self.vertices);
-            let plain = Stream { check: false, ..*how };
+            let plain = Stream { check: false, grid: None, cache_order: false, ..*how };
             self.each_block(&plain, None, &|part| (how.watch.tell)(part / 2.0), |made| {
                 sums.add(&made.block.points, &made.smooth);
                 Ok(())
@@ -333,7 +387,7 @@ impl Mesher {
             normals = Some(sums);
         }
         let mut test = how.check.then(CrackTest::default);
-        let mut bounds_m = EMPTY;
+        let (mut bounds_m, mut folds, mut rounded) = (EMPTY, Folds::default(), Rounded::default());
         let tell = |part: f32| (how.watch.tell)(1.0 - (1.0 - part) / rounds);
         self.each_block(how, normals.as_ref(), &tell, |made| {
             if let (Some(test), Some(part)) = (&mut test, made.part) {
@@ -341,9 +395,38 @@ impl Mesher {
             }
             let [least, greatest] = made.bounds_m;
             bounds_m = [bounds_m[0].min(least), bounds_m[1].max(greatest)];
+            for found in made.folds {
+                folds.add(FoldedBase { middle_m: found.middle_m * how.size, ..found });
+            }
+            rounded = rounded.with(made.rounded);
             sink(&made.block).map_err(StreamError::Sink)
         })?;
-        Ok(Streamed { bounds_m, cracks: test.map(CrackTest::finish) })
+        Ok(Streamed {
+            bounds_m,
+            cracks: test.map(CrackTest::finish),
+            folds,
+            rounded: how.grid.map(|_| rounded),
+        })
+    }
+
+    /// The least and the greatest numbers of the vertices of the mesh, made larger by a factor. All of the
+    /// mesh is made for that and thrown away.
+    ///
+    /// # Errors
+    ///
+    /// When it is cancelled, or a vertex lies beyond what `f32` holds.
+    pub fn bounds(&self, size: f64, watch: &Watch) -> Result<Bounds, StreamError<Infallible>> {
+        let how = Stream { size, check: false, grid: None, cache_order: false, watch: *watch };
+        let mut bounds = Bounds { positions_m: EMPTY, uvs: [Vec2::INFINITY, Vec2::NEG_INFINITY] };
+        self.each_block(&how, None, &watch.tell, |made| {
+            let ([least, greatest], [low, high]) = (made.bounds_m, bounds.positions_m);
+            bounds.positions_m = [low.min(least), high.max(greatest)];
+            for vertex in &made.block.vertices {
+                bounds.uvs = [bounds.uvs[0].min(vertex.uv), bounds.uvs[1].max(vertex.uv)];
+            }
+            Ok(())
+        })?;
+        Ok(bounds)
     }
 
     /// The whole mesh.
@@ -352,7 +435,8 @@ impl Mesher {
     ///
     /// When a vertex lies beyond what `f32` holds.
     pub fn mesh(&self) -> Result<Mesh, StreamError<Infallible>> {
-        let how = Stream { size: 1.0, check: false, watch: Watch::NOBODY };
+        let watch = Watch::NOBODY;
+        let how = Stream { size: 1.0, check: false, grid: None, cache_order: false, watch };
         let mut vertices = Vec::with_capacity(self.vertices as usize);
         let mut triangles = Vec::with_capacity(self.triangles as usize);
         self.stream(&how, |block| {
@@ -390,7 +474,8 @@ impl Mesher {
 
     /// A block; none where a position is not finite.
     fn made(&self, work: &Work, how: &Stream, normals: Option<&Normals>) -> Option<Made> {
-        let mut making = Making { normals, ..Making::default() };
+        let local = how.cache_order.then(Vec::new);
+        let mut making = Making { normals, local, ..Making::default() };
         match (&self.base, work) {
             (Base::Triangles(base, pattern), Work::Patches { from, to, first_inner, first_vertex }) => {
                 self.patches(base, pattern, [*from, *to], [*first_inner, *first_vertex], &mut making);
@@ -442,15 +527,17 @@ impl Mesher {
             // The plan of one base has no work of the other.
             _ => {}
         }
-        let Making { mut block, smooth, .. } = making;
+        making.order();
+        let Making { mut block, smooth, folds, .. } = making;
         scale(&mut block, how.size);
+        let rounded = how.grid.map(|grid| round(&mut block, &grid)).unwrap_or_default();
         let positions = block.vertices.iter().map(|vertex| vertex.position);
         let bounds_m = positions.clone().fold(EMPTY, |[low, high], at| [low.min(at), high.max(at)]);
         if !positions.clone().all(|position| position.is_finite()) {
             return None;
         }
         let part = how.check.then(|| CrackPart::of(block.points.iter().copied()));
-        Some(Made { block, part, smooth, bounds_m })
+        Some(Made { block, part, smooth, bounds_m, folds, rounded })
     }
 
     fn patches(
@@ -493,9 +580,34 @@ impl Mesher {
                 });
             }
             making.triangles(&cut.triangles, &points, false);
+            making.folds.extend(self.folded(base, patch, &cut, &points));
             first_vertex += own;
             first_inner = 0;
         }
+    }
+
+    /// What of a patch is folded over.
+    fn folded(
+        &self,
+        base: &Triangles,
+        patch: u32,
+        cut: &Cut,
+        points: &[(Numbered, Vec3)],
+    ) -> Option<FoldedBase> {
+        if !base.can_fold() {
+            return None;
+        }
+        let of_corners = base.directions(patch);
+        let is_folded = |corners: &&[u32; 3]| {
+            let positions = corners.map(|corner| points[corner as usize].1);
+            // Directions between are sums of the corners'.
+            folds::may_be_folded(positions, of_corners) && {
+                let direction = |corner: u32| base.direction(patch, &cut.points[corner as usize]);
+                folds::is_folded(positions, corners.map(|corner| self.relief.direction(direction(corner))))
+            }
+        };
+        let pieces = cut.triangles.iter().filter(is_folded).count() as u64;
+        (pieces > 0).then(|| FoldedBase { triangle: base.whole(patch), pieces, middle_m: base.middle(patch) })
     }
 
     fn filled_tile(&self, plane: &Adapted, tile: u32, making: &mut Making) {
@@ -511,12 +623,20 @@ impl Mesher {
     }
 
     fn filled_patch(&self, filled: &triangles::Adapted, patch: u32, making: &mut Making) {
-        let mut points = filled.border_points(&self.relief, patch);
-        for at in 0..filled.counts(patch)[0] {
-            let numbered = Numbered::both(filled.first_of_patch(patch) + at);
-            points.push((numbered, making.vertex(filled.inner_vertex(&self.relief, patch, at), numbered)));
+        let cut = filled.cut(patch);
+        let mut points = Vec::with_capacity(cut.points.len());
+        for point in &cut.points {
+            points.push(match *point {
+                PatchPoint::Border { side, at } => filled.base().border(&self.relief, patch, side, at),
+                PatchPoint::Inner { number, .. } => {
+                    let numbered = Numbered::both(filled.first_of_patch(patch) + number);
+                    let vertex = filled.inner_vertex(&self.relief, patch, number);
+                    (numbered, making.vertex(vertex, numbered))
+                }
+            });
         }
-        making.triangles(filled.triangles(patch), &points, false);
+        making.triangles(&cut.triangles, &points, false);
+        making.folds.extend(self.folded(filled.base(), patch, &cut, &points));
     }
 
     fn tile(&self, plane: &Grid, pattern: &Pattern, tile: &Tile, making: &mut Making) {
@@ -547,6 +667,11 @@ struct Making<'a> {
     block: MeshBlock,
     smooth: Vec<[u32; 3]>,
     normals: Option<&'a Normals>,
+    folds: Vec<FoldedBase>,
+    /// The triangles by their places in the points that they were made of, if they are to be ordered.
+    local: Option<Vec<[u32; 3]>>,
+    /// How many of these points there are.
+    points: u32,
 }
 
 impl Making<'_> {
@@ -570,6 +695,10 @@ impl Making<'_> {
     }
 
     fn triangles(&mut self, triangles: &[[u32; 3]], points: &[(Numbered, Vec3)], is_turned: bool) {
+        if let Some(local) = &mut self.local {
+            local.extend(triangles.iter().map(|corners| corners.map(|corner| self.points + corner)));
+            self.points += points.len() as u32;
+        }
         for corners in triangles {
             let mut corners = corners.map(|corner| points[corner as usize]);
             if is_turned {
@@ -580,6 +709,19 @@ impl Making<'_> {
             self.smooth.push(corners.map(|(numbered, _)| numbered.smooth));
         }
     }
+
+    /// Puts the triangles in order, if they are to be.
+    fn order(&mut self) {
+        let Some(local) = self.local.take() else { return };
+        let Some(order) = cache_order(&local, self.points as usize) else { return };
+        self.block.triangles = ordered(&self.block.triangles, &order);
+        self.block.points = ordered(&self.block.points, &order);
+        self.smooth = ordered(&self.smooth, &order);
+    }
+}
+
+fn ordered<T: Copy>(list: &[T], order: &[u32]) -> Vec<T> {
+    order.iter().map(|&at| list[at as usize]).collect()
 }
 
 /// Makes a block larger or smaller. Equal positions stay equal.
@@ -596,4 +738,26 @@ fn scale(block: &mut MeshBlock, size: f64) {
     for point in block.points.as_flattened_mut() {
         *point = scaled(*point);
     }
+}
+
+/// Rounds the positions of a block to a lattice.
+fn round(block: &mut MeshBlock, grid: &PositionGrid) -> Rounded {
+    let mut rounded = Rounded::default();
+    for vertex in &mut block.vertices {
+        let position = grid.snapped(vertex.position);
+        let moved_m = position.as_dvec3().distance(vertex.position.as_dvec3());
+        rounded.greatest_m = rounded.greatest_m.max(moved_m);
+        vertex.position = position;
+    }
+    for corners in &mut block.points {
+        let had_area = has_area(corners);
+        *corners = corners.map(|corner| grid.snapped(corner));
+        rounded.without_area += u64::from(had_area && !has_area(corners));
+    }
+    rounded
+}
+
+fn has_area(corners: &[Vec3; 3]) -> bool {
+    let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+    (b - a).cross(c - a) != DVec3::ZERO
 }

@@ -59,6 +59,18 @@ impl Part {
 }
 
 impl MeshSettings {
+    /// A coarser level of detail of the same mesh: points are `2^level` times as far apart, in texels or in
+    /// pixels, and the tolerance is as many times as large. Each level has about a quarter of the triangles of
+    /// the one before where points are as far apart as they are told to be; with a tolerance it is what the
+    /// relief makes of it, from a half where it is smooth to a quarter where it is rough.
+    #[must_use]
+    pub fn coarser(&self, level: u32) -> Self {
+        let factor = 2.0_f64.powi(level.min(1000) as i32);
+        let texels = self.texels.saturating_mul(1_u32.checked_shl(level).unwrap_or(u32::MAX));
+        let view = self.view.map(|view| View { pixels: view.pixels * factor, ..view });
+        Self { texels, view, error_m: self.error_m * factor, ..*self }
+    }
+
     /// As few triangles as a tolerance in metres allows: within it on a plane, and on other meshes by a
     /// bound, see [`Certificate`](crate::Certificate).
     pub fn within(error_m: f64) -> Self {

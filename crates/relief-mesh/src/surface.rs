@@ -102,11 +102,15 @@ impl Relief {
 
     /// A base point displaced by so many metres.
     pub fn displaced_by(&self, base: &BasePoint, metres: f64) -> DVec3 {
-        let normal = match self.directions {
-            Directions::Raw => base.normal,
-            Directions::Unit => base.normal.normalize_or_zero(),
-        };
-        BasePoint { normal, ..*base }.displaced(metres)
+        BasePoint { normal: self.direction(base.normal), ..*base }.displaced(metres)
+    }
+
+    /// Along what a point with that normal is displaced.
+    pub fn direction(&self, normal: DVec3) -> DVec3 {
+        match self.directions {
+            Directions::Raw => normal,
+            Directions::Unit => normal.normalize_or_zero(),
+        }
     }
 
     /// How far one metre of displacement goes along a normal of that length.

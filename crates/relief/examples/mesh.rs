@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{counts:?}, {} bytes", MeshFormat::Gltf.bytes(counts));
 
     let file = std::env::temp_dir().join("relief-torus.glb");
-    let how = Stream { size: 1.0, check: true, watch: Watch::NOBODY };
+    let how = Stream { size: 1.0, check: true, grid: None, cache_order: true, watch: Watch::NOBODY };
     let mut streamed = None;
     write_mesh(&file, MeshFormat::Gltf, counts, |sink| {
         let made = mesher.stream(&how, |block| sink(block)).map_err(|error| match error {

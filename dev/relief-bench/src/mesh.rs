@@ -103,7 +103,9 @@ enum Work {
     Counted,
     /// Made and thrown away.
     Made,
-    /// The same, and looked at for cracks.
+    /// The same, in an order for caches of vertices.
+    Ordered,
+    /// Made and looked at for cracks.
     Tested,
     /// Looked at for cracks, and written.
     Written(MeshFormat),
@@ -113,13 +115,14 @@ impl Work {
     fn all(files: bool) -> Vec<Self> {
         let formats = [MeshFormat::Gltf, MeshFormat::Ply, MeshFormat::Stl];
         let written = formats.into_iter().filter(|_| files).map(Self::Written);
-        [Self::Counted, Self::Made, Self::Tested].into_iter().chain(written).collect()
+        [Self::Counted, Self::Made, Self::Ordered, Self::Tested].into_iter().chain(written).collect()
     }
 
     fn name(self) -> String {
         match self {
             Self::Counted => "counted".to_owned(),
             Self::Made => "made".to_owned(),
+            Self::Ordered => "made, in cache order".to_owned(),
             Self::Tested => "made, cracks looked for".to_owned(),
             Self::Written(format) => format!("the same, written as {}", format.name()),
         }
@@ -131,14 +134,15 @@ impl Work {
         (base, map, settings): (&Mesh, &HeightMap, &MeshSettings),
         folder: &Path,
     ) -> Result<Option<Cracks>, String> {
-        let check = !matches!(self, Self::Made);
-        let how = Stream { size: 1.0, check, watch: Watch::NOBODY };
+        let check = !matches!(self, Self::Made | Self::Ordered);
+        let cache_order = matches!(self, Self::Ordered | Self::Written(MeshFormat::Gltf));
+        let how = Stream { size: 1.0, check, grid: None, cache_order, watch: Watch::NOBODY };
         match self {
             Self::Counted => {
                 let counted = Mesher::new(base, map, settings);
                 counted.map(|_| None).map_err(|error| error.to_string())
             }
-            Self::Made | Self::Tested => {
+            Self::Made | Self::Ordered | Self::Tested => {
                 let streamed = mesher.stream(&how, |_| Ok::<(), Infallible>(()));
                 streamed.map(|streamed| streamed.cracks).map_err(|error| error.to_string())
             }

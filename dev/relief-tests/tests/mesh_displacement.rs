@@ -328,7 +328,13 @@ fn a_mesh_ends_when_it_is_cancelled_or_beyond_numbers() {
     let base = torus(40, 30).expect("a mesh");
     let stream = |map: &HeightMap, stopped: bool| {
         let cancel = AtomicBool::new(stopped);
-        let how = Stream { size: 1.0, check: true, watch: Watch { tell: &|_| {}, cancel: &cancel } };
+        let how = Stream {
+            size: 1.0,
+            check: true,
+            grid: None,
+            cache_order: false,
+            watch: Watch { tell: &|_| {}, cancel: &cancel },
+        };
         let mesher = Mesher::new(&base, map, &MeshSettings::default()).expect("a mesh");
         mesher.stream(&how, |_| Err::<(), _>("full"))
     };

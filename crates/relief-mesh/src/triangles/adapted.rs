@@ -2,14 +2,14 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use glam::Vec3;
 use rayon::prelude::*;
 use relief_core::mesh::{Mesh, Vertex};
 
-use super::{Numbered, Triangles, counted};
+use super::{Triangles, counted};
 use crate::error::MOST;
 use crate::filling::{Filling, Room};
-use crate::interior::{Facet, Filled, Ground};
+use crate::interior::{Cut, Facet, Filled, Ground};
+use crate::patch::PatchPoint;
 use crate::surface::Relief;
 use crate::{BaseSurface, Certificate, Directions, MeshSettings, MesherError, Side, Watch};
 
@@ -154,10 +154,17 @@ impl Adapted {
         [to[0] - from[0], to[1] - from[1]]
     }
 
-    /// The triangles of a patch by its points: first those of the border, then its own.
-    pub fn triangles(&self, patch: u32) -> &[[u32; 3]] {
-        let [from, to] = [0, 1].map(|more| self.first[patch as usize + more][1] as usize);
-        &self.triangles[from..to]
+    /// What a patch is filled with: the points of its border, then its own, and triangles between them.
+    pub fn cut(&self, patch: u32) -> Cut {
+        let [from, to] = [0, 1].map(|more| self.first[patch as usize + more]);
+        let border = self.base.border_of(patch).map(|[side, at]| PatchPoint::Border { side, at });
+        let inner = &self.inner[from[0] as usize..to[0] as usize];
+        let inner = (0..).zip(inner).map(|(number, (lattice, _))| PatchPoint::Inner {
+            number,
+            weights: self.base.weights(patch, *lattice),
+        });
+        let triangles = self.triangles[from[1] as usize..to[1] as usize].to_vec();
+        Cut { points: border.chain(inner).collect(), triangles }
     }
 
     /// The number of the first vertex within a patch.
@@ -166,17 +173,10 @@ impl Adapted {
         (self.base.border_count() + u64::from(self.first[patch as usize][0])) as u32
     }
 
-    /// The border of a patch, in the order of its points: numbers and positions.
-    pub fn border_points(&self, relief: &Relief, patch: u32) -> Vec<(Numbered, Vec3)> {
-        self.base.border_of(patch).map(|[side, at]| self.base.border(relief, patch, side, at)).collect()
-    }
-
     /// A vertex within a patch.
     pub fn inner_vertex(&self, relief: &Relief, patch: u32, at: u32) -> Vertex {
         let (lattice, height) = self.inner[(self.first[patch as usize][0] + at) as usize];
-        let size = f64::from(self.base.size(patch));
-        let weights = lattice.map(|steps| f64::from(steps) / size);
-        self.base.inner_vertex_at(relief, patch, weights, f64::from(height))
+        self.base.inner_vertex_at(relief, patch, self.base.weights(patch, lattice), f64::from(height))
     }
 
     /// Bytes that are held.
@@ -192,6 +192,12 @@ impl Triangles {
         self.edges.sides(patch).map(|edge| self.edges.size(edge)).into_iter().fold(1, u32::max)
     }
 
+    /// The barycentric weights of the second and the third corner at a point of a patch's lattice.
+    fn weights(&self, patch: u32, lattice: [u16; 2]) -> [f64; 2] {
+        let size = f64::from(self.size(patch));
+        lattice.map(|steps| f64::from(steps) / size)
+    }
+
     /// The points of a patch's border by their sides: its corners, then the points along each side.
     fn border_of(&self, patch: u32) -> impl Iterator<Item = [u32; 2]> + use<'_> {
         let sides = self.edges.sides(patch);
@@ -205,8 +211,9 @@ impl Triangles {
         let steps = match at {
             0 => 0,
             _ => {
-                let (edge, is_forth) = self.side(patch, side);
-                let [before, all] = self.edges.place(edge, self.counted_on(edge, is_forth, at));
+                let (_, is_forth) = self.side(patch, side);
+                let (edge, at) = self.on_side(patch, side, at);
+                let [before, all] = self.edges.place(edge, at);
                 let before = if is_forth { before } else { all - before };
                 before as i32 * (size / all as i32)
             }
@@ -235,8 +242,8 @@ impl Triangles {
         let seen = match at {
             0 => self.at_corner(self.triangles[patch as usize][side as usize]),
             _ => {
-                let (edge, is_forth) = self.side(patch, side);
-                self.on_edge(edge, self.counted_on(edge, is_forth, at))
+                let (edge, at) = self.on_side(patch, side, at);
+                self.on_edge(edge, at)
             }
         };
         let apart = relief.height_at_uv(seen.base.uv) - own;

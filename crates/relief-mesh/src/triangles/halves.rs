@@ -15,6 +15,8 @@ pub struct Halved {
     pub mesh: Mesh,
     /// For each vertex after those of the whole mesh the two that it lies between.
     pub parents: Vec<[u32; 2]>,
+    /// The triangle of the whole mesh that each triangle is a part of. They rise.
+    pub whole: Vec<u32>,
 }
 
 /// A mesh while it is halved.
@@ -51,6 +53,7 @@ pub fn halved(
         middle_points: HashMap::new(),
     };
     let mut triangles = mesh.triangles().to_vec();
+    let mut whole: Vec<u32> = (0..triangles.len() as u32).collect();
     // Before memory is taken for them.
     let count = triangles
         .iter()
@@ -71,16 +74,18 @@ pub fn halved(
             return Err(MesherError::TooLarge { vertices: 0, triangles: triangles.len() as u64 * 4 });
         }
         let mut finer = Vec::with_capacity(triangles.len() * 2);
-        for corners in triangles {
+        let mut parts = Vec::with_capacity(triangles.len() * 2);
+        for (corners, whole) in triangles.into_iter().zip(whole) {
             halves.cut(corners, &long, &mut finer);
+            parts.resize(finer.len(), whole);
         }
-        triangles = finer;
+        (triangles, whole) = (finer, parts);
     }
     if halves.parents.is_empty() {
         return Ok(None);
     }
     let Halves { vertices, parents, .. } = halves;
-    Ok(Some(Halved { mesh: Mesh::new(vertices, triangles)?, parents }))
+    Ok(Some(Halved { mesh: Mesh::new(vertices, triangles)?, parents, whole }))
 }
 
 /// Two numbers, the lower one first.

@@ -17,7 +17,7 @@ use self::creases::Creases;
 use self::edges::{Division, Edges};
 use crate::edge::Divides;
 use crate::error::MOST;
-use crate::patch::Patch;
+use crate::patch::{Patch, PatchPoint};
 use crate::surface::{Frame, Placed, Relief};
 use crate::view::{Voxel, log2};
 use crate::{BaseSurface, MeshSettings, MesherError, Seams, Weights, point};
@@ -35,6 +35,9 @@ pub struct Triangles {
     footprints: Vec<f64>,
     base: BaseSurface,
     is_welded: bool,
+    can_fold: bool,
+    /// The triangle of the whole mesh that each is a part of; empty where they are these.
+    whole: Vec<u32>,
 }
 
 /// A vertex of the mesh that is made: its number, and which vertices have the same normal.
@@ -116,7 +119,11 @@ impl Triangles {
             }
         };
         let triangles = mesh.triangles().to_vec();
-        Ok(Self { corners, edges, triangles, voxels, footprints, base: settings.base, is_welded })
+        let whole = halved.map_or_else(Vec::new, |halved| halved.whole);
+        let first = corners.used.first().map(|&vertex| corners.base(vertex).normal);
+        let can_fold = corners.used.iter().any(|&vertex| Some(corners.base(vertex).normal) != first);
+        let base = settings.base;
+        Ok(Self { corners, edges, triangles, voxels, footprints, base, is_welded, can_fold, whole })
     }
 
     /// What a vertex counts along the sides that it is an end of.
@@ -251,17 +258,18 @@ impl Triangles {
         relief.vertex(relief.displaced(&seen), &Placed { base, ..seen }, &frame)
     }
 
-    /// The edge at a side of a patch, and whether both run the same way.
+    /// The edge that a side of a patch is, and whether both run the same way.
     fn side(&self, patch: u32, side: u32) -> (u32, bool) {
         let edge = self.edges.sides(patch)[side as usize];
         let from = self.triangles[patch as usize][side as usize];
         (edge, self.edges.ends(edge)[0] == from)
     }
 
-    /// The number of a point along an edge, which are counted from the end that comes first by its bits, and
-    /// not as the patch runs.
-    fn counted_on(&self, edge: u32, is_forth: bool, at: u32) -> u32 {
-        if is_forth { at } else { self.edges.parts(edge) - at }
+    /// The edge that a side of a patch is, and where on it a point of the side lies: edges are counted from
+    /// the end that comes first by its bits, and not as the patch runs.
+    fn on_side(&self, patch: u32, side: u32, at: u32) -> (u32, u32) {
+        let (edge, is_forth) = self.side(patch, side);
+        (edge, if is_forth { at } else { self.edges.parts(edge) - at })
     }
 
     /// The number and the position of a point of the border of a patch.
@@ -271,10 +279,42 @@ impl Triangles {
             let position = relief.displaced(&self.at_corner(vertex));
             return (self.corners.numbered(vertex), point::stored(position));
         }
-        let (edge, is_forth) = self.side(patch, side);
-        let at = self.counted_on(edge, is_forth, at);
+        let (edge, at) = self.on_side(patch, side, at);
         let position = relief.displaced(&self.on_edge(edge, at));
         (self.edges.numbered(edge, at), point::stored(position))
+    }
+
+    /// Whether its points move along different directions.
+    pub fn can_fold(&self) -> bool {
+        self.can_fold
+    }
+
+    /// The directions of displacement at the corners of a patch, of any length.
+    pub fn directions(&self, patch: u32) -> [DVec3; 3] {
+        self.triangles[patch as usize].map(|vertex| self.at_corner(vertex).base.normal)
+    }
+
+    /// The direction of displacement at a point of a patch, of any length.
+    pub fn direction(&self, patch: u32, point: &PatchPoint) -> DVec3 {
+        match *point {
+            PatchPoint::Border { side, at: 0 } => self.directions(patch)[side as usize],
+            PatchPoint::Border { side, at } => {
+                let (edge, at) = self.on_side(patch, side, at);
+                self.on_edge(edge, at).base.normal
+            }
+            PatchPoint::Inner { weights, .. } => self.inside(patch, weights).0.base.normal,
+        }
+    }
+
+    /// The number of the mesh's triangle that a patch is, or a part of.
+    pub fn whole(&self, patch: u32) -> u32 {
+        self.whole.get(patch as usize).copied().unwrap_or(patch)
+    }
+
+    /// The middle of a patch.
+    pub fn middle(&self, patch: u32) -> DVec3 {
+        let [a, b, c] = self.triangles[patch as usize].map(|vertex| self.corners.base(vertex).position);
+        (a + b + c) / 3.0
     }
 
     /// An inner point, and its weights.

@@ -1,13 +1,13 @@
 //! Makes the mesh while it is written.
 
-use std::convert::Infallible;
 use std::io;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::Vec3;
-use relief_io::{MeshCounts, MeshFormat, write_mesh};
-use relief_mesh::{Certificate, Mesher, Stream, StreamError, Streamed, Watch};
+use relief_core::mesh::PositionGrid;
+use relief_io::{GlbLayout, GlbLevel, MeshCounts, MeshFormat, MeshSink, Quantization, write_glb, write_mesh};
+use relief_mesh::{Bounds, Certificate, Mesher, Stream, StreamError, Streamed, Watch};
 
 use super::parts::PartFile;
 use super::seen::Seen;
@@ -22,12 +22,32 @@ use crate::progress::Progress;
 pub struct WrittenPart {
     /// Its name.
     pub name: String,
+    /// Its mesh.
+    pub finest: WrittenLevel,
+    /// Further levels of detail.
+    pub coarser: Vec<WrittenLevel>,
+    /// How its vertices are stored in integers, if they are.
+    pub quantization: Option<Quantization>,
+    /// Of the file.
+    pub bytes: u64,
+}
+
+/// A level of detail that was written.
+#[derive(Debug)]
+pub struct WrittenLevel {
     pub counts: MeshCounts,
     pub streamed: Streamed,
     /// How far the relief is from the triangles; lengths of the mesh as it was written.
     pub certificate: Option<Certificate>,
-    /// Of the file.
-    pub bytes: u64,
+    /// The part of the picture down to which it is shown.
+    pub coverage: f64,
+}
+
+impl WrittenPart {
+    /// All levels of detail.
+    pub fn levels(&self) -> impl Iterator<Item = &WrittenLevel> {
+        [&self.finest].into_iter().chain(&self.coarser)
+    }
 }
 
 /// What lengths of the mesh as it is written may be wrong by, as a part of them: tolerances leave more room.
@@ -48,7 +68,7 @@ pub fn write(
     let making = Making { arguments, seen, format, cancel };
     let print_m = arguments.print_size.map(|mm| mm / 1000.0);
     let Some(print_m) = print_m else {
-        return files.iter().map(|file| making.written(file, staged, [1.0, 1.0])).collect();
+        return making.all_written(files, staged, [1.0, 1.0]);
     };
     // How long it is follows from the mesh, and the mesh from the tolerance, which may follow from that.
     let mut expected = print_m / making.expected_length();
@@ -58,7 +78,7 @@ pub fn write(
         let is_kept = (arguments.error.is_none() || ratio >= 1.0 - ROUNDING)
             && (arguments.solid.is_none() || (ratio - 1.0).abs() <= ROUNDING);
         if is_kept {
-            return files.iter().map(|file| making.written(file, staged, [expected, size])).collect();
+            return making.all_written(files, staged, [expected, size]);
         }
         expected = size;
     }
@@ -78,84 +98,181 @@ struct Making<'a> {
 impl Making<'_> {
     /// Counts a part of the mesh; a tolerance is a length of a mesh that is larger by `size`.
     fn mesher(&self, file: &PartFile, size: f64) -> Result<Mesher, Failure> {
+        let mesher = self.level(file, size, &[])?;
+        self.arguments.check_memory(self.seen.surface, std::slice::from_ref(&mesher))?;
+        Ok(mesher)
+    }
+
+    /// Counts all levels of detail of a part.
+    fn meshers(&self, file: &PartFile, size: f64) -> Result<Vec<Mesher>, Failure> {
+        let mut finer: Vec<Mesher> = Vec::new();
+        for level in 0..self.arguments.lods.unwrap_or(1) {
+            let mesher = self.level(file, size, &finer)?;
+            if let Some(last) = finer.last().filter(|last| last.triangles() <= mesher.triangles()) {
+                let name = file.path.display();
+                return Err(Failure::Work(format!(
+                    "--lods: {name}: level {level} would have {} triangles where the one before has {}: \
+                     --lods {level} is as many as there are",
+                    mesher.triangles(),
+                    last.triangles(),
+                )));
+            }
+            finer.push(mesher);
+            self.arguments.check_memory(self.seen.surface, &finer)?;
+        }
+        Ok(finer)
+    }
+
+    /// Counts the level of detail after those.
+    fn level(&self, file: &PartFile, size: f64, finer: &[Mesher]) -> Result<Mesher, Failure> {
         let Self { arguments, seen, .. } = self;
         let Seen { surface, .. } = seen;
-        let settings = arguments.settings(seen, size);
-        let settings = relief_mesh::MeshSettings { part: file.part, ..settings };
+        let level = finer.len() as u32;
+        let settings = arguments.settings(seen, size).coarser(level);
+        let held: u64 = finer.iter().map(Mesher::bytes).sum();
+        let max_bytes = settings.max_bytes.saturating_sub(held);
+        let settings = relief_mesh::MeshSettings { part: file.part, max_bytes, ..settings };
         let (mesh, map) = (surface.mesh(), surface.height_map());
         let bar = Progress::bar("fitting", arguments.json);
         let tell = |part: f32| bar.show(part);
         let watch = Watch { tell: &tell, cancel: self.cancel };
         let mesher = match arguments.triangles {
-            Some(most) => Mesher::with_at_most(mesh, map, &settings, most, &watch),
+            Some(most) => Mesher::with_at_most(mesh, map, &settings, (most >> (2 * level)).max(1), &watch),
             None if seen.coarser.is_empty() => Mesher::watched(mesh, map, &settings, &watch),
             None => Mesher::with_levels(mesh, map, &seen.coarser, &settings, &watch),
         };
-        let mesher = mesher.map_err(of_mesher)?;
-        arguments.check_memory(surface, &mesher)?;
-        Ok(mesher)
+        mesher.map_err(of_mesher)
     }
 
-    /// Makes and writes a part. Of the sizes the first is the one that tolerances are meant for, the second
-    /// is how much larger the mesh becomes.
+    /// Makes and writes all parts. Of the sizes the first is the one that tolerances are meant for, the
+    /// second is how much larger the mesh becomes.
+    fn all_written(
+        &self,
+        files: &[PartFile],
+        staged: &mut Staged,
+        [expected, size]: [f64; 2],
+    ) -> Result<Vec<WrittenPart>, Failure> {
+        let Some(bits) = self.arguments.quantize else {
+            let written = |file| self.written(file, &self.meshers(file, expected)?, None, staged, size);
+            return files.iter().map(written).collect();
+        };
+        // A lattice begins where the mesh does, which is known when it was made once. Parts share theirs.
+        if let [file] = files {
+            let meshers = self.meshers(file, expected)?;
+            let bounds = self.bounds(&meshers, size)?;
+            let quantization = quantizations(&[bounds], bits)?.pop();
+            return Ok(vec![self.written(file, &meshers, quantization, staged, size)?]);
+        }
+        let bounds = files.iter().map(|file| self.bounds(&self.meshers(file, expected)?, size));
+        let quantizations = quantizations(&bounds.collect::<Result<Vec<_>, _>>()?, bits)?;
+        let of_parts = files.iter().zip(quantizations);
+        let written =
+            |(file, how)| self.written(file, &self.meshers(file, expected)?, Some(how), staged, size);
+        of_parts.map(written).collect()
+    }
+
+    /// Writes a part whose levels of detail were counted.
     fn written(
         &self,
         file: &PartFile,
+        meshers: &[Mesher],
+        quantization: Option<Quantization>,
         staged: &mut Staged,
-        [expected, size]: [f64; 2],
+        size: f64,
     ) -> Result<WrittenPart, Failure> {
         let name = file.path.display().to_string();
-        let mesher = self.mesher(file, expected)?;
-        let counts = MeshCounts { vertices: mesher.vertices(), triangles: mesher.triangles() };
-        self.format
-            .check(counts)
-            .map_err(|problem| Failure::Work(format!("{name}: {problem} ({COARSER})")))?;
+        let counts =
+            |mesher: &Mesher| MeshCounts { vertices: mesher.vertices(), triangles: mesher.triangles() };
+        let levels = GlbLevel::of(&meshers.iter().map(counts).collect::<Vec<_>>());
+        let layout = GlbLayout { levels, quantization };
+        let is_storable = match self.format {
+            MeshFormat::Gltf => layout.check(),
+            format => format.check(layout.counts()),
+        };
+        is_storable.map_err(|problem| Failure::Work(format!("{name}: {problem} ({COARSER})")))?;
         let aside = staged.aside(&file.path)?;
-        let streamed = self.stream(&mesher, &name, &aside, counts, size)?;
+        let streamed = self.stream(meshers, &name, &aside, &layout, size)?;
         let bytes = std::fs::metadata(&aside).map_err(Failure::work)?.len();
-        let certificate = mesher.certificate().map(|certificate| Certificate {
-            error_m: certificate.error_m * size,
-            mean_m: certificate.mean_m * size,
-            seams_m: certificate.seams_m * size,
-            ..*certificate
+        let of_levels = meshers.iter().zip(&layout.levels).zip(streamed);
+        let mut levels = of_levels.map(|((mesher, level), streamed)| {
+            // Wherever the surface was, it is moved as far as its vertices at most.
+            let moved_m = streamed.rounded.map_or(0.0, |rounded| rounded.greatest_m);
+            let certificate = mesher.certificate().map(|certificate| Certificate {
+                error_m: certificate.error_m * size + moved_m,
+                mean_m: certificate.mean_m * size,
+                seams_m: certificate.seams_m * size,
+                ..*certificate
+            });
+            WrittenLevel { counts: level.counts, streamed, certificate, coverage: level.coverage }
         });
-        Ok(WrittenPart { name, counts, streamed, certificate, bytes })
+        let finest = levels.next().ok_or_else(|| nothing_written(&name))?;
+        Ok(WrittenPart { finest, coarser: levels.collect(), name, quantization, bytes })
     }
 
+    /// Hands all levels of detail over to the file.
     fn stream(
         &self,
-        mesher: &Mesher,
+        meshers: &[Mesher],
         name: &str,
         aside: &Path,
-        counts: MeshCounts,
+        layout: &GlbLayout,
         size: f64,
-    ) -> Result<Streamed, Failure> {
+    ) -> Result<Vec<Streamed>, Failure> {
         let bar = Progress::bar("meshing", self.arguments.json);
-        let tell = |part: f32| bar.show(part);
-        let how = Stream { size, check: true, watch: Watch { tell: &tell, cancel: self.cancel } };
-        let mut made = None;
-        let written =
-            write_mesh(aside, self.format, counts, |sink| match mesher.stream(&how, |block| sink(block)) {
-                Ok(streamed) => {
-                    made = Some(Ok(streamed));
-                    Ok(())
+        let grid = layout.quantization.map(|how| how.grid);
+        let all = layout.counts().triangles as f32;
+        let mut made = Ok(Vec::new());
+        let blocks = |sink: &mut MeshSink| {
+            let mut done = 0.0;
+            for mesher in meshers {
+                let part = mesher.triangles() as f32 / all;
+                let tell = |of_level: f32| bar.show(done + part * of_level);
+                let watch = Watch { tell: &tell, cancel: self.cancel };
+                // Other formats are seldom drawn as they are.
+                let cache_order = self.format == MeshFormat::Gltf;
+                let how = Stream { size, check: true, grid, cache_order, watch };
+                match (mesher.stream(&how, |block| sink(block)), &mut made) {
+                    (Ok(streamed), Ok(made)) => made.push(streamed),
+                    (Err(StreamError::Sink(error)), _) => return Err(error),
+                    (Err(error), made) => {
+                        let text = error.to_string();
+                        *made = Err(error);
+                        return Err(io::Error::other(text));
+                    }
+                    (Ok(_), Err(_)) => {}
                 }
-                Err(StreamError::Sink(error)) => Err(error),
-                Err(error) => {
-                    let text = error.to_string();
-                    made = Some(Err(error));
-                    Err(io::Error::other(text))
-                }
-            });
+                done += part;
+            }
+            Ok(())
+        };
+        let written = match self.format {
+            MeshFormat::Gltf => write_glb(aside, layout, blocks),
+            format => write_mesh(aside, format, layout.counts(), blocks),
+        };
         if self.cancel.load(Ordering::Relaxed) {
             return Err(cancelled());
         }
         match (made, written) {
-            (Some(Err(error)), _) => Err(Failure::Work(format!("{name}: {error}: a smaller --scale helps"))),
+            (Err(error), _) => Err(Failure::Work(format!("{name}: {error}: a smaller --scale helps"))),
             (_, Err(error)) => Err(Failure::Work(format!("{name}: {}", error.problem))),
-            (Some(Ok(streamed)), Ok(())) => Ok(streamed),
-            (None, Ok(())) => Err(Failure::Work(format!("{name}: nothing was written"))),
+            (Ok(streamed), Ok(())) if streamed.len() == meshers.len() => Ok(streamed),
+            (Ok(_), Ok(())) => Err(nothing_written(name)),
         }
+    }
+
+    /// The least and the greatest numbers of all levels of a mesh, made larger by a factor.
+    fn bounds(&self, meshers: &[Mesher], size: f64) -> Result<Bounds, Failure> {
+        let bar = Progress::bar("measuring", self.arguments.json);
+        let tell = |part: f32| bar.show(part);
+        let watch = Watch { tell: &tell, cancel: self.cancel };
+        let name = self.arguments.output.display().to_string();
+        let bounds = meshers.iter().map(|mesher| {
+            mesher.bounds(size, &watch).map_err(|error| match error {
+                StreamError::Cancelled => cancelled(),
+                error => Failure::Work(format!("{name}: {error}")),
+            })
+        });
+        bounds.reduce(|a, b| Ok(a?.with(&b?))).unwrap_or_else(|| Err(nothing_written(&name)))
     }
 
     /// The longest side of a box around the base, displaced as far as the map goes: about that of the mesh.
@@ -176,15 +293,7 @@ impl Making<'_> {
         let name = self.arguments.output.display();
         let [mut least, mut greatest] = [Vec3::INFINITY, Vec3::NEG_INFINITY];
         for file in files {
-            let mesher = self.mesher(file, expected)?;
-            let bar = Progress::bar("measuring", self.arguments.json);
-            let tell = |part: f32| bar.show(part);
-            let how = Stream { size: 1.0, check: false, watch: Watch { tell: &tell, cancel: self.cancel } };
-            let measured = match mesher.stream(&how, |_| Ok::<(), Infallible>(())) {
-                Ok(streamed) => streamed.bounds_m,
-                Err(StreamError::Cancelled) => return Err(cancelled()),
-                Err(error) => return Err(Failure::Work(format!("{name}: {error}"))),
-            };
+            let measured = self.bounds(&[self.mesher(file, expected)?], 1.0)?.positions_m;
             (least, greatest) = (least.min(measured[0]), greatest.max(measured[1]));
         }
         let length = f64::from((greatest - least).max_element());
@@ -193,4 +302,20 @@ impl Making<'_> {
         }
         Err(Failure::Work(format!("{name}: the mesh is a point, which has no size")))
     }
+}
+
+fn nothing_written(name: &str) -> Failure {
+    Failure::Work(format!("{name}: nothing was written"))
+}
+
+/// How parts are stored in integers of so many bits: on one lattice, so that they meet.
+fn quantizations(bounds: &[Bounds], bits: u32) -> Result<Vec<Quantization>, Failure> {
+    let boxes: Vec<[Vec3; 2]> = bounds.iter().map(|bounds| bounds.positions_m).collect();
+    let grids = PositionGrid::around(&boxes, bits).map_err(Failure::usage)?;
+    // All parts store their texture coordinates alike.
+    let uvs = bounds.iter().all(|bounds| {
+        let [least, greatest] = bounds.uvs;
+        least.min_element() >= 0.0 && greatest.max_element() <= 1.0
+    });
+    Ok(grids.into_iter().map(|grid| Quantization { grid, uvs }).collect())
 }

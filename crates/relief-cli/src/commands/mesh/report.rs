@@ -3,14 +3,15 @@
 use std::io::Write;
 
 use glam::Vec3;
-use relief_io::MeshFormat;
-use relief_mesh::{Certificate, Cracks};
+use relief_io::{MeshFormat, Quantization};
+use relief_mesh::{Certificate, Cracks, FoldedBase, Folds, Rounded};
 use relief_render::scene::Surface;
 use serde_json::json;
 
 use super::Arguments;
-use super::made::WrittenPart;
+use super::made::{WrittenLevel, WrittenPart};
 use crate::failure::Failure;
+use crate::say;
 use crate::values::six_digits;
 
 /// A mesh that was made.
@@ -24,6 +25,45 @@ pub struct About<'a> {
 /// What seams are off by is told from this part of the error on.
 const TOLD: f64 = 0.01;
 
+/// What became of positions that were rounded to a lattice.
+struct OnLattice {
+    bits: u32,
+    step_m: f64,
+    /// How texture coordinates are stored.
+    uvs: &'static str,
+    of: Rounded,
+}
+
+/// A level of detail.
+struct LevelAbout {
+    triangles: u64,
+    vertices: u64,
+    open: u64,
+    error_m: Option<f64>,
+    /// The greatest part of the picture down to which it is shown.
+    coverage: f64,
+}
+
+impl LevelAbout {
+    fn as_json(&self) -> serde_json::Value {
+        let Self { triangles, vertices, open, error_m, coverage } = self;
+        json!({
+            "triangles": triangles, "vertices": vertices, "open_edges": open, "greatest_m": error_m,
+            "down_to_coverage": coverage,
+        })
+    }
+
+    fn in_words(&self, unit: &str, factor: f64) -> String {
+        let Self { triangles, open, error_m, coverage, .. } = self;
+        let error = match error_m {
+            Some(error_m) => format!(", error at most {} {unit}", six_digits(error_m * factor)),
+            None => String::new(),
+        };
+        let down_to = six_digits(100.0 * coverage);
+        format!("{triangles} triangles{error}, {open} open edges; down to {down_to} % of the picture")
+    }
+}
+
 impl About<'_> {
     fn sum(&self, of: impl Fn(&WrittenPart) -> u64) -> u64 {
         self.written.iter().map(of).sum()
@@ -31,24 +71,64 @@ impl About<'_> {
 
     /// The error of all parts: the greatest, and the mean by their texels, which are about as many in each.
     fn certificate(&self) -> Option<Certificate> {
-        let all = || self.written.iter().filter_map(|part| part.certificate);
+        self.certificate_of(0)
+    }
+
+    /// The error of a level of detail.
+    fn certificate_of(&self, level: usize) -> Option<Certificate> {
+        let of_level = |part: &WrittenPart| part.levels().nth(level)?.certificate;
+        let all = || self.written.iter().filter_map(of_level);
         let worst = all().reduce(|a, b| if b.error_m > a.error_m { b } else { a })?;
         let mean_m = all().map(|certificate| certificate.mean_m).sum::<f64>() / all().count() as f64;
         Some(Certificate { mean_m, ..worst })
     }
 
+    /// What became of positions that were rounded, of all parts.
+    fn rounded(&self) -> Option<OnLattice> {
+        let of_part = |part: &WrittenPart| {
+            let Quantization { grid, uvs } = part.quantization?;
+            let of = part.levels().filter_map(|level| level.streamed.rounded).reduce(Rounded::with)?;
+            let uvs = if uvs { "16 bits" } else { "floats" };
+            Some(OnLattice { bits: grid.bits(), step_m: grid.step_m(), uvs, of })
+        };
+        self.written.iter().filter_map(of_part).reduce(|a, b| OnLattice { of: a.of.with(b.of), ..a })
+    }
+
+    /// All levels of detail, of all parts together.
+    fn levels(&self) -> Vec<LevelAbout> {
+        let count = self.written.first().map_or(0, |part| part.levels().count());
+        let of_level = |level: usize| {
+            let all = || self.written.iter().filter_map(move |part| part.levels().nth(level));
+            let open = |level: &WrittenLevel| level.streamed.cracks.unwrap_or_default().open;
+            LevelAbout {
+                triangles: all().map(|level| level.counts.triangles).sum(),
+                vertices: all().map(|level| level.counts.vertices).sum(),
+                open: all().map(open).sum(),
+                error_m: self.certificate_of(level).map(|certificate| certificate.error_m),
+                coverage: all().map(|level| level.coverage).fold(0.0, f64::max),
+            }
+        };
+        (0..count).map(of_level).collect()
+    }
+
+    /// What is folded over. Parts are those of planes, which do not fold.
+    fn folds(&self) -> Option<&Folds> {
+        self.written.iter().map(|part| &part.finest.streamed.folds).find(|folds| folds.triangles > 0)
+    }
+
     /// Says it.
     pub fn tell(&self, arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
         let Self { format, written, seconds, surface } = self;
-        let cracks = |of: fn(&Cracks) -> u64| self.sum(|part| of(&part.streamed.cracks.unwrap_or_default()));
+        let cracks =
+            |of: fn(&Cracks) -> u64| self.sum(|part| of(&part.finest.streamed.cracks.unwrap_or_default()));
         let [open, branching, pieces] =
             [cracks(|cracks| cracks.open), cracks(|cracks| cracks.branching), cracks(|cracks| cracks.pieces)];
         let [triangles, vertices, bytes] = [
-            self.sum(|part| part.counts.triangles),
-            self.sum(|part| part.counts.vertices),
+            self.sum(|part| part.finest.counts.triangles),
+            self.sum(|part| part.finest.counts.vertices),
             self.sum(|part| part.bytes),
         ];
-        let bounds = written.iter().map(|part| part.streamed.bounds_m);
+        let bounds = written.iter().map(|part| part.finest.streamed.bounds_m);
         let [least, greatest] = bounds
             .fold([Vec3::INFINITY, Vec3::NEG_INFINITY], |[low, high], [a, b]| [low.min(a), high.max(b)]);
         let size_m = (greatest - least).to_array().map(|length| six_digits(f64::from(length)));
@@ -69,6 +149,16 @@ impl About<'_> {
                     "judge": judge.name(),
                 });
             }
+            if let Some(rounded) = self.rounded() {
+                about["quantized"] = json!({
+                    "bits": rounded.bits, "step_m": rounded.step_m, "greatest_m": rounded.of.greatest_m,
+                    "triangles_without_area": rounded.of.without_area, "uvs": rounded.uvs,
+                });
+            }
+            if arguments.lods.is_some() {
+                about["lods"] = self.levels().iter().map(LevelAbout::as_json).collect();
+            }
+            about["folds"] = self.folds().map_or_else(|| of_folds(&Folds::default()), of_folds);
             if arguments.tiles.is_some() {
                 about["files"] = written.iter().map(of_part).collect();
             }
@@ -76,8 +166,8 @@ impl About<'_> {
             return Ok(());
         }
         for part in *written {
-            let WrittenPart { name, counts, bytes, .. } = part;
-            let (triangles, vertices) = (counts.triangles, counts.vertices);
+            let WrittenPart { name, finest, bytes, .. } = part;
+            let (triangles, vertices) = (finest.counts.triangles, finest.counts.vertices);
             write!(out, "{name}: {triangles} triangles, {vertices} vertices, {bytes} bytes")?;
             writeln!(
                 out,
@@ -100,12 +190,26 @@ impl About<'_> {
             let [greatest, mean, seams] =
                 [error_m, mean_m, seams_m].map(|metres| six_digits(metres * factor));
             let [u, v] = uv.map(six_digits);
-            let at = format!("at uv {u},{v}, judged at the {judge}");
+            let rounded = if self.rounded().is_some() { ", its rounding counted" } else { "" };
+            let at = format!("at uv {u},{v}, judged at the {judge}{rounded}");
             writeln!(out, "  error       at most {greatest} {unit} {at}; {mean} {unit} on average")?;
             if seams_m > error_m * TOLD {
                 let why = "where the two sides of a seam see other heights";
                 writeln!(out, "  seams       up to {seams} {unit} more in triangles at seams, {why}")?;
             }
+        }
+        if let Some(rounded) = self.rounded() {
+            let [greatest, step] =
+                [rounded.of.greatest_m, rounded.step_m].map(|metres| six_digits(metres * factor));
+            let bits = rounded.bits;
+            write!(
+                out,
+                "  quantised   to {bits} bits, steps of {step} {unit}: vertices moved {greatest} {unit} "
+            )?;
+            writeln!(out, "at most, {} triangles without an area", rounded.of.without_area)?;
+        }
+        for (number, level) in self.levels().iter().enumerate().filter(|_| arguments.lods.is_some()) {
+            writeln!(out, "  level {number}     {}", level.in_words(unit, factor))?;
         }
         let edges = match (open, branching) {
             (0, 0) => "closed, no open edge".to_owned(),
@@ -114,16 +218,45 @@ impl About<'_> {
         };
         writeln!(out, "  edges       {edges}")?;
         writeln!(out, "  pieces      {pieces}")?;
+        if let Some(folds) = self.folds() {
+            let of = surface.mesh().triangles().len();
+            writeln!(out, "  folds       {}", folds_in_words(folds, of))?;
+            say::note(FOLDED);
+        }
         Ok(())
     }
 }
 
+/// What to do about folds.
+const FOLDED: &str = "the relief is folded over where the mesh curves more than it lets be displaced, and \
+    shows its back there: a smaller --scale, another --bias, or a rounder mesh there; relief inspect MESH \
+    says how far a mesh can be displaced before it folds";
+
+fn folds_in_words(folds: &Folds, of: usize) -> String {
+    let Folds { triangles, base_triangles, first, .. } = folds;
+    let named: Vec<String> = first.iter().map(|base| base.triangle.to_string()).collect();
+    let more = if *base_triangles > first.len() as u64 { ", ..." } else { "" };
+    let named = named.join(", ");
+    format!("{triangles} triangles turned over, on {base_triangles} of the mesh's {of}: {named}{more}")
+}
+
+fn of_folds(folds: &Folds) -> serde_json::Value {
+    let first: Vec<serde_json::Value> = folds.first.iter().map(of_folded).collect();
+    json!({ "triangles": folds.triangles, "mesh_triangles": folds.base_triangles, "first": first })
+}
+
+fn of_folded(base: &FoldedBase) -> serde_json::Value {
+    let middle_m = base.middle_m.to_array().map(six_digits);
+    json!({ "mesh_triangle": base.triangle, "triangles": base.pieces, "middle_m": middle_m })
+}
+
 fn of_part(part: &WrittenPart) -> serde_json::Value {
     let mut about = json!({
-        "output": part.name, "vertices": part.counts.vertices, "triangles": part.counts.triangles,
+        "output": part.name, "vertices": part.finest.counts.vertices,
+        "triangles": part.finest.counts.triangles,
         "bytes": part.bytes,
     });
-    if let Some(certificate) = part.certificate {
+    if let Some(certificate) = part.finest.certificate {
         about["error_m"] = json!(certificate.error_m);
     }
     about

@@ -11,6 +11,8 @@ use std::path::Path;
 
 use relief_core::mesh::MeshBlock;
 
+pub use glb::{GlbLayout, GlbLevel, Quantization};
+
 use super::MeshFormat;
 use crate::write_whole::write_file;
 use crate::{WriteError, WriteProblem};
@@ -34,7 +36,7 @@ impl MeshFormat {
     /// The bytes of a mesh's file in this format: exactly, but of OBJ, which is text, at least.
     pub fn bytes(self, counts: MeshCounts) -> u64 {
         match self {
-            MeshFormat::Gltf => glb::bytes(counts),
+            MeshFormat::Gltf => GlbLayout::of(counts).bytes(),
             MeshFormat::Obj => obj::least_bytes(counts),
             MeshFormat::Ply => ply::bytes(counts),
             MeshFormat::Stl => stl::bytes(counts),
@@ -47,24 +49,26 @@ impl MeshFormat {
     ///
     /// When it cannot, with what holds it.
     pub fn check(self, counts: MeshCounts) -> Result<(), WriteProblem> {
-        let MeshCounts { vertices, triangles } = counts;
-        let cannot = |what: String| {
-            let of = format!("a mesh of {vertices} vertices and {triangles} triangles");
-            Err(WriteProblem::NotStorable(format!("{of} {what}")))
-        };
-        if vertices == 0 || triangles == 0 {
-            return cannot("shows nothing".to_owned());
+        if self == MeshFormat::Gltf {
+            return GlbLayout::of(counts).check();
         }
-        if vertices >= u64::from(u32::MAX) || triangles > u64::from(u32::MAX) {
-            return cannot("has more than 32-bit numbers count: make it coarser".to_owned());
-        }
-        let bytes = self.bytes(counts);
-        if self == MeshFormat::Gltf && bytes > u64::from(u32::MAX) {
-            let what = "takes {} bytes as GLB, which ends at 4 GiB: write a PLY, or make it coarser";
-            return cannot(what.replace("{}", &bytes.to_string()));
-        }
-        Ok(())
+        check_counts(counts)
     }
+}
+
+/// Whether so many vertices and triangles can be numbered, and are any.
+fn check_counts(MeshCounts { vertices, triangles }: MeshCounts) -> Result<(), WriteProblem> {
+    let cannot = |what: &str| {
+        let of = format!("a mesh of {vertices} vertices and {triangles} triangles");
+        Err(WriteProblem::NotStorable(format!("{of} {what}")))
+    };
+    if vertices == 0 || triangles == 0 {
+        return cannot("shows nothing");
+    }
+    if vertices >= u64::from(u32::MAX) || triangles > u64::from(u32::MAX) {
+        return cannot("has more than 32-bit numbers count: make it coarser");
+    }
+    Ok(())
 }
 
 /// Writes a mesh whose blocks `blocks` hands over: as binary glTF (GLB), as binary PLY, as OBJ, or as binary
@@ -114,11 +118,7 @@ pub fn write_mesh(
     write_file(path, |out| {
         let mut regions = Regions::new(out);
         match format {
-            MeshFormat::Gltf => {
-                let mut glb = glb::Glb::begin(counts, &mut regions)?;
-                counted(counts, &mut regions, &mut |block, regions| glb.block(block, regions), blocks)?;
-                glb.finish(&mut regions)?;
-            }
+            MeshFormat::Gltf => glb_blocks(&GlbLayout::of(counts), &mut regions, blocks)?,
             MeshFormat::Ply => {
                 ply::begin(counts, &mut regions)?;
                 counted(counts, &mut regions, &mut ply::block, blocks)?;
@@ -134,6 +134,37 @@ pub fn write_mesh(
         }
         Ok(())
     })
+}
+
+/// Writes a GLB of one mesh or several levels of detail, in floats or integers, whose blocks `blocks` hands
+/// over: those of the finest level first, and each level whole before the next. Vertices are numbered from 0
+/// in each. Nothing but a block is held. The same blocks give the same bytes.
+///
+/// In integers, positions are rounded to the nearest points of the lattice; a mesh that was rounded already
+/// stays as it is. See [`Quantization`] for what is stored.
+///
+/// # Errors
+///
+/// When a GLB [cannot hold](GlbLayout::check) it, when `blocks` fails or hands over other counts than it
+/// promised, when a position lies beyond the lattice or texture coordinates beyond 0 and 1 that were promised
+/// to lie between, or when the file cannot be written. Nothing is left behind then.
+pub fn write_glb(
+    path: &Path,
+    layout: &GlbLayout,
+    blocks: impl FnOnce(&mut MeshSink) -> io::Result<()>,
+) -> Result<(), WriteError> {
+    layout.check().map_err(|problem| problem.at(path))?;
+    write_file(path, |out| glb_blocks(layout, &mut Regions::new(out), blocks))
+}
+
+fn glb_blocks(
+    layout: &GlbLayout,
+    regions: &mut Regions<'_, '_>,
+    blocks: impl FnOnce(&mut MeshSink) -> io::Result<()>,
+) -> Result<(), WriteProblem> {
+    let mut glb = glb::Glb::begin(layout, regions)?;
+    counted(layout.counts(), regions, &mut |block, regions| glb.block(block, regions), blocks)?;
+    Ok(glb.finish(regions)?)
 }
 
 /// Hands blocks on, and finds out whether they are as many as was promised.

@@ -1,0 +1,220 @@
+//! What a GLB holds, and where.
+
+use glam::Vec3;
+
+use super::super::{MeshCounts, check_counts};
+use super::vertex::{Quantization, attributes};
+use super::{HEADERS, TRIANGLE};
+use crate::WriteProblem;
+
+/// Room for the least and the greatest position of a level, which are known last: six numbers and their
+/// punctuation.
+const ROOM: usize = 160;
+
+/// What stands for them until then.
+const PLACE: &str = "@";
+
+/// A GLB that is written: its levels of detail, the finest first, and how their vertices are stored.
+///
+/// One level is a mesh. Further ones are named by the extension `MSFT_lod` of the first one's node, with the
+/// part of the picture's area down to which each is to be shown (`MSFT_screencoverage`, in the node's
+/// extras). Programs that know nothing of the extension show the first. The material is a grey one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GlbLayout {
+    /// The levels, at least one.
+    pub levels: Vec<GlbLevel>,
+    /// How vertices are stored in integers; in 32-bit floats without it.
+    pub quantization: Option<Quantization>,
+}
+
+/// A level of detail.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GlbLevel {
+    /// How large its mesh is.
+    pub counts: MeshCounts,
+    /// The part of the picture's area, from 0 to 1, down to which it is to be shown.
+    pub coverage: f64,
+}
+
+/// Pixels of a picture for which levels are chosen, 1920 x 1080.
+const PIXELS: f64 = 1920.0 * 1080.0;
+
+/// Pixels that a triangle of a level may cover, on the mean, before the next finer one is shown.
+const PIXELS_PER_TRIANGLE: f64 = 4.0;
+
+impl GlbLevel {
+    /// Levels of so many vertices and triangles, the finest first: each is shown down to where the triangles
+    /// of the next cover four pixels of a picture of 1920 x 1080 on the mean, and to no more than half of the
+    /// part of the one before; the last one always.
+    pub fn of(counts: &[MeshCounts]) -> Vec<Self> {
+        let mut before = 1.0_f64;
+        let next = counts.iter().skip(1).map(Some).chain([None]);
+        let level = |(&counts, next): (&MeshCounts, Option<&MeshCounts>)| {
+            let enough = next.map_or(0.0, |next| next.triangles as f64 * PIXELS_PER_TRIANGLE / PIXELS);
+            before = enough.min(before / 2.0);
+            Self { counts, coverage: before }
+        };
+        counts.iter().zip(next).map(level).collect()
+    }
+}
+
+impl GlbLayout {
+    /// One mesh, in floats.
+    pub fn of(counts: MeshCounts) -> Self {
+        Self { levels: vec![GlbLevel { counts, coverage: 0.0 }], quantization: None }
+    }
+
+    /// The bytes of the file.
+    pub fn bytes(&self) -> u64 {
+        HEADERS[0] + self.json_bytes() + HEADERS[1] + self.buffer()
+    }
+
+    /// Vertices and triangles of all levels.
+    pub fn counts(&self) -> MeshCounts {
+        let sum = |of: fn(&MeshCounts) -> u64| self.levels.iter().map(|level| of(&level.counts)).sum();
+        MeshCounts { vertices: sum(|counts| counts.vertices), triangles: sum(|counts| counts.triangles) }
+    }
+
+    /// Whether a file can hold so much.
+    ///
+    /// # Errors
+    ///
+    /// When there is no level, one shows nothing or counts beyond 32 bits, a coverage is not from 0 to 1 and
+    /// less than the one before, or the file would be longer than 4 GiB.
+    pub fn check(&self) -> Result<(), WriteProblem> {
+        for level in &self.levels {
+            check_counts(level.counts)?;
+        }
+        let coverages: Vec<f64> = self.levels.iter().map(|level| level.coverage).collect();
+        let in_range = coverages.iter().all(|coverage| (0.0..=1.0).contains(coverage));
+        if self.levels.is_empty() || !in_range || coverages.windows(2).any(|pair| pair[1] >= pair[0]) {
+            let what = "levels of detail must be there, and be shown down to less and less of the picture";
+            return Err(WriteProblem::NotStorable(what.to_owned()));
+        }
+        let bytes = self.bytes();
+        if bytes > u64::from(u32::MAX) {
+            let MeshCounts { vertices, triangles } = self.counts();
+            return Err(WriteProblem::NotStorable(format!(
+                "a mesh of {vertices} vertices and {triangles} triangles takes {bytes} bytes as GLB, which \
+                 ends at 4 GiB: write a PLY, or make it coarser"
+            )));
+        }
+        Ok(())
+    }
+
+    /// Bytes of vertices and triangles of a level.
+    fn sizes(&self, counts: MeshCounts) -> [u64; 2] {
+        [attributes(self.quantization.as_ref()).1 * counts.vertices, TRIANGLE * counts.triangles]
+    }
+
+    /// Bytes of the buffer.
+    pub(super) fn buffer(&self) -> u64 {
+        self.levels.iter().flat_map(|level| self.sizes(level.counts)).sum()
+    }
+
+    /// Where vertices and triangles of a level begin in the buffer.
+    pub(super) fn places(&self, level: usize) -> [u64; 2] {
+        let before: u64 = self.levels[..level].iter().flat_map(|level| self.sizes(level.counts)).sum();
+        [before, before + self.sizes(self.levels[level].counts)[0]]
+    }
+
+    /// Bytes of the JSON in the file.
+    pub(super) fn json_bytes(&self) -> u64 {
+        let room = self.levels.len() * (ROOM - PLACE.len());
+        ((self.json().len() + room) as u64).next_multiple_of(4)
+    }
+
+    /// The JSON with the least and the greatest positions of the levels, as long as it is in the file.
+    pub(super) fn json_with(&self, bounds: &[[Vec3; 2]]) -> Vec<u8> {
+        let mut json = self.json();
+        for corners in bounds {
+            let [least, greatest] = corners.map(|corner| {
+                // Codes are whole numbers, and are written as such.
+                let is_whole = self.quantization.is_some();
+                let numbers = corner
+                    .to_array()
+                    .map(|number| if is_whole { format!("{number}") } else { format!("{number:e}") });
+                numbers.join(",")
+            });
+            json = json.replacen(PLACE, &format!(r#","min":[{least}],"max":[{greatest}]"#), 1);
+        }
+        let mut json = json.into_bytes();
+        json.resize(self.json_bytes() as usize, b' ');
+        json
+    }
+
+    /// The JSON, with places for the least and the greatest positions.
+    fn json(&self) -> String {
+        let (lists, vertex_bytes) = attributes(self.quantization.as_ref());
+        let (mut meshes, mut views, mut accessors) = (Vec::new(), Vec::new(), Vec::new());
+        for (at, GlbLevel { counts, .. }) in self.levels.iter().enumerate() {
+            let MeshCounts { vertices, triangles } = *counts;
+            let ([vertices_at, indices_at], sizes) = (self.places(at), self.sizes(*counts));
+            let first = 5 * at;
+            let named = [0, 1, 2, 3].map(|k| format!(r#""{}":{}"#, lists[k].name, first + k)).join(",");
+            meshes.push(
+                format!(r#"{{"primitives":[{{"attributes":{{{named}}},"#)
+                    + &format!(r#""indices":{},"material":0}}]}}"#, first + 4),
+            );
+            views.push(
+                format!(r#"{{"buffer":0,"byteOffset":{vertices_at},"byteLength":{},"#, sizes[0])
+                    + &format!(r#""byteStride":{vertex_bytes},"target":34962}}"#),
+            );
+            views.push(
+                format!(r#"{{"buffer":0,"byteOffset":{indices_at},"byteLength":{},"#, sizes[1])
+                    + r#""target":34963}"#,
+            );
+            for (k, list) in lists.iter().enumerate() {
+                let place = if k == 0 { PLACE } else { "" };
+                accessors.push(list.accessor(2 * at, vertices) + place + "}");
+            }
+            accessors.push(
+                format!(r#"{{"bufferView":{},"componentType":5125,"#, 2 * at + 1)
+                    + &format!(r#""count":{},"type":"SCALAR"}}"#, 3 * triangles),
+            );
+        }
+        let version = env!("CARGO_PKG_VERSION");
+        format!(r#"{{"asset":{{"version":"2.0","generator":"relief {version}"}},"#)
+            + &self.extensions()
+            + &format!(r#""scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{}],"#, self.nodes())
+            + r#""materials":[{"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.5,0.5,1],"metallicFactor":0}}],"#
+            + &format!(r#""meshes":[{}],"#, meshes.join(","))
+            + &format!(r#""buffers":[{{"byteLength":{}}}],"#, self.buffer())
+            + &format!(r#""bufferViews":[{}],"accessors":[{}]}}"#, views.join(","), accessors.join(","))
+    }
+
+    /// The extensions that are used, and that one has to know to read the file.
+    fn extensions(&self) -> String {
+        let quantization = self.quantization.map(|_| r#""KHR_mesh_quantization""#);
+        let lods = (self.levels.len() > 1).then_some(r#""MSFT_lod""#);
+        let used: Vec<&str> = [quantization, lods].into_iter().flatten().collect();
+        let required = quantization.map(|name| format!(r#""extensionsRequired":[{name}],"#));
+        if used.is_empty() {
+            return String::new();
+        }
+        format!(r#""extensionsUsed":[{}],{}"#, used.join(","), required.unwrap_or_default())
+    }
+
+    /// A node for each level.
+    fn nodes(&self) -> String {
+        let place = self.quantization.map(|Quantization { grid, .. }| {
+            let (step, [x, y, z]) = (grid.step_m(), grid.origin_m().to_array());
+            format!(r#","scale":[{step:e},{step:e},{step:e}],"translation":[{x:e},{y:e},{z:e}]"#)
+        });
+        let place = place.unwrap_or_default();
+        let node = |at: usize| {
+            let more = if at == 0 && self.levels.len() > 1 { self.lods() } else { String::new() };
+            format!(r#"{{"mesh":{at}{place}{more}}}"#)
+        };
+        (0..self.levels.len()).map(node).collect::<Vec<_>>().join(",")
+    }
+
+    /// What names the other levels.
+    fn lods(&self) -> String {
+        let ids: Vec<String> = (1..self.levels.len()).map(|level| level.to_string()).collect();
+        let coverages: Vec<String> =
+            self.levels.iter().map(|level| format!("{:e}", level.coverage)).collect();
+        format!(r#","extensions":{{"MSFT_lod":{{"ids":[{}]}}}},"#, ids.join(","))
+            + &format!(r#""extras":{{"MSFT_screencoverage":[{}]}}"#, coverages.join(","))
+    }
+}
