@@ -21,6 +21,10 @@ const BYTES_PER_VERTEX: u64 = 2 * size_of::<Corner>() as u64 + 24;
 /// Memory that a triangle takes: as the shaders have it, and in the hierarchy for rays.
 const BYTES_PER_TRIANGLE: u64 = 48 + RayCaster::BYTES_PER_TRIANGLE;
 
+/// The least distance of vertices that a view asks for, in texels: between those of a patch of four texels
+/// there is nothing to be found but a smooth bend.
+const FINEST_TEXELS: f64 = 0.25;
+
 /// Why a surface has no displaced triangles.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum GeometryError {
@@ -72,7 +76,8 @@ impl DisplacedOf {
             Geometry::Texels(texels) => Cut::Texels(texels),
             Geometry::Pixels(pixels) => {
                 let view = View::new(*scene.camera(), scene.size());
-                Cut::Seen(View { pixels: pixels.into(), ..view }, selection.levels_of(map))
+                let view = View { pixels: pixels.into(), ..view };
+                Cut::Seen(no_finer(view, surface), selection.levels_of(map))
             }
         };
         Some(Self { mesh: Arc::clone(surface.mesh()), map: Arc::clone(map), cut })
@@ -103,6 +108,23 @@ impl DisplacedOf {
                 Mesher::with_levels(mesh, map, &coarser, &MeshSettings::seen_by(view), watch)
             }
         }
+    }
+}
+
+/// The view with voxels that are nowhere smaller than a part of a texel.
+fn no_finer(view: View, surface: &Surface) -> View {
+    let (map, [u, v]) = (surface.height_map(), surface.metric().tile_m);
+    let texel_m = (u / f64::from(map.width())).min(v / f64::from(map.height()));
+    let [voxel_m, least_m] =
+        [view.pixels * 2.0 * view.camera.half_height() / f64::from(view.size[1]), FINEST_TEXELS * texel_m];
+    if !(least_m.is_finite() && least_m > 0.0) {
+        return view;
+    }
+    if view.camera.is_orthographic() {
+        View { pixels: view.pixels * (least_m / voxel_m).max(1.0), ..view }
+    } else {
+        // Of what is nearer voxels are as large as they are there.
+        View { near_m: view.near_m.max(least_m / voxel_m), ..view }
     }
 }
 
@@ -197,4 +219,51 @@ pub fn corner(vertex: &Vertex) -> Corner {
         vertex.uv.to_array(),
         [0.0; 3],
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+    use relief_core::Wrap;
+    use relief_core::camera::Camera;
+    use relief_core::mesh::torus;
+    use relief_shaders::Selection;
+
+    use super::*;
+
+    #[test]
+    fn triangles_are_made_again_where_what_they_are_made_of_is_another() {
+        let map = HeightMap::from_fn(32, 32, Wrap::Repeat, |i, j| ((i ^ j) & 4) as f32 / 4.0);
+        let map = Arc::new(map.expect("a map").with_displacement(0.02, 0.0).expect("lengths"));
+        let mesh = Arc::new(torus(12, 6).expect("a mesh"));
+        let of = |method: &str| {
+            let selection = Selection::method(method).expect("a method");
+            Surface::new(Arc::clone(&mesh), Arc::clone(&map)).with_selection(selection)
+        };
+        let surfaces = vec![of("vertex"), of("remesh"), of("exact"), of("vertex")];
+        let camera = |x: f64| Camera::new(DVec3::new(x, 1.0, 1.0), DVec3::ZERO, 40.0).expect("a camera");
+        let scene = Scene::builder(of("exact")).surfaces(surfaces).size(90, 60).camera(camera(0.5));
+        let mut scene = scene.build().expect("a scene");
+        let (mut displaced, never) = (Displaced::default(), AtomicBool::new(false));
+        let mut made = |scene: &Scene| displaced.of_scene(scene, &never).expect("triangles");
+        let is_same = |a: &Option<Arc<Triangles>>, b: &Option<Arc<Triangles>>| {
+            a.as_ref().zip(b.as_ref()).is_some_and(|(a, b)| Arc::ptr_eq(a, b))
+        };
+        let first = made(&scene);
+        assert!(first[2].is_none() && is_same(&first[0], &first[3]));
+        let again = made(&scene);
+        assert!(is_same(&first[0], &again[0]) && is_same(&first[1], &again[1]));
+        scene.set_camera(camera(0.6));
+        let moved = made(&scene);
+        assert!(is_same(&first[0], &moved[0]) && !is_same(&first[1], &moved[1]));
+        let other = scene.to_builder().size(120, 60).build().expect("a scene");
+        assert!(!is_same(&moved[1], &made(&other)[1]));
+        // Another displacement is another map, and what was cancelled is not there.
+        let map = HeightMap::with_displacement((*map).clone(), 0.03, 0.0).expect("lengths");
+        let surface = of("vertex").with_height_map(map);
+        let other = scene.to_builder().surfaces(vec![surface]).build().expect("a scene");
+        assert!(!is_same(&first[0], &made(&other)[0]));
+        let stopped = displaced.of_scene(&scene, &AtomicBool::new(true));
+        assert!(matches!(stopped, Err(RenderError::Stopped)));
+    }
 }

@@ -3599,7 +3599,7 @@ impl<'g> Resources<'g> {
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_25 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
+        let uv_26 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
         let tangent_1 = (((pixel_19.a.tangent * wa) + (pixel_19.b.tangent * wb_1)) + (pixel_19.c.tangent * wc_1));
         let bitangent = (((pixel_19.a.bitangent * wa) + (pixel_19.b.bitangent * wb_1)) + (pixel_19.c.bitangent * wc_1));
         let normal_19 = ((((pixel_19.a.normal * wa) + (pixel_19.b.normal * wb_1)) + (pixel_19.c.normal * wc_1)).normalize() * rt::Scalar(pixel_19.side));
@@ -3617,7 +3617,7 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_21;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_12, uv_25, tangent_1, bitangent, normal_19, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_12, uv_26, tangent_1, bitangent, normal_19, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -3727,11 +3727,11 @@ impl<'g> Resources<'g> {
         let mut at_22: Entered;
 
         let third_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_26 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
+        let uv_27 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_24, along_6);
         let point_13 = (pixel_24.origin + (along_6 * _e17));
         let _e20 = self.v_facing_of(pixel_24, along_6);
-        let _e21 = self.v_frame_at(pixel_24, third_1, point_13, uv_26, _e20);
+        let _e21 = self.v_frame_at(pixel_24, third_1, point_13, uv_27, _e20);
         at_22 = _e21;
         rt::Scalar(at_22.segments) = rt::Scalar(0u32);
         let _e25 = at_22;
@@ -4174,8 +4174,8 @@ impl<'g> Resources<'g> {
     fn v_passed_by(&self) -> Entered {
         let zero_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let zeros = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let uv_27 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_27, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_27, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let uv_28 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_28, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_28, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shell_point_from(
         &self,
@@ -4689,6 +4689,24 @@ impl<'g> Resources<'g> {
         }
         return (normal_11.dot(a_16) / across_3).clamp(least_1, most_7);
     }
+    pub(crate) fn is_on_map(&self, uv_9: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_is_on_map(rt::into(uv_9)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_is_on_map(&self, uv_9: rt::Vec2<f32>) -> rt::Scalar<bool> {
+        let mut local_29: rt::Scalar<bool>;
+
+        let beyond_4 = ((uv_9.x() - rt::Scalar(0.5f32)).abs().max((uv_9.y() - rt::Scalar(0.5f32)).abs()) - rt::Scalar(0.5f32));
+        let _e14 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition((!_e14.elementwise_ne(WRAP_CLAMP))) {
+            local_29 = beyond_4.elementwise_le(rt::Scalar(0.000001f32));
+        } else {
+            local_29 = rt::Scalar(true);
+        }
+        let _e23 = local_29;
+        return _e23;
+    }
     pub(crate) fn surface_facets_enter(
         &self,
         pixel_38: PixelIn,
@@ -4702,21 +4720,30 @@ impl<'g> Resources<'g> {
         pixel_38: PixelIn,
         params_18: rt::Vec4<f32>,
     ) -> Entered {
+        let mut local_30: rt::Scalar<bool>;
+
         let _e2 = self.v_plane_normal(pixel_38);
         let _e5 = self.v_facet_distance(pixel_38, _e2);
         let point_14 = (pixel_38.origin + (pixel_38.direction * _e5));
         let _e8 = self.v_plane_weights(pixel_38, _e2, point_14);
         let inside_6 = _e8.max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
         let w_3 = (inside_6 / rt::Vec3::splat_from_scalar(((inside_6.x() + inside_6.y()) + inside_6.z())));
-        let uv_28 = (((pixel_38.a.uv * w_3.x()) + (pixel_38.b.uv * w_3.y())) + (pixel_38.c.uv * w_3.z()));
+        let uv_29 = (((pixel_38.a.uv * w_3.x()) + (pixel_38.b.uv * w_3.y())) + (pixel_38.c.uv * w_3.z()));
         let tangent_3 = (((pixel_38.a.tangent * w_3.x()) + (pixel_38.b.tangent * w_3.y())) + (pixel_38.c.tangent * w_3.z()));
         let bitangent_2 = (((pixel_38.a.bitangent * w_3.x()) + (pixel_38.b.bitangent * w_3.y())) + (pixel_38.c.bitangent * w_3.z()));
         let sum_3 = ((((pixel_38.a.normal * w_3.x()) + (pixel_38.b.normal * w_3.y())) + (pixel_38.c.normal * w_3.z())) * rt::Scalar(pixel_38.side));
         let tt_1 = tangent_3.dot(tangent_3);
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
-        let _e91 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))), point_14, uv_28, tangent_3, bitangent_2, sum_3.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e91), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
+            let _e89 = self.v_is_on_map(uv_29);
+            local_30 = _e89;
+        } else {
+            local_30 = rt::Scalar(false);
+        }
+        let _e91 = local_30;
+        let _e96 = rt::Scalar(self.surface_settings.scale_m);
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e91), point_14, uv_29, tangent_3, bitangent_2, sum_3.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e96), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_enter_stage(&self, pixel_39: PixelIn) -> Entered {
         rt::into(self.v_surface_enter_stage(pixel_39))
@@ -4807,7 +4834,7 @@ impl<'g> Resources<'g> {
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
         let mut cost_1: rt::Vec3<u32>;
-        let mut local_29: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
 
         near_1 = above;
         far_1 = below;
@@ -4832,11 +4859,11 @@ impl<'g> Resources<'g> {
                     let _e33 = near_1;
                     if rt::Scalar::into_branch_condition(middle_11.elementwise_gt(_e33)) {
                         let _e37 = far_1;
-                        local_29 = middle_11.elementwise_lt(_e37);
+                        local_31 = middle_11.elementwise_lt(_e37);
                     } else {
-                        local_29 = rt::Scalar(false);
+                        local_31 = rt::Scalar(false);
                     }
-                    let _e40 = local_29;
+                    let _e40 = local_31;
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
@@ -4882,23 +4909,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_at(
         &self,
-        uv_9: impl rt::Into<rt::Vec2<f32>>,
+        uv_10: impl rt::Into<rt::Vec2<f32>>,
         layer_5: impl rt::Into<rt::Scalar<i32>>,
         level_14: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_9), rt::into(layer_5), rt::into(level_14)))
+        rt::into(self.v_normal_at(rt::into(uv_10), rt::into(layer_5), rt::into(level_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_at(
         &self,
-        uv_9: rt::Vec2<f32>,
+        uv_10: rt::Vec2<f32>,
         layer_5: rt::Scalar<i32>,
         level_14: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.normal_size;
         let _e6 = self.v_level_texels(_e5, level_14);
-        let _e7 = self.v_texels_around(uv_9, _e6);
+        let _e7 = self.v_texels_around(uv_10, _e6);
         let k_30 = level_14.cast_elem_as_i32();
         let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_30));
         let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_30));
@@ -4939,18 +4966,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn slopes_between_creases(
         &self,
         at_29: Entered,
-        uv_10: impl rt::Into<rt::Vec2<f32>>,
+        uv_11: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_slopes_between_creases(at_29, rt::into(uv_10)))
+        rt::into(self.v_slopes_between_creases(at_29, rt::into(uv_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slopes_between_creases(
         &self,
         at_29: Entered,
-        uv_10: rt::Vec2<f32>,
+        uv_11: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
-        let point_15 = ((uv_10 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let point_15 = ((uv_11 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e9 = self.v_cell_of(point_15);
         let part_12 = (point_15 - _e9);
         let i_2 = _e9.cast_elem_as_i32();
@@ -5004,20 +5031,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn normal_from_height(
         &self,
         at_31: Entered,
-        uv_11: impl rt::Into<rt::Vec2<f32>>,
+        uv_12: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_31, rt::into(uv_11)))
+        rt::into(self.v_normal_from_height(at_31, rt::into(uv_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
         at_31: Entered,
-        uv_11: rt::Vec2<f32>,
+        uv_12: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let _e6 = rt::Scalar(self.surface_settings.has_creases);
         if rt::Scalar::into_branch_condition(_e6.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_slopes_between_creases(at_31, uv_11);
+            let _e9 = self.v_slopes_between_creases(at_31, uv_12);
             let _e13 = rt::Scalar(self.surface_settings.scale_m);
             let slopes = ((_e9 * _e3) * _e13);
             let _e17 = self.v_normal_of_slopes(at_31, slopes.x(), slopes.y());
@@ -5025,11 +5052,11 @@ impl<'g> Resources<'g> {
         }
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
         let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
-        let _e30 = self.v_height_at((uv_11 + du), rt::Scalar(0u32));
-        let _e33 = self.v_height_at((uv_11 - du), rt::Scalar(0u32));
+        let _e30 = self.v_height_at((uv_12 + du), rt::Scalar(0u32));
+        let _e33 = self.v_height_at((uv_12 - du), rt::Scalar(0u32));
         let rise_u = (_e30 - _e33);
-        let _e37 = self.v_height_at((uv_11 + dv), rt::Scalar(0u32));
-        let _e40 = self.v_height_at((uv_11 - dv), rt::Scalar(0u32));
+        let _e37 = self.v_height_at((uv_12 + dv), rt::Scalar(0u32));
+        let _e40 = self.v_height_at((uv_12 - dv), rt::Scalar(0u32));
         let rise_v = (_e37 - _e40);
         let _e47 = rt::Scalar(self.surface_settings.scale_m);
         let slope_u_1 = (rise_u * ((rt::Scalar(0.5f32) * _e3.x()) * _e47));
@@ -5041,24 +5068,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn finest_normal(
         &self,
         at_32: Entered,
-        uv_12: impl rt::Into<rt::Vec2<f32>>,
+        uv_13: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_32, rt::into(uv_12)))
+        rt::into(self.v_finest_normal(at_32, rt::into(uv_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_finest_normal(
         &self,
         at_32: Entered,
-        uv_12: rt::Vec2<f32>,
+        uv_13: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_normal_at(uv_12, rt::Scalar(0i32), rt::Scalar(0u32));
+            let _e9 = self.v_normal_at(uv_13, rt::Scalar(0i32), rt::Scalar(0u32));
             let _e11 = self.v_from_tangent_space(at_32, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_32, uv_12);
+        let _e13 = self.v_normal_from_height(at_32, uv_13);
         return _e13;
     }
     pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
@@ -5153,7 +5180,7 @@ impl<'g> Resources<'g> {
         let mut a_8: WayPoint;
         let mut b_8: WayPoint;
         let mut path_17: Path;
-        let mut local_30: rt::Scalar<bool>;
+        let mut local_32: rt::Scalar<bool>;
 
         let along_24 = pixel_42.direction.normalize();
         let _e6 = self.v_middle_of(pixel_42, along_24);
@@ -5194,11 +5221,11 @@ impl<'g> Resources<'g> {
         let _e67 = rt::Scalar(a_8.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
             let _e76 = rt::Scalar(b_8.beside);
-            local_30 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
+            local_32 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
         } else {
-            local_30 = rt::Scalar(true);
+            local_32 = rt::Scalar(true);
         }
-        let _e82 = local_30;
+        let _e82 = local_32;
         if rt::Scalar::into_branch_condition(_e82) {
             rt::Scalar(path_17.exit) = rt::Scalar(0f32);
         }
@@ -5239,8 +5266,8 @@ impl<'g> Resources<'g> {
         let _e33 = self.v_shell_point_from(_e12, (along_25 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
         let _e56 = self.v_chord_reach(pixel_43, at_35, _e11, params_21);
-        let beyond_4 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e68 = self.v_chord_path(pixel_43, at_35, _e11, params_21, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_4);
+        let beyond_5 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
+        let _e68 = self.v_chord_path(pixel_43, at_35, _e11, params_21, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
         return _e68;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
@@ -5262,7 +5289,7 @@ impl<'g> Resources<'g> {
     ) -> Path {
         let mut begin_1: rt::Scalar<f32>;
         let mut end_1: rt::Scalar<f32>;
-        let mut local_31: rt::Scalar<bool>;
+        let mut local_33: rt::Scalar<bool>;
         let mut path_18: Path;
         let mut inside_2: rt::Vec2<f32>;
 
@@ -5288,11 +5315,11 @@ impl<'g> Resources<'g> {
         end_1 = (at_36.quadric.w() - (_e57 / _e10));
         if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_22.z().cast_elem_as_u32())) {
             let _e68 = end_1;
-            local_31 = _e68.elementwise_lt(rt::Scalar(0.5f32));
+            local_33 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
-            local_31 = rt::Scalar(false);
+            local_33 = rt::Scalar(false);
         }
-        let _e72 = local_31;
+        let _e72 = local_33;
         if rt::Scalar::into_branch_condition(_e72) {
             let _e73 = end_1;
             end_1 = _e73.min(rt::Scalar(-0.000001f32));
@@ -5348,13 +5375,13 @@ impl<'g> Resources<'g> {
         k_5: rt::Scalar<u32>,
         params_23: rt::Vec4<f32>,
     ) -> Path {
-        let mut local_32: rt::Scalar<bool>;
-        let mut local_33: rt::Scalar<bool>;
+        let mut local_34: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
         let mut enter_1: rt::Scalar<f32>;
         let mut leave_5: rt::Scalar<f32>;
         let mut interval_4: rt::Vec2<f32>;
         let mut path_19: Path;
-        let mut local_34: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
 
         let along_27 = pixel_45.direction.length();
         let direction_6 = (pixel_45.direction / rt::Vec3::splat_from_scalar(along_27));
@@ -5373,16 +5400,16 @@ impl<'g> Resources<'g> {
         let _e35 = self.v_bent_descent(((height_12 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
             if rt::Scalar::into_branch_condition((!height_12.elementwise_lt(rt::Scalar(1f32)))) {
-                local_33 = _e35.elementwise_ge(rt::Scalar(0f32));
+                local_35 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
-                local_33 = rt::Scalar(true);
+                local_35 = rt::Scalar(true);
             }
-            let _e48 = local_33;
-            local_32 = _e48;
+            let _e48 = local_35;
+            local_34 = _e48;
         } else {
-            local_32 = rt::Scalar(false);
+            local_34 = rt::Scalar(false);
         }
-        let comes_down = local_32;
+        let comes_down = local_34;
         enter_1 = _e35.max(eye_3);
         let _e53 = enter_1;
         let _e54 = enter_1;
@@ -5426,11 +5453,11 @@ impl<'g> Resources<'g> {
         path_19 = <Path>::new((at_37.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_9 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_37.metric, RAY_VIEW, rt::Scalar(at_37.level), (distance_2 + _e137), rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
             let _e147 = rt::Scalar(path_19.exit);
-            local_34 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
+            local_36 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_34 = rt::Scalar(true);
+            local_36 = rt::Scalar(true);
         }
-        let _e152 = local_34;
+        let _e152 = local_36;
         if rt::Scalar::into_branch_condition(_e152) {
             rt::Scalar(path_19.exit) = rt::Scalar(0f32);
         }
@@ -5478,25 +5505,25 @@ impl<'g> Resources<'g> {
         let _e34 = self.v_ordered(pixel_46, rt::Scalar(2u32));
         let w_4 = chosen_1.weights;
         let g = chosen_1.change;
-        let uv_29 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
+        let uv_30 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
         let _e61 = self.v_shell_slack(pixel_46, _e6);
-        let beyond_5 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
+        let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
         let _e68 = chosen_1.inside;
         inside_3 = _e68;
         let _e70 = inside_3;
-        let _e77 = self.v_where_positive(_e70, (w_4.w() - pixel_46.shell.heights.x()), g.w(), beyond_5);
+        let _e77 = self.v_where_positive(_e70, (w_4.w() - pixel_46.shell.heights.x()), g.w(), beyond_6);
         inside_3 = _e77;
         let _e78 = inside_3;
-        let _e87 = self.v_where_positive(_e78, (pixel_46.shell.heights.y() - w_4.w()), (rt::Scalar(0f32) - g.w()), beyond_5);
+        let _e87 = self.v_where_positive(_e78, (pixel_46.shell.heights.y() - w_4.w()), (rt::Scalar(0f32) - g.w()), beyond_6);
         inside_3 = _e87;
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_3;
-            let _e96 = self.v_inside_unit(uv_29.x(), duv_7.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_30.x(), duv_7.x(), _e95);
             inside_3 = _e96;
             let _e99 = inside_3;
-            let _e100 = self.v_inside_unit(uv_29.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_30.y(), duv_7.y(), _e99);
             inside_3 = _e100;
         }
         let whole_1 = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -5507,7 +5534,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_20 = <Path>::new((uv_29 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_38.metric, RAY_VIEW, rt::Scalar(at_38.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
+        path_20 = <Path>::new((uv_30 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_38.metric, RAY_VIEW, rt::Scalar(at_38.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
         let _e158 = rt::Scalar(path_20.exit);
         if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
             let _e161 = path_20;
@@ -5698,15 +5725,15 @@ impl<'g> Resources<'g> {
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_35: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(t_14.elementwise_gt(rt::Scalar(path_24.exit))) {
             let _e9 = self.v_path_height(path_24, rt::Scalar(path_24.exit));
-            local_35 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+            local_37 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_35 = rt::Scalar(false);
+            local_37 = rt::Scalar(false);
         }
-        let _e13 = local_35;
+        let _e13 = local_37;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
@@ -5721,17 +5748,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_starting_point(&self, path_25: Path, found: Found) -> rt::Scalar<f32> {
-        let mut local_36: rt::Scalar<bool>;
+        let mut local_38: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_25.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
-            local_36 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
+            local_38 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_36 = rt::Scalar(true);
+            local_38 = rt::Scalar(true);
         }
-        let _e16 = local_36;
+        let _e16 = local_38;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found.far);
         }
@@ -5834,20 +5861,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn height_and_slope(
         &self,
-        uv_13: impl rt::Into<rt::Vec2<f32>>,
+        uv_14: impl rt::Into<rt::Vec2<f32>>,
         level_15: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_13), rt::into(level_15)))
+        rt::into(self.v_height_and_slope(rt::into(uv_14), rt::into(level_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_height_and_slope(
         &self,
-        uv_13: rt::Vec2<f32>,
+        uv_14: rt::Vec2<f32>,
         level_15: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_height_size(level_15);
-        let point_16 = ((uv_13 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let point_16 = ((uv_14 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_16);
         let f_1 = (point_16 - _e8);
         let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_15);
@@ -5991,28 +6018,28 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found_6: Found) -> rt::Scalar<bool> {
-        let mut local_37: rt::Scalar<bool>;
-        let mut local_38: rt::Scalar<bool>;
         let mut local_39: rt::Scalar<bool>;
+        let mut local_40: rt::Scalar<bool>;
+        let mut local_41: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.far).elementwise_gt(rt::Scalar(found_6.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_6.status).elementwise_eq(FOUND_BRACKET))) {
-                local_38 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
+                local_40 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
-                local_38 = rt::Scalar(true);
+                local_40 = rt::Scalar(true);
             }
-            let _e16 = local_38;
+            let _e16 = local_40;
             if rt::Scalar::into_branch_condition((!_e16)) {
-                local_39 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
+                local_41 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
             } else {
-                local_39 = rt::Scalar(true);
+                local_41 = rt::Scalar(true);
             }
-            let _e24 = local_39;
-            local_37 = _e24;
+            let _e24 = local_41;
+            local_39 = _e24;
         } else {
-            local_37 = rt::Scalar(false);
+            local_39 = rt::Scalar(false);
         }
-        let _e26 = local_37;
+        let _e26 = local_39;
         return _e26;
     }
     pub(crate) fn refine_binary(
@@ -6033,7 +6060,7 @@ impl<'g> Resources<'g> {
         let mut near_2: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_40: rt::Scalar<bool>;
+        let mut local_42: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_11: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -6048,11 +6075,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
             let _e19 = self.v_path_height(path_32, _e18);
-            local_40 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_42 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_40 = rt::Scalar(true);
+            local_42 = rt::Scalar(true);
         }
-        let _e23 = local_40;
+        let _e23 = local_42;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -6300,7 +6327,7 @@ impl<'g> Resources<'g> {
         let mut t_19: rt::Scalar<f32>;
         let mut cell_7: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_41: rt::Scalar<bool>;
+        let mut local_43: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_10.cost);
@@ -6357,11 +6384,11 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(found_10.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_41 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
+                            local_43 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_41 = rt::Scalar(true);
+                            local_43 = rt::Scalar(true);
                         }
-                        let _e89 = local_41;
+                        let _e89 = local_43;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
                             let _e93 = self.v_hit_on_path(path_35, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
@@ -6603,15 +6630,15 @@ impl<'g> Resources<'g> {
         first_1: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_42: rt::Scalar<bool>;
+        let mut local_44: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_6.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first_1) {
-                local_42 = c_6.x().elementwise_lt(rt::Scalar(0f32));
+                local_44 = c_6.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_42 = rt::Scalar(false);
+                local_44 = rt::Scalar(false);
             }
-            let _e14 = local_42;
+            let _e14 = local_44;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_6.x(), c_6.x(), cost_10);
             }
@@ -6703,14 +6730,14 @@ impl<'g> Resources<'g> {
         cell_9: rt::Scalar<i32>,
         n_4: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_43: rt::Scalar<bool>;
+        let mut local_45: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_9.elementwise_ge(rt::Scalar(0i32))) {
-            local_43 = cell_9.elementwise_lt(n_4);
+            local_45 = cell_9.elementwise_lt(n_4);
         } else {
-            local_43 = rt::Scalar(false);
+            local_45 = rt::Scalar(false);
         }
-        let _e8 = local_43;
+        let _e8 = local_45;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_9, rt::Scalar(0i32));
         }
@@ -6747,17 +6774,17 @@ impl<'g> Resources<'g> {
         cell_10: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_44: rt::Scalar<bool>;
+        let mut local_46: rt::Scalar<bool>;
 
         let _e4 = self.v_height_texels(rt::Scalar(path_41.level));
         let _e7 = self.v_image_of(cell_10.x(), _e4.x());
         let _e10 = self.v_image_of(cell_10.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_44 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_46 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_44 = rt::Scalar(true);
+            local_46 = rt::Scalar(true);
         }
-        let _e21 = local_44;
+        let _e21 = local_46;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
@@ -6839,7 +6866,7 @@ impl<'g> Resources<'g> {
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_2: rt::Scalar<f32>;
-        let mut local_45: rt::Scalar<bool>;
+        let mut local_47: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_43);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -6882,11 +6909,11 @@ impl<'g> Resources<'g> {
                     let _e82 = self.v_least_at(above_6, span_8);
                     let _e83 = self.v_quadratic(above_6, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_45 = above_6.x().elementwise_gt(of_heights);
+                        local_47 = above_6.x().elementwise_gt(of_heights);
                     } else {
-                        local_45 = rt::Scalar(false);
+                        local_47 = rt::Scalar(false);
                     }
-                    let _e90 = local_45;
+                    let _e90 = local_47;
                     if rt::Scalar::into_branch_condition(_e90) {
                         if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_43.exit))) {
                             let _e93 = cell_11;
@@ -6986,7 +7013,7 @@ impl<'g> Resources<'g> {
         t_23: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_46: rt::Scalar<bool>;
+        let mut local_48: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
         let rest_5 = (rt::Scalar(path_44.exit) - t_23);
@@ -7011,11 +7038,11 @@ impl<'g> Resources<'g> {
         let aside_4 = (((grid_6.origin - offset_4) + (grid_6.step * t_23)) / _e85);
         let c_12 = (((slope_3 * aside_4.length()) - gap_2) * ((slope_3 * aside_4.length()) + gap_2));
         if rt::Scalar::into_branch_condition((!gap_2.elementwise_le(rt::Scalar(0f32)))) {
-            local_46 = c_12.elementwise_ge(rt::Scalar(0f32));
+            local_48 = c_12.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_46 = rt::Scalar(true);
+            local_48 = rt::Scalar(true);
         }
-        let _e102 = local_46;
+        let _e102 = local_48;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
@@ -7160,7 +7187,7 @@ impl<'g> Resources<'g> {
         n_5: rt::Scalar<i32>,
         level_16: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_47: rt::Scalar<bool>;
+        let mut local_49: rt::Scalar<bool>;
 
         let first_10 = ((image.x() >> level_16) << level_16);
         let side_3 = (rt::Scalar(1i32) << level_16);
@@ -7174,11 +7201,11 @@ impl<'g> Resources<'g> {
         }
         if rt::Scalar::into_branch_condition(level_16.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_47 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_49 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_47 = rt::Scalar(false);
+            local_49 = rt::Scalar(false);
         }
-        let _e43 = local_47;
+        let _e43 = local_49;
         if rt::Scalar::into_branch_condition(_e43) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_5, cell_13.elementwise_ge(n_5)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_13.elementwise_ge(n_5)));
         }
@@ -7227,10 +7254,10 @@ impl<'g> Resources<'g> {
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_48: rt::Scalar<bool>;
-        let mut local_49: rt::Scalar<bool>;
         let mut local_50: rt::Scalar<bool>;
         let mut local_51: rt::Scalar<bool>;
+        let mut local_52: rt::Scalar<bool>;
+        let mut local_53: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_46);
         let _e4 = self.v_height_texels(rt::Scalar(path_46.level));
@@ -7279,24 +7306,24 @@ impl<'g> Resources<'g> {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_1.x()))) {
                             let _e89 = parent.y();
-                            local_49 = _e89.elementwise_ne(over_1.y());
+                            local_51 = _e89.elementwise_ne(over_1.y());
                         } else {
-                            local_49 = rt::Scalar(true);
+                            local_51 = rt::Scalar(true);
                         }
-                        let _e93 = local_49;
-                        local_48 = _e93;
-                    } else {
-                        local_48 = rt::Scalar(false);
-                    }
-                    let left_4 = local_48;
-                    if rt::Scalar::into_branch_condition(left_4) {
-                        let _e98 = level_17;
-                        let _e99 = top;
-                        local_50 = _e98.elementwise_lt(_e99);
+                        let _e93 = local_51;
+                        local_50 = _e93;
                     } else {
                         local_50 = rt::Scalar(false);
                     }
-                    let _e102 = local_50;
+                    let left_4 = local_50;
+                    if rt::Scalar::into_branch_condition(left_4) {
+                        let _e98 = level_17;
+                        let _e99 = top;
+                        local_52 = _e98.elementwise_lt(_e99);
+                    } else {
+                        local_52 = rt::Scalar(false);
+                    }
+                    let _e102 = local_52;
                     if rt::Scalar::into_branch_condition(_e102) {
                         level_17 = above_level;
                     }
@@ -7350,11 +7377,11 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition((!gap_3.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e214 = self.v_least_at(gap_3, span_10);
                             let _e215 = self.v_quadratic(gap_3, _e214);
-                            local_51 = _e215.elementwise_le(rt::Scalar(0f32));
+                            local_53 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_51 = rt::Scalar(true);
+                            local_53 = rt::Scalar(true);
                         }
-                        let _e219 = local_51;
+                        let _e219 = local_53;
                         if rt::Scalar::into_branch_condition(_e219) {
                             if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
                                 let _e223 = t_25;
@@ -7410,18 +7437,18 @@ impl<'g> Resources<'g> {
         n_6: rt::Scalar<i32>,
         level_18: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_52: rt::Scalar<bool>;
+        let mut local_54: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_6);
         let first_11 = ((_e3 >> level_18) << level_18);
         let last_5 = (first_11 + (rt::Scalar(1i32) << level_18)).min(n_6);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_52 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_54 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_52 = rt::Scalar(true);
+            local_54 = rt::Scalar(true);
         }
-        let _e20 = local_52;
+        let _e20 = local_54;
         if rt::Scalar::into_branch_condition(_e20) {
             return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_11), ((texel_2 - _e3) + last_5));
         }
@@ -7622,10 +7649,10 @@ impl<'g> Resources<'g> {
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_53: rt::Scalar<bool>;
-        let mut local_54: rt::Scalar<bool>;
         let mut local_55: rt::Scalar<bool>;
         let mut local_56: rt::Scalar<bool>;
+        let mut local_57: rt::Scalar<bool>;
+        let mut local_58: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_48);
         let _e4 = self.v_height_texels(rt::Scalar(path_48.level));
@@ -7656,11 +7683,11 @@ impl<'g> Resources<'g> {
                     let _e50 = cell_16.y();
                     let _e53 = self.v_image_of(_e50.cast_elem_as_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_53 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_55 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_53 = rt::Scalar(true);
+                        local_55 = rt::Scalar(true);
                     }
-                    let _e64 = local_53;
+                    let _e64 = local_55;
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
@@ -7696,18 +7723,18 @@ impl<'g> Resources<'g> {
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_54 = _e131.elementwise_lt(end_11);
+                            local_56 = _e131.elementwise_lt(end_11);
                         } else {
-                            local_54 = rt::Scalar(false);
+                            local_56 = rt::Scalar(false);
                         }
-                        let _e134 = local_54;
+                        let _e134 = local_56;
                         if rt::Scalar::into_branch_condition(_e134) {
                             let _e137 = self.v_path_height(path_48, end_11);
-                            local_55 = _e137.elementwise_lt(_e72.x());
+                            local_57 = _e137.elementwise_lt(_e72.x());
                         } else {
-                            local_55 = rt::Scalar(false);
+                            local_57 = rt::Scalar(false);
                         }
-                        let _e141 = local_55;
+                        let _e141 = local_57;
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
@@ -7718,11 +7745,11 @@ impl<'g> Resources<'g> {
                     let _e145 = next_3;
                     if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_11))) {
                         let _e150 = t_27;
-                        local_56 = (!end_11.elementwise_gt(_e150));
+                        local_58 = (!end_11.elementwise_gt(_e150));
                     } else {
-                        local_56 = rt::Scalar(true);
+                        local_58 = rt::Scalar(true);
                     }
-                    let _e154 = local_56;
+                    let _e154 = local_58;
                     if rt::Scalar::into_branch_condition(_e154) {
                         let _e155 = looks;
                         if rt::Scalar::into_branch_condition(_e155) {
@@ -7780,7 +7807,7 @@ impl<'g> Resources<'g> {
         let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_57: rt::Scalar<bool>;
+        let mut local_59: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_49);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -7838,11 +7865,11 @@ impl<'g> Resources<'g> {
                         let _e116 = next_4;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_12))) {
                             let _e121 = t_28;
-                            local_57 = (!end_12.elementwise_gt(_e121));
+                            local_59 = (!end_12.elementwise_gt(_e121));
                         } else {
-                            local_57 = rt::Scalar(true);
+                            local_59 = rt::Scalar(true);
                         }
-                        let _e125 = local_57;
+                        let _e125 = local_59;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
@@ -7899,7 +7926,7 @@ impl<'g> Resources<'g> {
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
         let mut k_15: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_58: rt::Scalar<bool>;
+        let mut local_60: rt::Scalar<bool>;
 
         let aside_5 = path_50.duv.length();
         'naga_break: loop {
@@ -7919,11 +7946,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
                         let _e27 = t_29;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_58 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_60 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_58 = rt::Scalar(false);
+                            local_60 = rt::Scalar(false);
                         }
-                        let _e35 = local_58;
+                        let _e35 = local_60;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
@@ -7999,11 +8026,11 @@ impl<'g> Resources<'g> {
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_59: rt::Scalar<bool>;
+        let mut local_61: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_60: rt::Scalar<bool>;
+        let mut local_62: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_51);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -8042,11 +8069,11 @@ impl<'g> Resources<'g> {
                         let _e79 = t_30;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_59 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_61 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_59 = rt::Scalar(false);
+                            local_61 = rt::Scalar(false);
                         }
-                        let _e87 = local_59;
+                        let _e87 = local_61;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
                             let _e89 = t_30;
@@ -8110,11 +8137,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(params_46.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
                         let _e178 = t_30;
-                        local_60 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_51.exit))));
+                        local_62 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_51.exit))));
                     } else {
-                        local_60 = rt::Scalar(false);
+                        local_62 = rt::Scalar(false);
                     }
-                    let _e186 = local_60;
+                    let _e186 = local_62;
                     if rt::Scalar::into_branch_condition(_e186) {
                         let _e188 = t_30;
                         let _e190 = gap;
@@ -8168,7 +8195,7 @@ impl<'g> Resources<'g> {
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_61: rt::Scalar<bool>;
+        let mut local_63: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_52);
@@ -8203,11 +8230,11 @@ impl<'g> Resources<'g> {
                         let _e52 = t_31;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_61 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_63 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_61 = rt::Scalar(false);
+                            local_63 = rt::Scalar(false);
                         }
-                        let _e60 = local_61;
+                        let _e60 = local_63;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
                             let _e62 = t_31;
@@ -8695,18 +8722,18 @@ impl<'g> Resources<'g> {
         let _e6 = rt::Scalar(self.frame.near);
         return (_e3 / (_e6 + depth_5.max(rt::Scalar(0f32))));
     }
-    pub(crate) fn in_hole(&self, uv_14: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_in_hole(rt::into(uv_14)))
+    pub(crate) fn in_hole(&self, uv_15: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_in_hole(rt::into(uv_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_in_hole(&self, uv_14: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    fn v_in_hole(&self, uv_15: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e3 = rt::Scalar(self.surface_settings.has_holes);
         if rt::Scalar::into_branch_condition(_e3.elementwise_ne(rt::Scalar(1u32))) {
             return rt::Scalar(false);
         }
         let _e8 = self.v_height_texels(rt::Scalar(0u32));
         let _e10 = self.v_height_size(rt::Scalar(0u32));
-        let _e16 = self.v_cell_of(((uv_14 * _e10) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e16 = self.v_cell_of(((uv_15 * _e10) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
         let cell_20 = _e16.cast_elem_as_i32();
         let _e20 = self.v_wrap_index(cell_20.x(), _e8.x());
         let _e25 = self.v_wrap_index((cell_20.x() + rt::Scalar(1i32)), _e8.x());
@@ -8729,9 +8756,9 @@ impl<'g> Resources<'g> {
         let mut first_2: FirstHit;
         let mut k_16: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut hit_16: Hit;
-        let mut local_62: rt::Scalar<bool>;
-        let mut local_63: rt::Scalar<bool>;
         let mut local_64: rt::Scalar<bool>;
+        let mut local_65: rt::Scalar<bool>;
+        let mut local_66: rt::Scalar<bool>;
 
         let _e4 = cost_21;
         let _e5 = self.v_miss(_e4);
@@ -8767,27 +8794,27 @@ impl<'g> Resources<'g> {
                                 let _e43 = rt::Scalar(first_2.hit.found);
                                 if rt::Scalar::into_branch_condition((!_e43.elementwise_eq(rt::Scalar(0u32)))) {
                                     let _e50 = rt::Scalar(first_2.key);
-                                    local_63 = _e34.elementwise_gt(_e50);
+                                    local_65 = _e34.elementwise_gt(_e50);
                                 } else {
-                                    local_63 = rt::Scalar(true);
+                                    local_65 = rt::Scalar(true);
                                 }
-                                let _e53 = local_63;
-                                local_62 = _e53;
+                                let _e53 = local_65;
+                                local_64 = _e53;
                             } else {
-                                local_62 = rt::Scalar(false);
+                                local_64 = rt::Scalar(false);
                             }
-                            let _e55 = local_62;
+                            let _e55 = local_64;
                             if rt::Scalar::into_branch_condition(_e55) {
                                 let _e56 = hit_16;
                                 let _e57 = k_16;
                                 first_2 = <FirstHit>::new(_e56, _e57, _e34);
                             }
                             if rt::Scalar::into_branch_condition(is_open) {
-                                local_64 = rt::Scalar(pixel_59.shell.order).elementwise_lt(SHELL_FOLDED);
+                                local_66 = rt::Scalar(pixel_59.shell.order).elementwise_lt(SHELL_FOLDED);
                             } else {
-                                local_64 = rt::Scalar(false);
+                                local_66 = rt::Scalar(false);
                             }
-                            let _e66 = local_64;
+                            let _e66 = local_66;
                             if rt::Scalar::into_branch_condition(_e66) {
                                 break 'naga_break;
                             }
@@ -8812,21 +8839,21 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
         return ((rt::Scalar(at_52.footprint) * at_52.metric.x().sqrt()) / _e7.x());
     }
-    pub(crate) fn near_uv(&self, uv_15: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_15)))
+    pub(crate) fn near_uv(&self, uv_16: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_near_uv(&self, uv_15: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_near_uv(&self, uv_16: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_15 - uv_15.floor());
+            return (uv_16 - uv_16.floor());
         }
         let _e10 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_15 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_15).floor()));
+            return (uv_16 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_16).floor()));
         }
-        return uv_15;
+        return uv_16;
     }
     pub(crate) fn from_hit(&self, at_53: Entered, hit_17: Hit, light_1: Toward) -> Path {
         rt::into(self.v_from_hit(at_53, hit_17, light_1))
@@ -8868,7 +8895,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_ray(&self, at_54: Entered, hit_18: Hit, light_3: Toward) -> LightRay {
-        let mut local_65: rt::Scalar<bool>;
+        let mut local_67: rt::Scalar<bool>;
 
         let _e3 = self.v_from_hit(at_54, hit_18, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
@@ -8885,11 +8912,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.cast_elem_as_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_65 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
+            local_67 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_65 = rt::Scalar(true);
+            local_67 = rt::Scalar(true);
         }
-        let _e45 = local_65;
+        let _e45 = local_67;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -9011,23 +9038,23 @@ impl<'g> Resources<'g> {
         place_11: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_66: rt::Scalar<bool>;
-        let mut local_67: rt::Scalar<bool>;
+        let mut local_68: rt::Scalar<bool>;
+        let mut local_69: rt::Scalar<bool>;
 
         let least_2 = (place_11.x().min(place_11.y()) - half);
         let most_9 = (place_11.x().max(place_11.y()) + half);
         if rt::Scalar::into_branch_condition(place_11.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_66 = least_2.elementwise_ge(rt::Scalar(0f32));
+            local_68 = least_2.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_66 = rt::Scalar(false);
+            local_68 = rt::Scalar(false);
         }
-        let _e19 = local_66;
+        let _e19 = local_68;
         if rt::Scalar::into_branch_condition(_e19) {
-            local_67 = most_9.elementwise_le(rt::Scalar(view_6.size).cast_elem_as_f32());
+            local_69 = most_9.elementwise_le(rt::Scalar(view_6.size).cast_elem_as_f32());
         } else {
-            local_67 = rt::Scalar(false);
+            local_69 = rt::Scalar(false);
         }
-        let _e26 = local_67;
+        let _e26 = local_69;
         return _e26;
     }
     pub(crate) fn light_place(
@@ -9052,23 +9079,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn patch_normal(
         &self,
         at_56: Entered,
-        uv_16: impl rt::Into<rt::Vec2<f32>>,
+        uv_17: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_56, rt::into(uv_16)))
+        rt::into(self.v_patch_normal(at_56, rt::into(uv_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_patch_normal(
         &self,
         at_56: Entered,
-        uv_16: rt::Vec2<f32>,
+        uv_17: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
             let facet = at_56.facing.normalize();
             return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_56.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_16, rt::Scalar(at_56.level));
+        let _e18 = self.v_height_and_slope(uv_17, rt::Scalar(at_56.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
         let along_u_2 = (at_56.tangent + (at_56.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
@@ -9226,19 +9253,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn light_seen(
         &self,
         at_59: Entered,
-        uv_17: impl rt::Into<rt::Vec2<f32>>,
+        uv_18: impl rt::Into<rt::Vec2<f32>>,
         number_4: impl rt::Into<rt::Scalar<u32>>,
         toward: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_59, rt::into(uv_17), rt::into(number_4), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_59, rt::into(uv_18), rt::into(number_4), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
         at_59: Entered,
-        uv_17: rt::Vec2<f32>,
+        uv_18: rt::Vec2<f32>,
         number_4: rt::Scalar<u32>,
         toward: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
@@ -9250,7 +9277,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_59, uv_17);
+        let _e14 = self.v_patch_normal(at_59, uv_18);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -9351,35 +9378,35 @@ impl<'g> Resources<'g> {
     pub(crate) fn normals_of_level(
         &self,
         at_61: Entered,
-        uv_18: impl rt::Into<rt::Vec2<f32>>,
+        uv_19: impl rt::Into<rt::Vec2<f32>>,
         level_20: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_61, rt::into(uv_18), rt::into(level_20)))
+        rt::into(self.v_normals_of_level(at_61, rt::into(uv_19), rt::into(level_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
         at_61: Entered,
-        uv_18: rt::Vec2<f32>,
+        uv_19: rt::Vec2<f32>,
         level_20: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_20.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_61, uv_18);
+            let _e5 = self.v_finest_normal(at_61, uv_19);
             let _e6 = self.v_to_tangent_space(at_61, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_18, rt::Scalar(0i32), level_20);
-            let _e16 = self.v_normal_at(uv_18, rt::Scalar(1i32), level_20);
+            let _e14 = self.v_normal_at(uv_19, rt::Scalar(0i32), level_20);
+            let _e16 = self.v_normal_at(uv_19, rt::Scalar(1i32), level_20);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
         let x_2 = ((tile.x() * at_61.tangent.normalize().dot(at_61.tangent)) / at_61.tangent.dot(at_61.tangent));
         let y_1 = ((tile.y() * at_61.bitangent.normalize().dot(at_61.bitangent)) / at_61.bitangent.dot(at_61.bitangent));
-        let _e44 = self.v_normal_at(uv_18, rt::Scalar(0i32), (level_20 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_18, rt::Scalar(1i32), (level_20 - rt::Scalar(1u32)));
+        let _e44 = self.v_normal_at(uv_19, rt::Scalar(0i32), (level_20 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_19, rt::Scalar(1i32), (level_20 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_2), (_e44.y() * y_1), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
         let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_2) * x_2), ((_e48.y() * x_2) * y_1), ((_e48.z() * y_1) * y_1)) * longer_1);
@@ -9529,48 +9556,48 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_texel(
         &self,
-        uv_19: impl rt::Into<rt::Vec2<f32>>,
+        uv_20: impl rt::Into<rt::Vec2<f32>>,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
         level_21: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_19), rt::into(azimuth), rt::into(elevation), rt::into(level_21)))
+        rt::into(self.v_seen_texel(rt::into(uv_20), rt::into(azimuth), rt::into(elevation), rt::into(level_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_texel(
         &self,
-        uv_19: rt::Vec2<f32>,
+        uv_20: rt::Vec2<f32>,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
         level_21: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_8 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_19, layer_8, level_21);
-        let _e12 = self.v_detail_texel_between(uv_19, (layer_8 + rt::Scalar(1i32)), level_21);
+        let _e9 = self.v_detail_texel_between(uv_20, layer_8, level_21);
+        let _e12 = self.v_detail_texel_between(uv_20, (layer_8 + rt::Scalar(1i32)), level_21);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
         &self,
-        uv_20: impl rt::Into<rt::Vec2<f32>>,
+        uv_21: impl rt::Into<rt::Vec2<f32>>,
         azimuth_1: impl rt::Into<rt::Scalar<i32>>,
         elevation_1: impl rt::Into<rt::Scalar<i32>>,
         levels_1: Levels,
     ) -> SeenTexel {
-        rt::into(self.v_seen_in_levels(rt::into(uv_20), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
+        rt::into(self.v_seen_in_levels(rt::into(uv_21), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_in_levels(
         &self,
-        uv_20: rt::Vec2<f32>,
+        uv_21: rt::Vec2<f32>,
         azimuth_1: rt::Scalar<i32>,
         elevation_1: rt::Scalar<i32>,
         levels_1: Levels,
     ) -> SeenTexel {
-        let _e5 = self.v_seen_texel(uv_20, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
+        let _e5 = self.v_seen_texel(uv_21, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
         if rt::Scalar::into_branch_condition(rt::Scalar(levels_1.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e12 = self.v_seen_texel(uv_20, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
+            let _e12 = self.v_seen_texel(uv_21, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
             let _e14 = self.v_seen_between(_e5, _e12, rt::Scalar(levels_1.part));
             return _e14;
         }
@@ -9579,17 +9606,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn table_of(
         &self,
         at_65: Entered,
-        uv_21: impl rt::Into<rt::Vec2<f32>>,
+        uv_22: impl rt::Into<rt::Vec2<f32>>,
         view_11: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_65, rt::into(uv_21), rt::into(view_11), levels_2))
+        rt::into(self.v_table_of(at_65, rt::into(uv_22), rt::into(view_11), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
         at_65: Entered,
-        uv_21: rt::Vec2<f32>,
+        uv_22: rt::Vec2<f32>,
         view_11: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
@@ -9606,11 +9633,11 @@ impl<'g> Resources<'g> {
         let e0_ = elevation_3.floor().cast_elem_as_i32();
         let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
         let across_8 = (azimuth_3 - azimuth_3.floor());
-        let _e48 = self.v_seen_in_levels(uv_21, a0_, e0_, levels_2);
-        let _e49 = self.v_seen_in_levels(uv_21, a1_, e0_, levels_2);
+        let _e48 = self.v_seen_in_levels(uv_22, a0_, e0_, levels_2);
+        let _e49 = self.v_seen_in_levels(uv_22, a1_, e0_, levels_2);
         let _e50 = self.v_seen_between(_e48, _e49, across_8);
-        let _e51 = self.v_seen_in_levels(uv_21, a0_, e1_1, levels_2);
-        let _e52 = self.v_seen_in_levels(uv_21, a1_, e1_1, levels_2);
+        let _e51 = self.v_seen_in_levels(uv_22, a0_, e1_1, levels_2);
+        let _e52 = self.v_seen_in_levels(uv_22, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_8);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
         let x_5 = ((tile_1.x() * at_65.tangent.normalize().dot(at_65.tangent)) / at_65.tangent.dot(at_65.tangent));
@@ -9624,19 +9651,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn mesostructure_normals(
         &self,
         at_66: Entered,
-        uv_22: impl rt::Into<rt::Vec2<f32>>,
+        uv_23: impl rt::Into<rt::Vec2<f32>>,
         view_12: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_66, rt::into(uv_22), rt::into(view_12)))
+        rt::into(self.v_mesostructure_normals(at_66, rt::into(uv_23), rt::into(view_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
         at_66: Entered,
-        uv_22: rt::Vec2<f32>,
+        uv_23: rt::Vec2<f32>,
         view_12: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_68: rt::Scalar<bool>;
+        let mut local_70: rt::Scalar<bool>;
         let mut first_3: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
@@ -9653,21 +9680,21 @@ impl<'g> Resources<'g> {
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_5, _e27);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_68 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
+            local_70 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_68 = rt::Scalar(false);
+            local_70 = rt::Scalar(false);
         }
-        let _e39 = local_68;
+        let _e39 = local_70;
         if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_66, uv_22);
+            let _e40 = self.v_finest_normal(at_66, uv_23);
             let _e41 = self.v_one_seen(_e40);
             return _e41;
         }
-        let _e43 = self.v_normals_of_level(at_66, uv_22, rt::Scalar(_e28.fine));
+        let _e43 = self.v_normals_of_level(at_66, uv_23, rt::Scalar(_e28.fine));
         first_3 = _e43.first;
         second = _e43.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_66, uv_22, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e54 = self.v_normals_of_level(at_66, uv_23, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
             let _e55 = first_3;
             let _e57 = first_3;
             first_3 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
@@ -9684,7 +9711,7 @@ impl<'g> Resources<'g> {
             let _e80 = self.v_levels_of(rt::Scalar(at_66.footprint), _e79);
             let _e81 = self.v_has_table(_e80);
             if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_66, uv_22, view_12, _e80);
+                let _e82 = self.v_table_of(at_66, uv_23, view_12, _e80);
                 let _e83 = self.v_with_table(at_66, _e72, _e82, _e73);
                 return _e83;
             }
@@ -9983,22 +10010,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_23: impl rt::Into<rt::Vec2<f32>>,
+        uv_24: impl rt::Into<rt::Vec2<f32>>,
         layer_7: impl rt::Into<rt::Scalar<i32>>,
         level_23: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_23), rt::into(layer_7), rt::into(level_23)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_24), rt::into(layer_7), rt::into(level_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_texel_between(
         &self,
-        uv_23: rt::Vec2<f32>,
+        uv_24: rt::Vec2<f32>,
         layer_7: rt::Scalar<i32>,
         level_23: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_23);
-        let _e4 = self.v_texels_around(uv_23, _e3);
+        let _e4 = self.v_texels_around(uv_24, _e3);
         let k_31 = level_23.cast_elem_as_i32();
         let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_31);
         let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_31);
@@ -10356,9 +10383,9 @@ impl<'g> Resources<'g> {
         at_80: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_8: impl rt::Into<rt::Vec3<f32>>,
-        uv_24: impl rt::Into<rt::Vec2<f32>>,
+        uv_25: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_64, at_80, rt::into(weights_4), rt::into(point_8), rt::into(uv_24)))
+        rt::into(self.v_placed_at(pixel_64, at_80, rt::into(weights_4), rt::into(point_8), rt::into(uv_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -10368,11 +10395,11 @@ impl<'g> Resources<'g> {
         at_80: Entered,
         weights_4: rt::Vec3<f32>,
         point_8: rt::Vec3<f32>,
-        uv_24: rt::Vec2<f32>,
+        uv_25: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_64, weights_4, point_8, uv_24, at_80.facing);
+        let _e6 = self.v_frame_at(pixel_64, weights_4, point_8, uv_25, at_80.facing);
         placed_1 = _e6;
         rt::Scalar(placed_1.level) = rt::Scalar(at_80.level);
         rt::Scalar(placed_1.footprint) = rt::Scalar(at_80.footprint);
@@ -10423,16 +10450,16 @@ impl<'g> Resources<'g> {
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_69: rt::Scalar<bool>;
+        let mut local_71: rt::Scalar<bool>;
 
         placed_2 = at_82;
         let _e5 = self.v_quadric_slope(at_82.quadric.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_69 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_71 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_69 = rt::Scalar(false);
+            local_71 = rt::Scalar(false);
         }
-        let _e15 = local_69;
+        let _e15 = local_71;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;

@@ -5379,6 +5379,25 @@ fn path_from(path: Path, t: f32) -> Path {
     },
     Declaration {
         module: "surface/facets",
+        name: "BESIDE_TILE",
+        sampling: None,
+        uses: &[],
+        text: r#"// How far beside a map that is there once, in tiles, rounding may lay what is at its edge.
+const BESIDE_TILE = 0.000001;"#,
+    },
+    Declaration {
+        module: "surface/facets",
+        name: "is_on_map",
+        sampling: None,
+        uses: &["BESIDE_TILE", "WRAP_CLAMP", "surface_settings"],
+        text: r#"// Whether the map is at a place.
+fn is_on_map(uv: vec2f) -> bool {
+    let beyond = max(abs(uv.x - 0.5), abs(uv.y - 0.5)) - 0.5;
+    return surface_settings.wrap != WRAP_CLAMP || beyond <= BESIDE_TILE;
+}"#,
+    },
+    Declaration {
+        module: "surface/facets",
         name: "facet_distance",
         sampling: None,
         uses: &["PixelIn"],
@@ -5403,7 +5422,7 @@ fn facet_distance(pixel: PixelIn, normal: vec3f) -> f32 {
         module: "surface/facets",
         name: "surface_facets_enter",
         sampling: None,
-        uses: &["Entered", "PixelIn", "facet_distance", "plane_normal", "plane_weights", "surface_settings"],
+        uses: &["Entered", "PixelIn", "facet_distance", "is_on_map", "plane_normal", "plane_weights", "surface_settings"],
         text: r#"fn surface_facets_enter(pixel: PixelIn, params: vec4f) -> Entered {
     let n = plane_normal(pixel);
     let point = pixel.origin + pixel.direction * facet_distance(pixel, n);
@@ -5418,7 +5437,7 @@ fn facet_distance(pixel: PixelIn, normal: vec3f) -> f32 {
     let tb = dot(tangent, bitangent);
     let bb = dot(bitangent, bitangent);
     return Entered(
-        select(0u, 1u, dot(n, n) > 0.0),
+        select(0u, 1u, dot(n, n) > 0.0 && is_on_map(uv)),
         point,
         uv,
         tangent,

@@ -17,8 +17,9 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "Sides are divided by the voxels of the camera's grid space that their ends lie in, so that \
         neighbours have the same points there. Points are spaced on the base: where the relief is steep, or \
-        nearer to the eye than the base, triangles are larger in the picture. Where levels of detail are \
-        seen, a vertex has the height of the level whose texels are as wide as its voxel.",
+        nearer to the eye than the base, triangles are larger in the picture, and so they are where a pixel \
+        is smaller than a quarter of a texel, finer than which no base is divided. Where levels of detail \
+        are seen, a vertex has the height of the level whose texels are as wide as its voxel.",
 };
 
 const PARAMS: &[Param] =
