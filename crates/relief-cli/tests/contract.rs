@@ -260,9 +260,14 @@ fn every_method_shows_points_of_the_surface() {
         let hits: Vec<Pixel> = aov.pixels().map(|(_, _, p)| p).filter(|p| p.hit == 1.0).collect();
         assert!(hits.len() > 200, "{name}: {} hits", hits.len());
         // Approximate methods leave the ray, but what they show is on the surface, with its normal and depth.
+        // Displaced triangles are beside it between their vertices, by a little of the relief's depth.
+        let (off_m, turned) = match method["geometry"].as_str().expect("a name") {
+            "none" => (TOLERANCE_M, 1e-3),
+            _ => (0.04 * relief.scale_m, 0.2),
+        };
         for pixel in hits {
-            assert!((pixel.position - relief.point(pixel.uv)).length() < TOLERANCE_M, "{name}: {pixel:?}");
-            assert!((pixel.normal - relief.normal(pixel.uv)).length() < 1e-3, "{name}: {pixel:?}");
+            assert!((pixel.position - relief.point(pixel.uv)).length() < off_m, "{name}: {pixel:?}");
+            assert!((pixel.normal - relief.normal(pixel.uv)).length() < turned, "{name}: {pixel:?}");
             let depth = (pixel.position - view.eye).dot(view.forward());
             assert!((pixel.depth - depth).abs() < TOLERANCE_M, "{name}: {pixel:?}");
         }

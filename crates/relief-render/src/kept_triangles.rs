@@ -8,6 +8,7 @@ use relief_core::mesh::QuadricCoefficients;
 use relief_shaders::cpu::{Corner, Shell};
 use relief_shaders::surface::Proposal;
 
+use crate::displaced::corner;
 use crate::heights_under::HeightsUnder;
 use crate::kept::kept;
 use crate::mesh::{Mesh, Vertex};
@@ -168,14 +169,8 @@ fn shells(of: &ShellsOf) -> Arc<Triangles> {
 /// The triangles of a mesh with their shells, and with the quadrics of its vertices where there are any.
 fn triangles(mesh: &Mesh, quadrics: &[[f32; 3]], shells: impl Iterator<Item = Shell>) -> Triangles {
     let corners = (0..).zip(mesh.vertices()).map(|(place, vertex): (usize, &Vertex)| {
-        Corner::new(
-            vertex.position.to_array(),
-            vertex.normal.to_array(),
-            vertex.tangent.to_array(),
-            vertex.bitangent.to_array(),
-            vertex.uv.to_array(),
-            quadrics.get(place).copied().unwrap_or_default(),
-        )
+        let quadric = quadrics.get(place).copied().unwrap_or_default();
+        Corner { quadric: quadric.into(), ..corner(vertex) }
     });
     Triangles::new(corners.collect(), mesh.triangles().iter().copied().zip(shells))
 }

@@ -5,6 +5,7 @@
 
 pub mod cpu;
 pub mod depth_buffer;
+mod displaced;
 pub mod environment;
 #[cfg(feature = "gpu")]
 pub mod gpu;
@@ -27,6 +28,7 @@ pub mod tone;
 mod triangles;
 mod wire;
 
+pub use displaced::GeometryError;
 pub use glam;
 /// Cameras, base meshes of which scenes are made, and rays against them; they are the core's.
 pub use relief_core::{camera, mesh, raycast};

@@ -7,7 +7,7 @@
 use std::ops::RangeInclusive;
 
 use glam::{DMat4, DVec3, DVec4};
-use relief_shaders::cpu::{Frame, LightView, Vec4};
+use relief_shaders::cpu::{Corner, Frame, LightView, Vec4};
 use relief_shaders::surface::Proposal;
 use relief_shaders::{LIGHT_FACES, SHADOW};
 
@@ -98,7 +98,12 @@ pub fn relief_points(surface: &JobSurface) -> impl Iterator<Item = DVec3> {
     let (bias, scale) = (settings.bias_m, settings.scale_m);
     let shell_m = [settings.shell_m.x, settings.shell_m.y];
     let (proposal, both) = (surface.selection.paths().proposal, surface.two_sided);
-    surface.triangles.iter().flat_map(move |triangle| {
+    // Where no relief lies on triangles, their corners are enough.
+    let (bare, count) = match surface.selection.paths().has_relief {
+        true => (&[][..], surface.triangles.len()),
+        false => (surface.triangles.corners(), 0),
+    };
+    let under_relief = surface.triangles.iter().take(count).flat_map(move |triangle| {
         let [low, high] = match proposal {
             // Some of them move their base out, and carve all relief into it.
             Proposal::Polygons => [bias.min(-scale), (bias + scale).max(0.0)],
@@ -106,11 +111,20 @@ pub fn relief_points(surface: &JobSurface) -> impl Iterator<Item = DVec3> {
         };
         let ends = if both { [low.min(-high), high.max(-low)] } else { [low, high] };
         [triangle.a, triangle.b, triangle.c].into_iter().flat_map(move |corner| {
-            let three = |v: relief_shaders::cpu::Vec3<f32>| DVec3::new(v.x.into(), v.y.into(), v.z.into());
-            let (position, normal) = (three(corner.position), three(corner.normal));
+            let (position, normal) = (corner_position(&corner), three(corner.normal));
             ends.map(|offset| position + normal * f64::from(offset))
         })
-    })
+    });
+    bare.iter().map(corner_position).chain(under_relief)
+}
+
+fn three(v: relief_shaders::cpu::Vec3<f32>) -> DVec3 {
+    DVec3::new(v.x.into(), v.y.into(), v.z.into())
+}
+
+/// Where a corner is.
+pub fn corner_position(corner: &Corner) -> DVec3 {
+    three(corner.position)
 }
 
 /// The least and the greatest of a measure.

@@ -1,6 +1,7 @@
 //! Scenes to jobs: the shaders' settings, the triangles in the world and the camera's matrix.
 
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use glam::{DMat4, DVec3, Vec3};
 use relief_core::BakedMap;
@@ -9,15 +10,15 @@ use relief_maps::{Account, Maps, MapsError, Watch};
 use relief_shaders::cpu::{Frame, Light as ShaderLight, SurfaceSettings};
 use relief_shaders::{MapNeed, MapSlot, SlotMaps};
 
-use crate::camera::Camera;
+use crate::displaced::Displaced;
 use crate::environment::Environment;
 use crate::job::{Job, JobSurface};
 use crate::kept_triangles::{KeptTriangles, extent_m, moved_out_m};
 use crate::light::Light;
-use crate::light_views::{LightViews, relief_points};
-use crate::mesh::Vertex;
+use crate::light_views::{LightViews, corner_position, relief_points};
 use crate::mipmaps::Mipmaps;
 use crate::pictures::Pictures;
+use crate::renderer::RenderError;
 use crate::scene::{Scene, Surface};
 
 /// The least distance of the near plane, as a part of the distance of what is farthest away. Smaller, and
@@ -31,6 +32,7 @@ const LEAST_SHELL: f32 = 1e-5;
 #[derive(Debug, Default)]
 pub struct Preparer {
     triangles: KeptTriangles,
+    displaced: Displaced,
     /// The baked maps of each of the last scene's surfaces.
     maps: Vec<Vec<(MapSlot, Arc<BakedMap>)>>,
     pictures: Pictures,
@@ -63,18 +65,25 @@ impl Preparer {
     }
 
     /// The job of the scene whose maps were taken last.
-    pub fn job(&mut self, scene: &Scene) -> Job {
+    ///
+    /// # Errors
+    ///
+    /// When the displaced triangles of a surface cannot be made, or it was cancelled meanwhile.
+    pub fn job(&mut self, scene: &Scene, cancel: &AtomicBool) -> Result<Job, RenderError> {
+        let displaced = self.displaced.of_scene(scene, cancel)?;
         let (mut triangles, mut pictures) = (KeptTriangles::default(), Pictures::default());
         let none = Vec::new();
         let maps = self.maps.iter().chain(std::iter::repeat(&none));
         let environment = || scene.environment().map_or_else(Environment::sky, Arc::clone);
-        let numbered = (0u32..).zip(scene.surfaces());
-        let surfaces = numbered.zip(maps).map(|((number, surface), maps)| {
+        let numbered = (0u32..).zip(scene.surfaces().iter().zip(displaced));
+        let surfaces = numbered.zip(maps).map(|((number, (surface, displaced)), maps)| {
             let levels = surface.selection().has_levels();
             let color = surface.color().map(|picture| pictures.of(picture, levels, &self.pictures));
             let normal_map = match surface.normal_map() {
                 Some(normals) => Some(pictures.of_normals(normals, levels, &self.pictures)),
-                None if levels => pictures.derived(surface, &self.pictures),
+                None if levels && surface.selection().paths().has_relief => {
+                    pictures.derived(surface, &self.pictures)
+                }
                 None => None,
             };
             let mut maps = maps.clone();
@@ -85,7 +94,7 @@ impl Preparer {
             let settings = surface_settings(surface, &slots, color.as_deref(), normal_map.as_deref());
             let settings = SurfaceSettings { number, ..settings };
             let shell_m = [settings.shell_m.x, settings.shell_m.y];
-            let of_surface = triangles.of(surface, shell_m, &self.triangles);
+            let of_surface = displaced.unwrap_or_else(|| triangles.of(surface, shell_m, &self.triangles));
             JobSurface {
                 settings,
                 selection: *surface.selection(),
@@ -104,7 +113,7 @@ impl Preparer {
         let light_views = LightViews::new(scene.lights(), scene.camera(), aspect, &surfaces);
         let mut frame = frame(scene, &surfaces);
         light_views.tell(&mut frame);
-        Job { width, height, samples: scene.samples(), frame, light_views, surfaces }
+        Ok(Job { width, height, samples: scene.samples(), frame, light_views, surfaces })
     }
 }
 
@@ -145,7 +154,7 @@ fn frame(scene: &Scene, surfaces: &[JobSurface]) -> Frame {
             }
         };
     }
-    let (view_projection, near) = view_projection(camera, scene.surfaces(), scene.size());
+    let (view_projection, near) = view_projection(scene, surfaces);
     Frame {
         view_projection: view_projection.as_mat4().to_cols_array_2d().map(Into::into),
         eye: place(eye, 1.0).into(),
@@ -224,12 +233,16 @@ fn surface_settings(
 
 /// The matrix for the rasteriser, with planes that hold all meshes, and how near to the eye hits are ordered
 /// as finely as farther away.
-fn view_projection(camera: &Camera, surfaces: &[Surface], size: [u32; 2]) -> (DMat4, f64) {
-    let depth = |vertex: &Vertex| camera.forward().dot(vertex.position.as_dvec3() - camera.eye());
+fn view_projection(scene: &Scene, surfaces: &[JobSurface]) -> (DMat4, f64) {
+    let (camera, size) = (scene.camera(), scene.size());
+    let depth = |point: DVec3| camera.forward().dot(point - camera.eye());
     let depths = |toward: f64| {
-        surfaces.iter().flat_map(move |surface| {
+        scene.surfaces().iter().zip(surfaces).flat_map(move |(surface, made)| {
             let moved = toward * f64::from(moved_out_m(surface));
-            surface.mesh().vertices().iter().map(move |vertex| depth(vertex) + moved)
+            let displaced = made.triangles.corners().iter().map(corner_position);
+            let displaced = displaced.filter(|_| surface.selection().geometry().is_some());
+            let base = surface.mesh().vertices().iter().map(|vertex| vertex.position.as_dvec3());
+            base.chain(displaced).map(move |point| depth(point) + moved)
         })
     };
     let farthest = depths(1.0).fold(0.0, f64::max);

@@ -14,6 +14,7 @@ use relief_shaders::wgsl::Sampling;
 use web_time::Instant;
 
 use crate::cpu::CpuRenderer;
+use crate::displaced::GeometryError;
 #[cfg(feature = "gpu")]
 use crate::gpu::{AdapterChoice, Gpu, GpuError, GpuRenderer, Work};
 use crate::job::{Job, Rendering};
@@ -71,6 +72,14 @@ pub enum RenderError {
     /// A baked map that a method reads cannot be provided.
     #[error(transparent)]
     Maps(#[from] MapsError),
+    /// A surface has no displaced triangles.
+    #[error("surface {}: {source}", surface + 1)]
+    Geometry {
+        /// The surface's number in the scene.
+        surface: usize,
+        /// Why.
+        source: GeometryError,
+    },
     /// The CPU was asked for the sampling that only GPUs have.
     #[error("sampling 'fast' uses a GPU's texture sampler, which the CPU backend does not have")]
     FastOnCpu {
@@ -275,7 +284,7 @@ impl Renderer {
             Backend::Cpu(_) => self.preparer.provide(scene, maps, &|_| false, watch)?,
         };
         let started = Instant::now();
-        Ok((self.preparer.job(scene), accounts, started))
+        Ok((self.preparer.job(scene, watch.cancel)?, accounts, started))
     }
 }
 

@@ -754,7 +754,7 @@ impl ShellPoint {
 /// What belongs to a surface: its maps, displacement, material and method.
 pub struct SurfaceSettings {
     /// For each stage, in the order in which a pixel goes through them.
-    pub choices: [Choice; 8],
+    pub choices: [Choice; 9],
     /// For each slot of baked maps.
     pub maps: [MapSettings; 7],
     pub diffuse: rt::Vec4<f32>,
@@ -781,6 +781,8 @@ pub struct SurfaceSettings {
     pub has_holes: u32,
     /// 1 where normals that are derived from heights are not taken across creases.
     pub has_creases: u32,
+    /// 1 where normals are those of the triangles' vertices.
+    pub has_vertex_normals: u32,
     /// 0 where the relief casts no shadows.
     pub has_shadows: u32,
     pub scale_m: f32,
@@ -801,7 +803,7 @@ pub struct SurfaceSettings {
 }
 impl SurfaceSettings {
     pub fn new(
-        choices: impl rt::Into<[Choice; 8]>,
+        choices: impl rt::Into<[Choice; 9]>,
         maps: impl rt::Into<[MapSettings; 7]>,
         diffuse: impl rt::Into<rt::Vec4<f32>>,
         specular: impl rt::Into<rt::Vec4<f32>>,
@@ -820,6 +822,7 @@ impl SurfaceSettings {
         has_normal: impl rt::Into<u32>,
         has_holes: impl rt::Into<u32>,
         has_creases: impl rt::Into<u32>,
+        has_vertex_normals: impl rt::Into<u32>,
         has_shadows: impl rt::Into<u32>,
         scale_m: impl rt::Into<f32>,
         bias_m: impl rt::Into<f32>,
@@ -831,7 +834,7 @@ impl SurfaceSettings {
         environment_side: impl rt::Into<u32>,
         environment_levels: impl rt::Into<u32>,
     ) -> Self {
-        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_holes: rt::into(has_holes), has_creases: rt::into(has_creases), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), shell_m: rt::into(shell_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), number: rt::into(number), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels) }
+        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_holes: rt::into(has_holes), has_creases: rt::into(has_creases), has_vertex_normals: rt::into(has_vertex_normals), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), shell_m: rt::into(shell_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), number: rt::into(number), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -1000,7 +1003,7 @@ pub const SLOT_SHADOW: rt::Scalar<u32> = rt::Scalar(3u32);
 #[allow(non_upper_case_globals)]
 pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
-pub const STAGES: rt::Scalar<u32> = rt::Scalar(8u32);
+pub const STAGES: rt::Scalar<u32> = rt::Scalar(9u32);
 #[allow(non_upper_case_globals)]
 pub const STEP: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(0u32), rt::Scalar(1u32), rt::Scalar(0u32));
 #[allow(non_upper_case_globals)]
@@ -1652,11 +1655,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_3);
         let _e3 = self.v_texels_around(uv_1, _e2);
-        let k_24 = level_3.cast_elem_as_i32();
-        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_24);
-        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_24);
-        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_24);
-        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_24);
+        let k_25 = level_3.cast_elem_as_i32();
+        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_25);
+        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_25);
+        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_25);
+        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_25);
         let _e34 = self.v_bilinear(_e11, _e18, _e25, _e32, _e3.part);
         return _e34;
     }
@@ -1868,11 +1871,11 @@ impl<'g> Resources<'g> {
         let most_2 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).cast_elem_as_f32();
         let corner_3 = point_10.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
         let texel_5 = corner_3.cast_elem_as_i32();
-        let k_25 = level_6.cast_elem_as_i32();
-        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_25);
-        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_25);
-        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_25);
-        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_25);
+        let k_26 = level_6.cast_elem_as_i32();
+        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_26);
+        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_26);
+        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_26);
+        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_26);
         let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_10 - corner_3));
         return _e55.xyz();
     }
@@ -2007,30 +2010,30 @@ impl<'g> Resources<'g> {
         view_5: rt::Vec3<f32>,
         color_6: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e9 = rt::Scalar(self.surface_settings.choices[7usize].number);
+        let _e9 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e9) {
             0u32 => {
-                let _e14 = self.surface_settings.choices[7usize].params;
+                let _e14 = self.surface_settings.choices[8usize].params;
                 let _e15 = self.v_ambient_constant(at_9, hit_5, normal_6, view_5, color_6, _e14);
                 return _e15;
             }
             1u32 => {
-                let _e20 = self.surface_settings.choices[7usize].params;
+                let _e20 = self.surface_settings.choices[8usize].params;
                 let _e21 = self.v_ambient_occlusion(at_9, hit_5, normal_6, view_5, color_6, _e20);
                 return _e21;
             }
             2u32 => {
-                let _e26 = self.surface_settings.choices[7usize].params;
+                let _e26 = self.surface_settings.choices[8usize].params;
                 let _e27 = self.v_ambient_bent_normal(at_9, hit_5, normal_6, view_5, color_6, _e26);
                 return _e27;
             }
             3u32 => {
-                let _e32 = self.surface_settings.choices[7usize].params;
+                let _e32 = self.surface_settings.choices[8usize].params;
                 let _e33 = self.v_ambient_bounce(at_9, hit_5, normal_6, view_5, color_6, _e32);
                 return _e33;
             }
             _ => {
-                let _e38 = self.surface_settings.choices[7usize].params;
+                let _e38 = self.surface_settings.choices[8usize].params;
                 let _e39 = self.v_ambient_environment(at_9, hit_5, normal_6, view_5, color_6, _e38);
                 return _e39;
             }
@@ -2088,12 +2091,12 @@ impl<'g> Resources<'g> {
         let parts = <rt::Vec3<f32>>::from_scalars(_e16, _e18, _e20);
         let limited = parts.min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)));
         let w_2 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
-        let normal_16 = (((prism.n0_ * w_2.x()) + (prism.n1_ * w_2.y())) + (prism.n2_ * w_2.z()));
-        let place_15 = ((((prism.p0_ * w_2.x()) + (prism.p1_ * w_2.y())) + (prism.p2_ * w_2.z())) + (normal_16 * offset));
+        let normal_17 = (((prism.n0_ * w_2.x()) + (prism.n1_ * w_2.y())) + (prism.n2_ * w_2.z()));
+        let place_15 = ((((prism.p0_ * w_2.x()) + (prism.p1_ * w_2.y())) + (prism.p2_ * w_2.z())) + (normal_17 * offset));
         let t_33 = place_15.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let second_1 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
         let third = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
-        let volume = (second_1.cross(third).dot(normal_16) * rt::Scalar(way.turn));
+        let volume = (second_1.cross(third).dot(normal_17) * rt::Scalar(way.turn));
         let _e83 = self.v_lift_of(prism.lift, w_2);
         let height_8 = (((offset - low) - _e83) / width_1).min(rt::Scalar(300000000000000000000000000000000000000f32));
         return <WayPoint>::new(<ShellPoint>::new(w_2, height_8), t_33, (place_15 - (along * t_33)).length(), volume);
@@ -2362,15 +2365,15 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_26 = level_8.cast_elem_as_i32();
+        let k_27 = level_8.cast_elem_as_i32();
         let _e6 = self.v_wrap_index(cell.x(), _e2.x());
         let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
         let _e14 = self.v_wrap_index(cell.y(), _e2.y());
         let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_26));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_26));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_26));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_26));
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_27));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_27));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_27));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_27));
         return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
     }
     pub(crate) fn height_at(
@@ -2512,10 +2515,10 @@ impl<'g> Resources<'g> {
         let bx = (h_1.y() - h_1.x());
         let by = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_92 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
+        let at_95 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
         let z = (path_4.h.x() + (t_8 * (path_4.h.y() + (t_8 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_8) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_92.x())) + (by * at_92.y())) + ((twist * at_92.x()) * at_92.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_92.x() * grid_1.step.y()) + (at_92.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_95.x())) + (by * at_95.y())) + ((twist * at_95.x()) * at_95.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_95.x() * grid_1.step.y()) + (at_95.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -3111,11 +3114,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_10);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_27 = level_10.cast_elem_as_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_27));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_27));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_27));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_27));
+        let k_28 = level_10.cast_elem_as_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_28));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_28));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_28));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_28));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -3327,14 +3330,14 @@ impl<'g> Resources<'g> {
         at_17: Entered,
         anisotropy: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let normal_17 = at_17.facing;
-        let _e4 = self.v_plane_distance(pixel_12, normal_17);
+        let normal_18 = at_17.facing;
+        let _e4 = self.v_plane_distance(pixel_12, normal_18);
         let _e7 = self.frame.eye_right;
         let _e11 = self.frame.right;
-        let _e13 = self.v_footprint_axis(pixel_12, at_17, normal_17, _e4, _e7.xyz(), _e11.xyz());
+        let _e13 = self.v_footprint_axis(pixel_12, at_17, normal_18, _e4, _e7.xyz(), _e11.xyz());
         let _e16 = self.frame.eye_down;
         let _e20 = self.frame.down;
-        let _e22 = self.v_footprint_axis(pixel_12, at_17, normal_17, _e4, _e16.xyz(), _e20.xyz());
+        let _e22 = self.v_footprint_axis(pixel_12, at_17, normal_18, _e4, _e16.xyz(), _e20.xyz());
         let both = <rt::Vec4<f32>>::new_22(_e13, _e22);
         let sum_1 = both.dot(both);
         let area_1 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
@@ -3414,20 +3417,20 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_stage(&self, pixel_16: PixelIn, at_21: Entered) -> Detail {
-        let _e6 = rt::Scalar(self.surface_settings.choices[1usize].number);
+        let _e6 = rt::Scalar(self.surface_settings.choices[2usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
-                let _e11 = self.surface_settings.choices[1usize].params;
+                let _e11 = self.surface_settings.choices[2usize].params;
                 let _e12 = self.v_detail_none(pixel_16, at_21, _e11);
                 return _e12;
             }
             1u32 => {
-                let _e17 = self.surface_settings.choices[1usize].params;
+                let _e17 = self.surface_settings.choices[2usize].params;
                 let _e18 = self.v_detail_footprint(pixel_16, at_21, _e17);
                 return _e18;
             }
             _ => {
-                let _e23 = self.surface_settings.choices[1usize].params;
+                let _e23 = self.surface_settings.choices[2usize].params;
                 let _e24 = self.v_detail_fade(pixel_16, at_21, _e23);
                 return _e24;
             }
@@ -3472,11 +3475,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_13);
         let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_28 = (level_13 - SEEN_FIRST_LEVEL).cast_elem_as_i32();
-        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_28);
-        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_28);
-        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_28);
-        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_28);
+        let k_29 = (level_13 - SEEN_FIRST_LEVEL).cast_elem_as_i32();
+        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_29);
+        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_29);
+        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_29);
+        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_29);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e4.part);
         return _e33;
     }
@@ -3596,17 +3599,17 @@ impl<'g> Resources<'g> {
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_25 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
+        let uv_26 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
         let tangent_1 = (((pixel_19.a.tangent * wa) + (pixel_19.b.tangent * wb_1)) + (pixel_19.c.tangent * wc_1));
         let bitangent = (((pixel_19.a.bitangent * wa) + (pixel_19.b.bitangent * wb_1)) + (pixel_19.c.bitangent * wc_1));
-        let normal_18 = ((((pixel_19.a.normal * wa) + (pixel_19.b.normal * wb_1)) + (pixel_19.c.normal * wc_1)).normalize() * rt::Scalar(pixel_19.side));
+        let normal_19 = ((((pixel_19.a.normal * wa) + (pixel_19.b.normal * wb_1)) + (pixel_19.c.normal * wc_1)).normalize() * rt::Scalar(pixel_19.side));
         let tt = tangent_1.dot(tangent_1);
         let tb = tangent_1.dot(bitangent);
         let bb = bitangent.dot(bitangent);
         let area_2 = ((tt * bb) - (tb * tb));
         let _e67 = rt::Scalar(self.surface_settings.scale_m);
         let metric_1 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e67);
-        let descent_2 = (rt::Scalar(0f32) - normal_18.dot((pixel_19.direction / rt::Vec3::splat_from_scalar(pixel_19.direction.length()))));
+        let descent_2 = (rt::Scalar(0f32) - normal_19.dot((pixel_19.direction / rt::Vec3::splat_from_scalar(pixel_19.direction.length()))));
         if rt::Scalar::into_branch_condition(area_2.elementwise_gt(rt::Scalar(0f32))) {
             local_21 = descent_2.elementwise_gt(rt::Scalar(0f32));
         } else {
@@ -3614,7 +3617,7 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_21;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_12, uv_25, tangent_1, bitangent, normal_18, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_12, uv_26, tangent_1, bitangent, normal_19, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -3682,10 +3685,10 @@ impl<'g> Resources<'g> {
         let _e10 = self.v_ordered(pixel_22, rt::Scalar(2u32));
         let tangent_2 = (((_e6.tangent * weights_1.x()) + (_e8.tangent * weights_1.y())) + (_e10.tangent * weights_1.z()));
         let bitangent_1 = (((_e6.bitangent * weights_1.x()) + (_e8.bitangent * weights_1.y())) + (_e10.bitangent * weights_1.z()));
-        let normal_19 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
+        let normal_20 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
         let _e49 = rt::Scalar(self.surface_settings.scale_m);
         let metric_2 = <rt::Vec4<f32>>::from_scalars(tangent_2.dot(tangent_2), tangent_2.dot(bitangent_1), bitangent_1.dot(bitangent_1), _e49);
-        let unit = (normal_19.normalize() * rt::Scalar(pixel_22.side));
+        let unit = (normal_20.normalize() * rt::Scalar(pixel_22.side));
         return <Entered>::new(rt::Scalar(1u32), point_2, uv_8, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn facing_of(
@@ -3724,11 +3727,11 @@ impl<'g> Resources<'g> {
         let mut at_22: Entered;
 
         let third_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_26 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
+        let uv_27 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_24, along_6);
         let point_13 = (pixel_24.origin + (along_6 * _e17));
         let _e20 = self.v_facing_of(pixel_24, along_6);
-        let _e21 = self.v_frame_at(pixel_24, third_1, point_13, uv_26, _e20);
+        let _e21 = self.v_frame_at(pixel_24, third_1, point_13, uv_27, _e20);
         at_22 = _e21;
         rt::Scalar(at_22.segments) = rt::Scalar(0u32);
         let _e25 = at_22;
@@ -4171,8 +4174,8 @@ impl<'g> Resources<'g> {
     fn v_passed_by(&self) -> Entered {
         let zero_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let zeros = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let uv_27 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_27, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_27, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let uv_28 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_28, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_28, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shell_point_from(
         &self,
@@ -4216,12 +4219,12 @@ impl<'g> Resources<'g> {
                     let _e35 = w_1.x();
                     let _e39 = w_1.y();
                     let _e44 = w_1.z();
-                    let normal_20 = (((prism_9.n0_ * _e35) + (prism_9.n1_ * _e39)) + (prism_9.n2_ * _e44));
+                    let normal_21 = (((prism_9.n0_ * _e35) + (prism_9.n1_ * _e39)) + (prism_9.n2_ * _e44));
                     let _e49 = w_1.x();
                     let _e53 = w_1.y();
                     let _e58 = w_1.z();
                     let base_1 = (((prism_9.p0_ * _e49) + (prism_9.p1_ * _e53)) + (prism_9.p2_ * _e58));
-                    let rest_2 = ((place_6 - base_1) - (normal_20 * offset_6));
+                    let rest_2 = ((place_6 - base_1) - (normal_21 * offset_6));
                     let _e66 = w_1.x();
                     let _e68 = w_1.y();
                     let _e72 = w_1.z();
@@ -4230,9 +4233,9 @@ impl<'g> Resources<'g> {
                     let _e82 = w_1.z();
                     let _e86 = w_1.y();
                     let third_2 = ((l.y() * (_e80 - _e82)) + (_e86 * (l.x() - l.z())));
-                    let a_15 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_6)) + (normal_20 * second_3));
-                    let b_14 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_6)) + (normal_20 * third_2));
-                    let c_10 = (normal_20 * width_4);
+                    let a_15 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_6)) + (normal_21 * second_3));
+                    let b_14 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_6)) + (normal_21 * third_2));
+                    let c_10 = (normal_21 * width_4);
                     let across_2 = b_14.cross(c_10);
                     let one_over = (rt::Scalar(1f32) / a_15.dot(across_2));
                     let db = (rest_2.dot(across_2) * one_over);
@@ -4659,48 +4662,136 @@ impl<'g> Resources<'g> {
         let _e27 = at_27;
         return _e27;
     }
-    pub(crate) fn surface_enter_stage(&self, pixel_37: PixelIn) -> Entered {
-        rt::into(self.v_surface_enter_stage(pixel_37))
+    pub(crate) fn facet_distance(
+        &self,
+        pixel_37: PixelIn,
+        normal_11: impl rt::Into<rt::Vec3<f32>>,
+    ) -> f32 {
+        rt::into(self.v_facet_distance(pixel_37, rt::into(normal_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_enter_stage(&self, pixel_37: PixelIn) -> Entered {
-        let _e5 = rt::Scalar(self.surface_settings.choices[0usize].number);
+    #[inline(always)]
+    fn v_facet_distance(
+        &self,
+        pixel_37: PixelIn,
+        normal_11: rt::Vec3<f32>,
+    ) -> rt::Scalar<f32> {
+        let a_16 = (pixel_37.a.position - pixel_37.origin);
+        let b_15 = (pixel_37.b.position - pixel_37.origin);
+        let c_11 = (pixel_37.c.position - pixel_37.origin);
+        let along_21 = (pixel_37.direction / rt::Vec3::splat_from_scalar(pixel_37.direction.dot(pixel_37.direction)));
+        let places_1 = <rt::Vec3<f32>>::from_scalars(a_16.dot(along_21), b_15.dot(along_21), c_11.dot(along_21));
+        let least_1 = places_1.x().min(places_1.y()).min(places_1.z());
+        let most_7 = places_1.x().max(places_1.y()).max(places_1.z());
+        let across_3 = normal_11.dot(pixel_37.direction);
+        if rt::Scalar::into_branch_condition(across_3.elementwise_eq(rt::Scalar(0f32))) {
+            return least_1;
+        }
+        return (normal_11.dot(a_16) / across_3).clamp(least_1, most_7);
+    }
+    pub(crate) fn is_on_map(&self, uv_9: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_is_on_map(rt::into(uv_9)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_is_on_map(&self, uv_9: rt::Vec2<f32>) -> rt::Scalar<bool> {
+        let mut local_29: rt::Scalar<bool>;
+
+        let beyond_4 = ((uv_9.x() - rt::Scalar(0.5f32)).abs().max((uv_9.y() - rt::Scalar(0.5f32)).abs()) - rt::Scalar(0.5f32));
+        let _e14 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition((!_e14.elementwise_ne(WRAP_CLAMP))) {
+            local_29 = beyond_4.elementwise_le(rt::Scalar(0.000001f32));
+        } else {
+            local_29 = rt::Scalar(true);
+        }
+        let _e23 = local_29;
+        return _e23;
+    }
+    pub(crate) fn surface_facets_enter(
+        &self,
+        pixel_38: PixelIn,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_facets_enter(pixel_38, rt::into(params_18)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_facets_enter(
+        &self,
+        pixel_38: PixelIn,
+        params_18: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut local_30: rt::Scalar<bool>;
+
+        let _e2 = self.v_plane_normal(pixel_38);
+        let _e5 = self.v_facet_distance(pixel_38, _e2);
+        let point_14 = (pixel_38.origin + (pixel_38.direction * _e5));
+        let _e8 = self.v_plane_weights(pixel_38, _e2, point_14);
+        let inside_6 = _e8.max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
+        let w_3 = (inside_6 / rt::Vec3::splat_from_scalar(((inside_6.x() + inside_6.y()) + inside_6.z())));
+        let uv_29 = (((pixel_38.a.uv * w_3.x()) + (pixel_38.b.uv * w_3.y())) + (pixel_38.c.uv * w_3.z()));
+        let tangent_3 = (((pixel_38.a.tangent * w_3.x()) + (pixel_38.b.tangent * w_3.y())) + (pixel_38.c.tangent * w_3.z()));
+        let bitangent_2 = (((pixel_38.a.bitangent * w_3.x()) + (pixel_38.b.bitangent * w_3.y())) + (pixel_38.c.bitangent * w_3.z()));
+        let sum_3 = ((((pixel_38.a.normal * w_3.x()) + (pixel_38.b.normal * w_3.y())) + (pixel_38.c.normal * w_3.z())) * rt::Scalar(pixel_38.side));
+        let tt_1 = tangent_3.dot(tangent_3);
+        let tb_1 = tangent_3.dot(bitangent_2);
+        let bb_1 = bitangent_2.dot(bitangent_2);
+        if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
+            let _e89 = self.v_is_on_map(uv_29);
+            local_30 = _e89;
+        } else {
+            local_30 = rt::Scalar(false);
+        }
+        let _e91 = local_30;
+        let _e96 = rt::Scalar(self.surface_settings.scale_m);
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e91), point_14, uv_29, tangent_3, bitangent_2, sum_3.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e96), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+    }
+    pub(crate) fn surface_enter_stage(&self, pixel_39: PixelIn) -> Entered {
+        rt::into(self.v_surface_enter_stage(pixel_39))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_enter_stage(&self, pixel_39: PixelIn) -> Entered {
+        let _e5 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
-                let _e10 = self.surface_settings.choices[0usize].params;
-                let _e11 = self.v_surface_plane_enter(pixel_37, _e10);
+                let _e10 = self.surface_settings.choices[1usize].params;
+                let _e11 = self.v_surface_plane_enter(pixel_39, _e10);
                 return _e11;
             }
             1u32 => {
-                let _e16 = self.surface_settings.choices[0usize].params;
-                let _e17 = self.v_surface_prism_enter(pixel_37, _e16);
+                let _e16 = self.surface_settings.choices[1usize].params;
+                let _e17 = self.v_surface_prism_enter(pixel_39, _e16);
                 return _e17;
             }
             2u32 => {
-                let _e22 = self.surface_settings.choices[0usize].params;
-                let _e23 = self.v_surface_quadric_perpendicular_enter(pixel_37, _e22);
+                let _e22 = self.surface_settings.choices[1usize].params;
+                let _e23 = self.v_surface_quadric_perpendicular_enter(pixel_39, _e22);
                 return _e23;
             }
             3u32 => {
-                let _e28 = self.surface_settings.choices[0usize].params;
-                let _e29 = self.v_surface_quadric_vertical_enter(pixel_37, _e28);
+                let _e28 = self.surface_settings.choices[1usize].params;
+                let _e29 = self.v_surface_quadric_vertical_enter(pixel_39, _e28);
                 return _e29;
             }
-            _ => {
-                let _e34 = self.surface_settings.choices[0usize].params;
-                let _e35 = self.v_surface_tetrahedra_enter(pixel_37, _e34);
+            4u32 => {
+                let _e34 = self.surface_settings.choices[1usize].params;
+                let _e35 = self.v_surface_tetrahedra_enter(pixel_39, _e34);
                 return _e35;
+            }
+            _ => {
+                let _e40 = self.surface_settings.choices[1usize].params;
+                let _e41 = self.v_surface_facets_enter(pixel_39, _e40);
+                return _e41;
             }
         }
     }
-    pub(crate) fn enter_relief(&self, pixel_38: PixelIn) -> Entered {
-        rt::into(self.v_enter_relief(pixel_38))
+    pub(crate) fn enter_relief(&self, pixel_40: PixelIn) -> Entered {
+        rt::into(self.v_enter_relief(pixel_40))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_enter_relief(&self, pixel_38: PixelIn) -> Entered {
+    fn v_enter_relief(&self, pixel_40: PixelIn) -> Entered {
         let mut at_28: Entered;
 
-        let _e1 = self.v_surface_enter_stage(pixel_38);
+        let _e1 = self.v_surface_enter_stage(pixel_40);
         at_28 = _e1;
         let _e4 = rt::Scalar(at_28.segments);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0u32))) {
@@ -4708,7 +4799,7 @@ impl<'g> Resources<'g> {
             return _e7;
         }
         let _e8 = at_28;
-        let _e9 = self.v_detail_stage(pixel_38, _e8);
+        let _e9 = self.v_detail_stage(pixel_40, _e8);
         rt::Scalar(at_28.level) = rt::Scalar(_e9.level);
         rt::Scalar(at_28.footprint) = rt::Scalar(_e9.footprint);
         rt::Scalar(at_28.fade) = rt::Scalar(_e9.fade);
@@ -4743,7 +4834,7 @@ impl<'g> Resources<'g> {
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
         let mut cost_1: rt::Vec3<u32>;
-        let mut local_29: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
 
         near_1 = above;
         far_1 = below;
@@ -4768,11 +4859,11 @@ impl<'g> Resources<'g> {
                     let _e33 = near_1;
                     if rt::Scalar::into_branch_condition(middle_11.elementwise_gt(_e33)) {
                         let _e37 = far_1;
-                        local_29 = middle_11.elementwise_lt(_e37);
+                        local_31 = middle_11.elementwise_lt(_e37);
                     } else {
-                        local_29 = rt::Scalar(false);
+                        local_31 = rt::Scalar(false);
                     }
-                    let _e40 = local_29;
+                    let _e40 = local_31;
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
@@ -4818,28 +4909,28 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_at(
         &self,
-        uv_9: impl rt::Into<rt::Vec2<f32>>,
+        uv_10: impl rt::Into<rt::Vec2<f32>>,
         layer_5: impl rt::Into<rt::Scalar<i32>>,
         level_14: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_9), rt::into(layer_5), rt::into(level_14)))
+        rt::into(self.v_normal_at(rt::into(uv_10), rt::into(layer_5), rt::into(level_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_at(
         &self,
-        uv_9: rt::Vec2<f32>,
+        uv_10: rt::Vec2<f32>,
         layer_5: rt::Scalar<i32>,
         level_14: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.normal_size;
         let _e6 = self.v_level_texels(_e5, level_14);
-        let _e7 = self.v_texels_around(uv_9, _e6);
-        let k_29 = level_14.cast_elem_as_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_29));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_29));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_29));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_29));
+        let _e7 = self.v_texels_around(uv_10, _e6);
+        let k_30 = level_14.cast_elem_as_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_30));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_30));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_30));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_30));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
@@ -4859,36 +4950,36 @@ impl<'g> Resources<'g> {
         beside: rt::Scalar<f32>,
         rate: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let a_16 = (own * rate);
-        let b_15 = (beside * rate);
-        let along_21 = (rt::Scalar(1f32) + (a_16 * b_15));
-        let apart_3 = (a_16 - b_15).abs();
-        if rt::Scalar::into_branch_condition(apart_3.elementwise_le((rt::Scalar(0.5f32) * along_21))) {
+        let a_17 = (own * rate);
+        let b_16 = (beside * rate);
+        let along_22 = (rt::Scalar(1f32) + (a_17 * b_16));
+        let apart_3 = (a_17 - b_16).abs();
+        if rt::Scalar::into_branch_condition(apart_3.elementwise_le((rt::Scalar(0.5f32) * along_22))) {
             return beside;
         }
-        if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_21))) {
+        if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_22))) {
             return own;
         }
-        let part_11 = (((apart_3 / along_21) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
+        let part_11 = (((apart_3 / along_22) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
         return (beside + ((own - beside) * part_11));
     }
     pub(crate) fn slopes_between_creases(
         &self,
         at_29: Entered,
-        uv_10: impl rt::Into<rt::Vec2<f32>>,
+        uv_11: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_slopes_between_creases(at_29, rt::into(uv_10)))
+        rt::into(self.v_slopes_between_creases(at_29, rt::into(uv_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slopes_between_creases(
         &self,
         at_29: Entered,
-        uv_10: rt::Vec2<f32>,
+        uv_11: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
-        let point_14 = ((uv_10 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e9 = self.v_cell_of(point_14);
-        let part_12 = (point_14 - _e9);
+        let point_15 = ((uv_11 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e9 = self.v_cell_of(point_15);
+        let part_12 = (point_15 - _e9);
         let i_2 = _e9.cast_elem_as_i32();
         let _e13 = self.v_height_cell(i_2, rt::Scalar(0u32));
         let _e14 = self.v_cell_slopes(_e13, part_12);
@@ -4934,26 +5025,26 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec3<f32> {
         let along_u_1 = (at_30.tangent + (at_30.normal * slope_u));
         let along_v_1 = (at_30.bitangent + (at_30.normal * slope_v));
-        let across_3 = along_v_1.cross(along_u_1).normalize();
-        return (across_3 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_3.dot(at_30.normal).elementwise_ge(rt::Scalar(0f32))));
+        let across_4 = along_v_1.cross(along_u_1).normalize();
+        return (across_4 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_4.dot(at_30.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn normal_from_height(
         &self,
         at_31: Entered,
-        uv_11: impl rt::Into<rt::Vec2<f32>>,
+        uv_12: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_31, rt::into(uv_11)))
+        rt::into(self.v_normal_from_height(at_31, rt::into(uv_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
         at_31: Entered,
-        uv_11: rt::Vec2<f32>,
+        uv_12: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let _e6 = rt::Scalar(self.surface_settings.has_creases);
         if rt::Scalar::into_branch_condition(_e6.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_slopes_between_creases(at_31, uv_11);
+            let _e9 = self.v_slopes_between_creases(at_31, uv_12);
             let _e13 = rt::Scalar(self.surface_settings.scale_m);
             let slopes = ((_e9 * _e3) * _e13);
             let _e17 = self.v_normal_of_slopes(at_31, slopes.x(), slopes.y());
@@ -4961,11 +5052,11 @@ impl<'g> Resources<'g> {
         }
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
         let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
-        let _e30 = self.v_height_at((uv_11 + du), rt::Scalar(0u32));
-        let _e33 = self.v_height_at((uv_11 - du), rt::Scalar(0u32));
+        let _e30 = self.v_height_at((uv_12 + du), rt::Scalar(0u32));
+        let _e33 = self.v_height_at((uv_12 - du), rt::Scalar(0u32));
         let rise_u = (_e30 - _e33);
-        let _e37 = self.v_height_at((uv_11 + dv), rt::Scalar(0u32));
-        let _e40 = self.v_height_at((uv_11 - dv), rt::Scalar(0u32));
+        let _e37 = self.v_height_at((uv_12 + dv), rt::Scalar(0u32));
+        let _e40 = self.v_height_at((uv_12 - dv), rt::Scalar(0u32));
         let rise_v = (_e37 - _e40);
         let _e47 = rt::Scalar(self.surface_settings.scale_m);
         let slope_u_1 = (rise_u * ((rt::Scalar(0.5f32) * _e3.x()) * _e47));
@@ -4977,24 +5068,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn finest_normal(
         &self,
         at_32: Entered,
-        uv_12: impl rt::Into<rt::Vec2<f32>>,
+        uv_13: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_32, rt::into(uv_12)))
+        rt::into(self.v_finest_normal(at_32, rt::into(uv_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_finest_normal(
         &self,
         at_32: Entered,
-        uv_12: rt::Vec2<f32>,
+        uv_13: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_normal_at(uv_12, rt::Scalar(0i32), rt::Scalar(0u32));
+            let _e9 = self.v_normal_at(uv_13, rt::Scalar(0i32), rt::Scalar(0u32));
             let _e11 = self.v_from_tangent_space(at_32, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_32, uv_12);
+        let _e13 = self.v_normal_from_height(at_32, uv_13);
         return _e13;
     }
     pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
@@ -5007,36 +5098,36 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane_segment(
         &self,
-        pixel_39: PixelIn,
+        pixel_41: PixelIn,
         at_33: Entered,
         k_1: impl rt::Into<rt::Scalar<u32>>,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_39, at_33, rt::into(k_1), rt::into(params_18)))
+        rt::into(self.v_surface_plane_segment(pixel_41, at_33, rt::into(k_1), rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_segment(
         &self,
-        pixel_39: PixelIn,
+        pixel_41: PixelIn,
         at_33: Entered,
         k_1: rt::Scalar<u32>,
-        params_18: rt::Vec4<f32>,
+        params_19: rt::Vec4<f32>,
     ) -> Path {
         let mut enter: rt::Scalar<f32>;
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_3: rt::Vec2<f32>;
 
-        let along_22 = pixel_39.direction.length();
-        let direction_5 = (pixel_39.direction / rt::Vec3::splat_from_scalar(along_22));
+        let along_23 = pixel_41.direction.length();
+        let direction_5 = (pixel_41.direction / rt::Vec3::splat_from_scalar(along_23));
         let _e9 = self.v_climb(at_33, direction_5);
         let duv_5 = _e9.xy();
         let descent_3 = (rt::Scalar(0f32) - at_33.normal.dot(direction_5));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
         let slope_7 = ((rt::Scalar(0f32) - descent_3) / _e15);
-        let _e20 = self.v_plane_normal(pixel_39);
-        let _e21 = self.v_plane_distance(pixel_39, _e20);
-        let distance = (_e21 * along_22);
+        let _e20 = self.v_plane_normal(pixel_41);
+        let _e21 = self.v_plane_distance(pixel_41, _e20);
+        let distance = (_e21 * along_23);
         let eye_2 = (rt::Scalar(0f32) - distance);
         let top_4 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
         enter = top_4.max(eye_2);
@@ -5071,40 +5162,40 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn folded_segment(
         &self,
-        pixel_40: PixelIn,
+        pixel_42: PixelIn,
         at_34: Entered,
         k_2: impl rt::Into<rt::Scalar<u32>>,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_folded_segment(pixel_40, at_34, rt::into(k_2), rt::into(params_19)))
+        rt::into(self.v_folded_segment(pixel_42, at_34, rt::into(k_2), rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_folded_segment(
         &self,
-        pixel_40: PixelIn,
+        pixel_42: PixelIn,
         at_34: Entered,
         k_2: rt::Scalar<u32>,
-        params_19: rt::Vec4<f32>,
+        params_20: rt::Vec4<f32>,
     ) -> Path {
         let mut a_8: WayPoint;
         let mut b_8: WayPoint;
         let mut path_17: Path;
-        let mut local_30: rt::Scalar<bool>;
+        let mut local_32: rt::Scalar<bool>;
 
-        let along_23 = pixel_40.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_40, along_23);
-        let _e7 = self.v_prism_of(pixel_40, along_23, _e6, params_19);
-        let _e8 = self.v_shell_slack(pixel_40, _e6);
-        let _e9 = self.v_way_of(pixel_40, _e7, along_23);
-        let _e10 = self.v_way_offsets(pixel_40, _e7, _e8);
-        let _e11 = self.v_chord_reach(pixel_40, at_34, _e6, params_19);
+        let along_24 = pixel_42.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_42, along_24);
+        let _e7 = self.v_prism_of(pixel_42, along_24, _e6, params_20);
+        let _e8 = self.v_shell_slack(pixel_42, _e6);
+        let _e9 = self.v_way_of(pixel_42, _e7, along_24);
+        let _e10 = self.v_way_offsets(pixel_42, _e7, _e8);
+        let _e11 = self.v_chord_reach(pixel_42, at_34, _e6, params_20);
         let _e12 = self.v_way_beyond(_e7, _e10, _e11);
-        let _e14 = self.v_way_chord(pixel_40, _e7, along_23, _e9, _e10, _e12, params_19.x(), k_2);
-        let _e16 = self.v_before_turn(_e7, along_23, _e9, _e14.offsets);
-        let _e18 = self.v_way_point(_e7, along_23, _e9, _e16.x());
+        let _e14 = self.v_way_chord(pixel_42, _e7, along_24, _e9, _e10, _e12, params_20.x(), k_2);
+        let _e16 = self.v_before_turn(_e7, along_24, _e9, _e14.offsets);
+        let _e18 = self.v_way_point(_e7, along_24, _e9, _e16.x());
         a_8 = _e18;
-        let _e25 = self.v_way_point(_e7, along_23, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
-        let _e27 = self.v_way_point(_e7, along_23, _e9, _e16.y());
+        let _e25 = self.v_way_point(_e7, along_24, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
+        let _e27 = self.v_way_point(_e7, along_24, _e9, _e16.y());
         b_8 = _e27;
         let _e30 = rt::Scalar(b_8.t);
         let _e32 = rt::Scalar(a_8.t);
@@ -5125,16 +5216,16 @@ impl<'g> Resources<'g> {
         let _e58 = b_8.point;
         let _e60 = rt::Scalar(a_8.t);
         let _e62 = rt::Scalar(b_8.t);
-        let _e64 = self.v_chord_path(pixel_40, at_34, _e6, params_19, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
+        let _e64 = self.v_chord_path(pixel_42, at_34, _e6, params_20, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
         path_17 = _e64;
         let _e67 = rt::Scalar(a_8.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
             let _e76 = rt::Scalar(b_8.beside);
-            local_30 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
+            local_32 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
         } else {
-            local_30 = rt::Scalar(true);
+            local_32 = rt::Scalar(true);
         }
-        let _e82 = local_30;
+        let _e82 = local_32;
         if rt::Scalar::into_branch_condition(_e82) {
             rt::Scalar(path_17.exit) = rt::Scalar(0f32);
         }
@@ -5143,74 +5234,74 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_prism_segment(
         &self,
-        pixel_41: PixelIn,
+        pixel_43: PixelIn,
         at_35: Entered,
         k_3: impl rt::Into<rt::Scalar<u32>>,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_41, at_35, rt::into(k_3), rt::into(params_20)))
+        rt::into(self.v_surface_prism_segment(pixel_43, at_35, rt::into(k_3), rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_segment(
         &self,
-        pixel_41: PixelIn,
+        pixel_43: PixelIn,
         at_35: Entered,
         k_3: rt::Scalar<u32>,
-        params_20: rt::Vec4<f32>,
+        params_21: rt::Vec4<f32>,
     ) -> Path {
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_41.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_folded_segment(pixel_41, at_35, k_3, params_20);
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_43.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e8 = self.v_folded_segment(pixel_43, at_35, k_3, params_21);
             return _e8;
         }
-        let along_24 = pixel_41.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_41, along_24);
-        let _e12 = self.v_prism_of(pixel_41, along_24, _e11, params_20);
-        let heights_2 = pixel_41.shell.heights;
+        let along_25 = pixel_43.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_43, along_25);
+        let _e12 = self.v_prism_of(pixel_43, along_25, _e11, params_21);
+        let heights_2 = pixel_43.shell.heights;
         let mean_3 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
         let _e20 = self.v_chord_end(at_35, k_3);
         let _e23 = self.v_chord_end(at_35, (k_3 + rt::Scalar(1u32)));
-        let _e25 = self.v_shell_point(_e12, (along_24 * _e20), mean_3);
-        let _e27 = self.v_shell_point(_e12, (along_24 * _e23), mean_3);
+        let _e25 = self.v_shell_point(_e12, (along_25 * _e20), mean_3);
+        let _e27 = self.v_shell_point(_e12, (along_25 * _e23), mean_3);
         let _e32 = self.v_between(_e25, _e27);
-        let _e33 = self.v_shell_point_from(_e12, (along_24 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
+        let _e33 = self.v_shell_point_from(_e12, (along_25 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
-        let _e56 = self.v_chord_reach(pixel_41, at_35, _e11, params_20);
-        let beyond_4 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e68 = self.v_chord_path(pixel_41, at_35, _e11, params_20, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_4);
+        let _e56 = self.v_chord_reach(pixel_43, at_35, _e11, params_21);
+        let beyond_5 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
+        let _e68 = self.v_chord_path(pixel_43, at_35, _e11, params_21, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
         return _e68;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
         &self,
-        pixel_42: PixelIn,
+        pixel_44: PixelIn,
         at_36: Entered,
         k_4: impl rt::Into<rt::Scalar<u32>>,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_42, at_36, rt::into(k_4), rt::into(params_21)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_44, at_36, rt::into(k_4), rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_segment(
         &self,
-        pixel_42: PixelIn,
+        pixel_44: PixelIn,
         at_36: Entered,
         k_4: rt::Scalar<u32>,
-        params_21: rt::Vec4<f32>,
+        params_22: rt::Vec4<f32>,
     ) -> Path {
         let mut begin_1: rt::Scalar<f32>;
         let mut end_1: rt::Scalar<f32>;
-        let mut local_31: rt::Scalar<bool>;
+        let mut local_33: rt::Scalar<bool>;
         let mut path_18: Path;
         let mut inside_2: rt::Vec2<f32>;
 
-        let along_25 = pixel_42.direction.length();
-        let _e9 = self.v_across_of(at_36, (pixel_42.direction / rt::Vec3::splat_from_scalar(along_25)));
+        let along_26 = pixel_44.direction.length();
+        let _e9 = self.v_across_of(at_36, (pixel_44.direction / rt::Vec3::splat_from_scalar(along_26)));
         let _e10 = self.v_traced_scale_m();
-        let _e11 = self.v_plane_normal(pixel_42);
-        let _e12 = self.v_plane_distance(pixel_42, _e11);
-        let distance_1 = (_e12 * along_25);
+        let _e11 = self.v_plane_normal(pixel_44);
+        let _e12 = self.v_plane_distance(pixel_44, _e11);
+        let distance_1 = (_e12 * along_26);
         let whole = (at_36.span.y() - at_36.span.x());
-        let first_7 = (at_36.span.x() + (whole * (k_4.cast_elem_as_f32() / params_21.z())));
-        let last_3 = (at_36.span.x() + (whole * ((k_4 + rt::Scalar(1u32)).cast_elem_as_f32() / params_21.z())));
+        let first_7 = (at_36.span.x() + (whole * (k_4.cast_elem_as_f32() / params_22.z())));
+        let last_3 = (at_36.span.x() + (whole * ((k_4 + rt::Scalar(1u32)).cast_elem_as_f32() / params_22.z())));
         let long_4 = (last_3 - first_7);
         let _e38 = self.v_across_depth(_e9, first_7);
         begin_1 = (at_36.quadric.w() - (_e38 / _e10));
@@ -5222,13 +5313,13 @@ impl<'g> Resources<'g> {
         let middle_12 = (at_36.quadric.w() - (_e52 / _e10));
         let _e57 = self.v_across_depth(_e9, last_3);
         end_1 = (at_36.quadric.w() - (_e57 / _e10));
-        if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_21.z().cast_elem_as_u32())) {
+        if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_22.z().cast_elem_as_u32())) {
             let _e68 = end_1;
-            local_31 = _e68.elementwise_lt(rt::Scalar(0.5f32));
+            local_33 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
-            local_31 = rt::Scalar(false);
+            local_33 = rt::Scalar(false);
         }
-        let _e72 = local_31;
+        let _e72 = local_33;
         if rt::Scalar::into_branch_condition(_e72) {
             let _e73 = end_1;
             end_1 = _e73.min(rt::Scalar(-0.000001f32));
@@ -5241,7 +5332,7 @@ impl<'g> Resources<'g> {
         let slope_8 = ((_e84 - _e85) - bend_5);
         let base_3 = (rt::Scalar(0f32) - first_7).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e98 = begin_1;
-        path_18 = <Path>::new((at_36.uv + (_e9.duv * first_7)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_8 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_36.metric, RAY_VIEW, rt::Scalar(at_36.level), (distance_1 + first_7), (rt::Scalar(1f32) / params_21.z()));
+        path_18 = <Path>::new((at_36.uv + (_e9.duv * first_7)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_8 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_36.metric, RAY_VIEW, rt::Scalar(at_36.level), (distance_1 + first_7), (rt::Scalar(1f32) / params_22.z()));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
         let _e117 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e117.elementwise_eq(WRAP_CLAMP)) {
@@ -5269,31 +5360,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_quadric_vertical_segment(
         &self,
-        pixel_43: PixelIn,
+        pixel_45: PixelIn,
         at_37: Entered,
         k_5: impl rt::Into<rt::Scalar<u32>>,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_43, at_37, rt::into(k_5), rt::into(params_22)))
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_45, at_37, rt::into(k_5), rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_segment(
         &self,
-        pixel_43: PixelIn,
+        pixel_45: PixelIn,
         at_37: Entered,
         k_5: rt::Scalar<u32>,
-        params_22: rt::Vec4<f32>,
+        params_23: rt::Vec4<f32>,
     ) -> Path {
-        let mut local_32: rt::Scalar<bool>;
-        let mut local_33: rt::Scalar<bool>;
+        let mut local_34: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
         let mut enter_1: rt::Scalar<f32>;
         let mut leave_5: rt::Scalar<f32>;
         let mut interval_4: rt::Vec2<f32>;
         let mut path_19: Path;
-        let mut local_34: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
 
-        let along_26 = pixel_43.direction.length();
-        let direction_6 = (pixel_43.direction / rt::Vec3::splat_from_scalar(along_26));
+        let along_27 = pixel_45.direction.length();
+        let direction_6 = (pixel_45.direction / rt::Vec3::splat_from_scalar(along_27));
         let _e9 = self.v_climb(at_37, direction_6);
         let duv_6 = _e9.xy();
         let descent_4 = (rt::Scalar(0f32) - at_37.normal.dot(direction_6));
@@ -5302,23 +5393,23 @@ impl<'g> Resources<'g> {
         let slope_9 = ((rt::Scalar(0f32) - descent_4) / _e15);
         let _e23 = self.v_quadric_at(at_37.quadric.xyz(), duv_6);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
-        let _e27 = self.v_plane_normal(pixel_43);
-        let _e28 = self.v_plane_distance(pixel_43, _e27);
-        let distance_2 = (_e28 * along_26);
+        let _e27 = self.v_plane_normal(pixel_45);
+        let _e28 = self.v_plane_distance(pixel_45, _e27);
+        let distance_2 = (_e28 * along_27);
         let eye_3 = (rt::Scalar(0f32) - distance_2);
         let _e35 = self.v_bent_descent(((height_12 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
             if rt::Scalar::into_branch_condition((!height_12.elementwise_lt(rt::Scalar(1f32)))) {
-                local_33 = _e35.elementwise_ge(rt::Scalar(0f32));
+                local_35 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
-                local_33 = rt::Scalar(true);
+                local_35 = rt::Scalar(true);
             }
-            let _e48 = local_33;
-            local_32 = _e48;
+            let _e48 = local_35;
+            local_34 = _e48;
         } else {
-            local_32 = rt::Scalar(false);
+            local_34 = rt::Scalar(false);
         }
-        let comes_down = local_32;
+        let comes_down = local_34;
         enter_1 = _e35.max(eye_3);
         let _e53 = enter_1;
         let _e54 = enter_1;
@@ -5362,11 +5453,11 @@ impl<'g> Resources<'g> {
         path_19 = <Path>::new((at_37.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_9 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_37.metric, RAY_VIEW, rt::Scalar(at_37.level), (distance_2 + _e137), rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
             let _e147 = rt::Scalar(path_19.exit);
-            local_34 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
+            local_36 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_34 = rt::Scalar(true);
+            local_36 = rt::Scalar(true);
         }
-        let _e152 = local_34;
+        let _e152 = local_36;
         if rt::Scalar::into_branch_condition(_e152) {
             rt::Scalar(path_19.exit) = rt::Scalar(0f32);
         }
@@ -5375,30 +5466,30 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_tetrahedra_segment(
         &self,
-        pixel_44: PixelIn,
+        pixel_46: PixelIn,
         at_38: Entered,
         k_6: impl rt::Into<rt::Scalar<u32>>,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_44, at_38, rt::into(k_6), rt::into(params_23)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_46, at_38, rt::into(k_6), rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_segment(
         &self,
-        pixel_44: PixelIn,
+        pixel_46: PixelIn,
         at_38: Entered,
         k_6: rt::Scalar<u32>,
-        params_23: rt::Vec4<f32>,
+        params_24: rt::Vec4<f32>,
     ) -> Path {
         let mut chosen_1: Tetrahedron;
         let mut inside_3: rt::Vec2<f32>;
         let mut path_20: Path;
 
-        let along_27 = pixel_44.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_44, along_27);
-        let _e8 = self.v_tetrahedron(pixel_44, along_27, _e6, rt::Scalar(0u32));
-        let _e10 = self.v_tetrahedron(pixel_44, along_27, _e6, rt::Scalar(1u32));
-        let _e12 = self.v_tetrahedron(pixel_44, along_27, _e6, rt::Scalar(2u32));
+        let along_28 = pixel_46.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_46, along_28);
+        let _e8 = self.v_tetrahedron(pixel_46, along_28, _e6, rt::Scalar(0u32));
+        let _e10 = self.v_tetrahedron(pixel_46, along_28, _e6, rt::Scalar(1u32));
+        let _e12 = self.v_tetrahedron(pixel_46, along_28, _e6, rt::Scalar(2u32));
         let _e15 = self.v_comes_before(_e8.inside, _e10.inside);
         let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
         let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
@@ -5409,30 +5500,30 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_6)) {
             chosen_1 = _e12;
         }
-        let _e30 = self.v_ordered(pixel_44, rt::Scalar(0u32));
-        let _e32 = self.v_ordered(pixel_44, rt::Scalar(1u32));
-        let _e34 = self.v_ordered(pixel_44, rt::Scalar(2u32));
-        let w_3 = chosen_1.weights;
+        let _e30 = self.v_ordered(pixel_46, rt::Scalar(0u32));
+        let _e32 = self.v_ordered(pixel_46, rt::Scalar(1u32));
+        let _e34 = self.v_ordered(pixel_46, rt::Scalar(2u32));
+        let w_4 = chosen_1.weights;
         let g = chosen_1.change;
-        let uv_28 = (((_e30.uv * w_3.x()) + (_e32.uv * w_3.y())) + (_e34.uv * w_3.z()));
+        let uv_30 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
-        let _e61 = self.v_shell_slack(pixel_44, _e6);
-        let beyond_5 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
+        let _e61 = self.v_shell_slack(pixel_46, _e6);
+        let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
         let _e68 = chosen_1.inside;
         inside_3 = _e68;
         let _e70 = inside_3;
-        let _e77 = self.v_where_positive(_e70, (w_3.w() - pixel_44.shell.heights.x()), g.w(), beyond_5);
+        let _e77 = self.v_where_positive(_e70, (w_4.w() - pixel_46.shell.heights.x()), g.w(), beyond_6);
         inside_3 = _e77;
         let _e78 = inside_3;
-        let _e87 = self.v_where_positive(_e78, (pixel_44.shell.heights.y() - w_3.w()), (rt::Scalar(0f32) - g.w()), beyond_5);
+        let _e87 = self.v_where_positive(_e78, (pixel_46.shell.heights.y() - w_4.w()), (rt::Scalar(0f32) - g.w()), beyond_6);
         inside_3 = _e87;
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_3;
-            let _e96 = self.v_inside_unit(uv_28.x(), duv_7.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_30.x(), duv_7.x(), _e95);
             inside_3 = _e96;
             let _e99 = inside_3;
-            let _e100 = self.v_inside_unit(uv_28.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_30.y(), duv_7.y(), _e99);
             inside_3 = _e100;
         }
         let whole_1 = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -5443,7 +5534,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_20 = <Path>::new((uv_28 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_3.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_38.metric, RAY_VIEW, rt::Scalar(at_38.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
+        path_20 = <Path>::new((uv_30 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_38.metric, RAY_VIEW, rt::Scalar(at_38.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
         let _e158 = rt::Scalar(path_20.exit);
         if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
             let _e161 = path_20;
@@ -5455,47 +5546,77 @@ impl<'g> Resources<'g> {
         let _e168 = path_20;
         return _e168;
     }
-    pub(crate) fn surface_segment_stage(
+    pub(crate) fn surface_facets_segment(
         &self,
-        pixel_45: PixelIn,
+        pixel_47: PixelIn,
         at_39: Entered,
         k_7: impl rt::Into<rt::Scalar<u32>>,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_45, at_39, rt::into(k_7)))
+        rt::into(self.v_surface_facets_segment(pixel_47, at_39, rt::into(k_7), rt::into(params_25)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_surface_facets_segment(
+        &self,
+        pixel_47: PixelIn,
+        at_39: Entered,
+        k_7: rt::Scalar<u32>,
+        params_25: rt::Vec4<f32>,
+    ) -> Path {
+        let _e4 = self.v_plane_normal(pixel_47);
+        let _e5 = self.v_facet_distance(pixel_47, _e4);
+        let start_2 = (_e5 * pixel_47.direction.length());
+        let _e11 = self.v_height_at(at_39.uv, rt::Scalar(at_39.level));
+        let duv_8 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Path>::new(at_39.uv, duv_8, <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(1f32), rt::Scalar(0f32), at_39.metric, RAY_VIEW, rt::Scalar(at_39.level), start_2, rt::Scalar(1f32));
+    }
+    pub(crate) fn surface_segment_stage(
+        &self,
+        pixel_48: PixelIn,
+        at_40: Entered,
+        k_8: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Path {
+        rt::into(self.v_surface_segment_stage(pixel_48, at_40, rt::into(k_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_segment_stage(
         &self,
-        pixel_45: PixelIn,
-        at_39: Entered,
-        k_7: rt::Scalar<u32>,
+        pixel_48: PixelIn,
+        at_40: Entered,
+        k_8: rt::Scalar<u32>,
     ) -> Path {
-        let _e7 = rt::Scalar(self.surface_settings.choices[0usize].number);
+        let _e7 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
-                let _e12 = self.surface_settings.choices[0usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_45, at_39, k_7, _e12);
+                let _e12 = self.surface_settings.choices[1usize].params;
+                let _e13 = self.v_surface_plane_segment(pixel_48, at_40, k_8, _e12);
                 return _e13;
             }
             1u32 => {
-                let _e18 = self.surface_settings.choices[0usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_45, at_39, k_7, _e18);
+                let _e18 = self.surface_settings.choices[1usize].params;
+                let _e19 = self.v_surface_prism_segment(pixel_48, at_40, k_8, _e18);
                 return _e19;
             }
             2u32 => {
-                let _e24 = self.surface_settings.choices[0usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_45, at_39, k_7, _e24);
+                let _e24 = self.surface_settings.choices[1usize].params;
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_48, at_40, k_8, _e24);
                 return _e25;
             }
             3u32 => {
-                let _e30 = self.surface_settings.choices[0usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_45, at_39, k_7, _e30);
+                let _e30 = self.surface_settings.choices[1usize].params;
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_48, at_40, k_8, _e30);
                 return _e31;
             }
-            _ => {
-                let _e36 = self.surface_settings.choices[0usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_45, at_39, k_7, _e36);
+            4u32 => {
+                let _e36 = self.surface_settings.choices[1usize].params;
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_48, at_40, k_8, _e36);
                 return _e37;
+            }
+            _ => {
+                let _e42 = self.surface_settings.choices[1usize].params;
+                let _e43 = self.v_surface_facets_segment(pixel_48, at_40, k_8, _e42);
+                return _e43;
             }
         }
     }
@@ -5557,27 +5678,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn segment_of(
         &self,
-        pixel_46: PixelIn,
-        at_40: Entered,
-        k_8: impl rt::Into<rt::Scalar<u32>>,
+        pixel_49: PixelIn,
+        at_41: Entered,
+        k_9: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_46, at_40, rt::into(k_8)))
+        rt::into(self.v_segment_of(pixel_49, at_41, rt::into(k_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_segment_of(
         &self,
-        pixel_46: PixelIn,
-        at_40: Entered,
-        k_8: rt::Scalar<u32>,
+        pixel_49: PixelIn,
+        at_41: Entered,
+        k_9: rt::Scalar<u32>,
     ) -> Path {
         let mut path_23: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_46, at_40, k_8);
+        let _e3 = self.v_surface_segment_stage(pixel_49, at_41, k_9);
         path_23 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_40.fade).elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_41.fade).elementwise_gt(rt::Scalar(0f32))) {
             let _e8 = path_23;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_40.fade));
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_41.fade));
             path_23 = _e13;
             let _e16 = path_23.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
@@ -5604,40 +5725,40 @@ impl<'g> Resources<'g> {
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_35: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(t_14.elementwise_gt(rt::Scalar(path_24.exit))) {
             let _e9 = self.v_path_height(path_24, rt::Scalar(path_24.exit));
-            local_35 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+            local_37 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_35 = rt::Scalar(false);
+            local_37 = rt::Scalar(false);
         }
-        let _e13 = local_35;
+        let _e13 = local_37;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
         }
-        let inside_6 = t_14.clamp(rt::Scalar(0f32), rt::Scalar(path_24.exit));
-        let _e19 = self.v_path_uv(path_24, inside_6);
-        let _e20 = self.v_path_height(path_24, inside_6);
-        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_6, cost_3);
+        let inside_7 = t_14.clamp(rt::Scalar(0f32), rt::Scalar(path_24.exit));
+        let _e19 = self.v_path_uv(path_24, inside_7);
+        let _e20 = self.v_path_height(path_24, inside_7);
+        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_7, cost_3);
     }
     pub(crate) fn starting_point(&self, path_25: Path, found: Found) -> f32 {
         rt::into(self.v_starting_point(path_25, found))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_starting_point(&self, path_25: Path, found: Found) -> rt::Scalar<f32> {
-        let mut local_36: rt::Scalar<bool>;
+        let mut local_38: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_25.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
-            local_36 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
+            local_38 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_36 = rt::Scalar(true);
+            local_38 = rt::Scalar(true);
         }
-        let _e16 = local_36;
+        let _e16 = local_38;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found.far);
         }
@@ -5647,9 +5768,9 @@ impl<'g> Resources<'g> {
         &self,
         path_26: Path,
         found_1: Found,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_26, found_1, rt::into(params_24)))
+        rt::into(self.v_refine_none(path_26, found_1, rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5657,7 +5778,7 @@ impl<'g> Resources<'g> {
         &self,
         path_26: Path,
         found_1: Found,
-        params_24: rt::Vec4<f32>,
+        params_26: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_1.cost);
@@ -5672,16 +5793,16 @@ impl<'g> Resources<'g> {
         &self,
         path_27: Path,
         found_2: Found,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_27, found_2, rt::into(params_25)))
+        rt::into(self.v_refine_offset(path_27, found_2, rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
         path_27: Path,
         found_2: Found,
-        params_25: rt::Vec4<f32>,
+        params_27: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_15: rt::Scalar<f32>;
 
@@ -5706,16 +5827,16 @@ impl<'g> Resources<'g> {
         &self,
         path_28: Path,
         found_3: Found,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_28, found_3, rt::into(params_26)))
+        rt::into(self.v_refine_offset_limited(path_28, found_3, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
         path_28: Path,
         found_3: Found,
-        params_26: rt::Vec4<f32>,
+        params_28: rt::Vec4<f32>,
     ) -> Hit {
         let mut hit_7: Hit;
 
@@ -5740,22 +5861,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn height_and_slope(
         &self,
-        uv_13: impl rt::Into<rt::Vec2<f32>>,
+        uv_14: impl rt::Into<rt::Vec2<f32>>,
         level_15: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_13), rt::into(level_15)))
+        rt::into(self.v_height_and_slope(rt::into(uv_14), rt::into(level_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_height_and_slope(
         &self,
-        uv_13: rt::Vec2<f32>,
+        uv_14: rt::Vec2<f32>,
         level_15: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_height_size(level_15);
-        let point_15 = ((uv_13 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_15);
-        let f_1 = (point_15 - _e8);
+        let point_16 = ((uv_14 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_16);
+        let f_1 = (point_16 - _e8);
         let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_15);
         let top_6 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_2 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
@@ -5786,16 +5907,16 @@ impl<'g> Resources<'g> {
         &self,
         path_30: Path,
         found_4: Found,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_30, found_4, rt::into(params_27)))
+        rt::into(self.v_refine_slope(path_30, found_4, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
         path_30: Path,
         found_4: Found,
-        params_27: rt::Vec4<f32>,
+        params_29: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_16: rt::Scalar<f32>;
 
@@ -5809,7 +5930,7 @@ impl<'g> Resources<'g> {
         let _e13 = self.v_path_height(path_30, _e8);
         let rise = (_e11.x() - _e13);
         t_16 = _e8;
-        if rt::Scalar::into_branch_condition(params_27.x().elementwise_gt(rt::Scalar(0.5f32))) {
+        if rt::Scalar::into_branch_condition(params_29.x().elementwise_gt(rt::Scalar(0.5f32))) {
             let _e19 = self.v_path_slope(path_30, _e8);
             let closing = (_e19 - ((_e11.y() * path_30.duv.x()) + (_e11.z() * path_30.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
@@ -5827,20 +5948,20 @@ impl<'g> Resources<'g> {
         &self,
         path_31: Path,
         found_5: Found,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_31, found_5, rt::into(params_28)))
+        rt::into(self.v_refine_slope_iterative(path_31, found_5, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
         path_31: Path,
         found_5: Found,
-        params_28: rt::Vec4<f32>,
+        params_30: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_17: rt::Scalar<f32>;
         let mut cost_4: rt::Vec3<u32>;
-        let mut k_9: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_10: rt::Scalar<f32> = rt::Scalar(0f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_5.cost);
@@ -5851,8 +5972,8 @@ impl<'g> Resources<'g> {
         cost_4 = found_5.cost;
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_9;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_28.x())) {
+                let _e14 = k_10;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_30.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -5867,7 +5988,7 @@ impl<'g> Resources<'g> {
                     let _e28 = t_17;
                     let _e29 = self.v_path_height(path_31, _e28);
                     let rise_1 = (_e23.x() - _e29);
-                    if rt::Scalar::into_branch_condition(params_28.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_30.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e34 = t_17;
                         let _e35 = self.v_path_slope(path_31, _e34);
                         let closing_1 = (_e35 - ((_e23.y() * path_31.duv.x()) + (_e23.z() * path_31.duv.y())));
@@ -5882,8 +6003,8 @@ impl<'g> Resources<'g> {
                     }
                     let _e61 = t_17;
                     t_17 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_31.exit));
-                    let _e65 = k_9;
-                    k_9 = (_e65 + rt::Scalar(1f32));
+                    let _e65 = k_10;
+                    k_10 = (_e65 + rt::Scalar(1f32));
                 }
             }
         }
@@ -5897,55 +6018,55 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found_6: Found) -> rt::Scalar<bool> {
-        let mut local_37: rt::Scalar<bool>;
-        let mut local_38: rt::Scalar<bool>;
         let mut local_39: rt::Scalar<bool>;
+        let mut local_40: rt::Scalar<bool>;
+        let mut local_41: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.far).elementwise_gt(rt::Scalar(found_6.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_6.status).elementwise_eq(FOUND_BRACKET))) {
-                local_38 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
+                local_40 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
-                local_38 = rt::Scalar(true);
+                local_40 = rt::Scalar(true);
             }
-            let _e16 = local_38;
+            let _e16 = local_40;
             if rt::Scalar::into_branch_condition((!_e16)) {
-                local_39 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
+                local_41 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
             } else {
-                local_39 = rt::Scalar(true);
+                local_41 = rt::Scalar(true);
             }
-            let _e24 = local_39;
-            local_37 = _e24;
+            let _e24 = local_41;
+            local_39 = _e24;
         } else {
-            local_37 = rt::Scalar(false);
+            local_39 = rt::Scalar(false);
         }
-        let _e26 = local_37;
+        let _e26 = local_39;
         return _e26;
     }
     pub(crate) fn refine_binary(
         &self,
         path_32: Path,
         found_7: Found,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_32, found_7, rt::into(params_29)))
+        rt::into(self.v_refine_binary(path_32, found_7, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
         path_32: Path,
         found_7: Found,
-        params_29: rt::Vec4<f32>,
+        params_31: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_2: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_40: rt::Scalar<bool>;
+        let mut local_42: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
-        let mut k_10: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_11: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_7);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_32, found_7, params_29);
+            let _e5 = self.v_refine_none(path_32, found_7, params_31);
             return _e5;
         }
         near_2 = rt::Scalar(found_7.near);
@@ -5954,16 +6075,16 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
             let _e19 = self.v_path_height(path_32, _e18);
-            local_40 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_42 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_40 = rt::Scalar(true);
+            local_42 = rt::Scalar(true);
         }
-        let _e23 = local_40;
+        let _e23 = local_42;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = k_10;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_29.x())) {
+                let _e27 = k_11;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_31.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -5982,8 +6103,8 @@ impl<'g> Resources<'g> {
                     } else {
                         near_2 = middle_13;
                     }
-                    let _e45 = k_10;
-                    k_10 = (_e45 + rt::Scalar(1f32));
+                    let _e45 = k_11;
+                    k_11 = (_e45 + rt::Scalar(1f32));
                 }
             }
         }
@@ -6003,16 +6124,16 @@ impl<'g> Resources<'g> {
         &self,
         path_33: Path,
         found_8: Found,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_33, found_8, rt::into(params_30)))
+        rt::into(self.v_refine_secant(path_33, found_8, rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
         path_33: Path,
         found_8: Found,
-        params_30: rt::Vec4<f32>,
+        params_32: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_3: rt::Scalar<f32>;
         let mut far_3: rt::Scalar<f32>;
@@ -6020,11 +6141,11 @@ impl<'g> Resources<'g> {
         let mut far_gap_1: rt::Scalar<f32>;
         let mut cost_6: rt::Vec3<u32>;
         let mut t_18: rt::Scalar<f32>;
-        let mut k_11: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_12: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_33, found_8, params_30);
+            let _e5 = self.v_refine_none(path_33, found_8, params_32);
             return _e5;
         }
         near_3 = rt::Scalar(found_8.near);
@@ -6052,8 +6173,8 @@ impl<'g> Resources<'g> {
         t_18 = _e33;
         'naga_break: loop {
             'naga_continue: {
-                let _e37 = k_11;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_30.x())) {
+                let _e37 = k_12;
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_32.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -6071,8 +6192,8 @@ impl<'g> Resources<'g> {
                     let _e51 = near_3;
                     let _e53 = near_gap_1;
                     t_18 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
-                    let _e57 = k_11;
-                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_30.x())) {
+                    let _e57 = k_12;
+                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_32.x())) {
                         let _e60 = t_18;
                         let _e61 = self.v_path_gap(path_33, _e60);
                         let _e62 = cost_6;
@@ -6087,8 +6208,8 @@ impl<'g> Resources<'g> {
                             near_gap_1 = _e61;
                         }
                     }
-                    let _e69 = k_11;
-                    k_11 = (_e69 + rt::Scalar(1f32));
+                    let _e69 = k_12;
+                    k_12 = (_e69 + rt::Scalar(1f32));
                 }
             }
         }
@@ -6101,27 +6222,27 @@ impl<'g> Resources<'g> {
         &self,
         path_34: Path,
         found_9: Found,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_34, found_9, rt::into(params_31)))
+        rt::into(self.v_refine_true_secant(path_34, found_9, rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
         path_34: Path,
         found_9: Found,
-        params_31: rt::Vec4<f32>,
+        params_33: rt::Vec4<f32>,
     ) -> Hit {
         let mut before: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
         let mut cost_7: rt::Vec3<u32>;
-        let mut k_12: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_13: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_34, found_9, params_31);
+            let _e5 = self.v_refine_none(path_34, found_9, params_33);
             return _e5;
         }
         before = rt::Scalar(found_9.near);
@@ -6147,8 +6268,8 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e35 = k_12;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_31.x())) {
+                let _e35 = k_13;
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_33.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -6171,15 +6292,15 @@ impl<'g> Resources<'g> {
                     let _e58 = last_gap;
                     before_gap = _e58;
                     last = t_35;
-                    let _e59 = k_12;
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_31.x())) {
+                    let _e59 = k_13;
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_33.x())) {
                         let _e62 = self.v_path_gap(path_34, t_35);
                         last_gap = _e62;
                         let _e63 = cost_7;
                         cost_7 = (_e63 + HEIGHTS_READ);
                     }
-                    let _e66 = k_12;
-                    k_12 = (_e66 + rt::Scalar(1f32));
+                    let _e66 = k_13;
+                    k_13 = (_e66 + rt::Scalar(1f32));
                 }
             }
         }
@@ -6192,21 +6313,21 @@ impl<'g> Resources<'g> {
         &self,
         path_35: Path,
         found_10: Found,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_35, found_10, rt::into(params_32)))
+        rt::into(self.v_refine_patch(path_35, found_10, rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
         path_35: Path,
         found_10: Found,
-        params_32: rt::Vec4<f32>,
+        params_34: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_19: rt::Scalar<f32>;
         let mut cell_7: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_41: rt::Scalar<bool>;
+        let mut local_43: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_10.cost);
@@ -6227,7 +6348,7 @@ impl<'g> Resources<'g> {
         cell_7 = _e30;
         cost_8 = found_10.cost;
         let _e35 = cost_8.x();
-        let limit = (_e35 + params_32.x().cast_elem_as_u32());
+        let limit = (_e35 + params_34.x().cast_elem_as_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_8.x();
@@ -6263,11 +6384,11 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(found_10.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_41 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
+                            local_43 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_41 = rt::Scalar(true);
+                            local_43 = rt::Scalar(true);
                         }
-                        let _e89 = local_41;
+                        let _e89 = local_43;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
                             let _e93 = self.v_hit_on_path(path_35, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
@@ -6294,27 +6415,27 @@ impl<'g> Resources<'g> {
         &self,
         path_36: Path,
         found_11: Found,
-        params_33: impl rt::Into<rt::Vec4<f32>>,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_36, found_11, rt::into(params_33)))
+        rt::into(self.v_refine_half_texel(path_36, found_11, rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
         path_36: Path,
         found_11: Found,
-        params_33: rt::Vec4<f32>,
+        params_35: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_5: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_36, found_11, params_33);
+            let _e6 = self.v_refine_none(path_36, found_11, params_35);
             return _e6;
         }
         let _e9 = self.v_height_size(rt::Scalar(path_36.level));
         let speed_1 = (path_36.duv * _e9).length();
         if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_36.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_36, found_11, params_33);
+            let _e17 = self.v_refine_none(path_36, found_11, params_35);
             return _e17;
         }
         let half_1 = (rt::Scalar(0.5f32) / speed_1);
@@ -6337,55 +6458,55 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_stage(&self, path_37: Path, found_12: Found) -> Hit {
-        let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
+        let _e6 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
-                let _e11 = self.surface_settings.choices[3usize].params;
+                let _e11 = self.surface_settings.choices[4usize].params;
                 let _e12 = self.v_refine_none(path_37, found_12, _e11);
                 return _e12;
             }
             1u32 => {
-                let _e17 = self.surface_settings.choices[3usize].params;
+                let _e17 = self.surface_settings.choices[4usize].params;
                 let _e18 = self.v_refine_offset(path_37, found_12, _e17);
                 return _e18;
             }
             2u32 => {
-                let _e23 = self.surface_settings.choices[3usize].params;
+                let _e23 = self.surface_settings.choices[4usize].params;
                 let _e24 = self.v_refine_offset_limited(path_37, found_12, _e23);
                 return _e24;
             }
             3u32 => {
-                let _e29 = self.surface_settings.choices[3usize].params;
+                let _e29 = self.surface_settings.choices[4usize].params;
                 let _e30 = self.v_refine_slope(path_37, found_12, _e29);
                 return _e30;
             }
             4u32 => {
-                let _e35 = self.surface_settings.choices[3usize].params;
+                let _e35 = self.surface_settings.choices[4usize].params;
                 let _e36 = self.v_refine_slope_iterative(path_37, found_12, _e35);
                 return _e36;
             }
             5u32 => {
-                let _e41 = self.surface_settings.choices[3usize].params;
+                let _e41 = self.surface_settings.choices[4usize].params;
                 let _e42 = self.v_refine_binary(path_37, found_12, _e41);
                 return _e42;
             }
             6u32 => {
-                let _e47 = self.surface_settings.choices[3usize].params;
+                let _e47 = self.surface_settings.choices[4usize].params;
                 let _e48 = self.v_refine_secant(path_37, found_12, _e47);
                 return _e48;
             }
             7u32 => {
-                let _e53 = self.surface_settings.choices[3usize].params;
+                let _e53 = self.surface_settings.choices[4usize].params;
                 let _e54 = self.v_refine_true_secant(path_37, found_12, _e53);
                 return _e54;
             }
             8u32 => {
-                let _e59 = self.surface_settings.choices[3usize].params;
+                let _e59 = self.surface_settings.choices[4usize].params;
                 let _e60 = self.v_refine_patch(path_37, found_12, _e59);
                 return _e60;
             }
             _ => {
-                let _e65 = self.surface_settings.choices[3usize].params;
+                let _e65 = self.surface_settings.choices[4usize].params;
                 let _e66 = self.v_refine_half_texel(path_37, found_12, _e65);
                 return _e66;
             }
@@ -6394,39 +6515,39 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_none(
         &self,
         path_38: Path,
-        params_34: impl rt::Into<rt::Vec4<f32>>,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_38, rt::into(params_34)))
+        rt::into(self.v_search_none(path_38, rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_search_none(
         &self,
         path_38: Path,
-        params_34: rt::Vec4<f32>,
+        params_36: rt::Vec4<f32>,
     ) -> Found {
         return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
         path_39: Path,
-        params_35: impl rt::Into<rt::Vec4<f32>>,
+        params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_39, rt::into(params_35)))
+        rt::into(self.v_search_linear(path_39, rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
         path_39: Path,
-        params_35: rt::Vec4<f32>,
+        params_37: rt::Vec4<f32>,
     ) -> Found {
         let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32>;
         let mut cost_9: rt::Vec3<u32> = HEIGHTS_READ;
-        let mut k_13: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_14: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let cosine_5 = (path_39.h.y().abs() * path_39.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max(((params_35.x() * params_35.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_39.share)).ceil());
+        let steps = rt::Scalar(1f32).max(((params_37.x() * params_37.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_39.share)).ceil());
         let _e24 = self.v_path_gap(path_39, rt::Scalar(0f32));
         near_gap_2 = _e24;
         let _e28 = near_gap_2;
@@ -6438,7 +6559,7 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e40 = k_13;
+                let _e40 = k_14;
                 if rt::Scalar::into_branch_condition(_e40.elementwise_le(steps)) {
                 } else {
                     break 'naga_break;
@@ -6446,7 +6567,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e42 = cost_9;
                     cost_9 = (_e42 + STEP);
-                    let _e46 = k_13;
+                    let _e46 = k_14;
                     let t_36 = (rt::Scalar(path_39.exit) * (_e46 / steps));
                     let _e49 = self.v_path_gap(path_39, t_36);
                     let _e50 = cost_9;
@@ -6459,8 +6580,8 @@ impl<'g> Resources<'g> {
                     }
                     near_4 = t_36;
                     near_gap_2 = _e49;
-                    let _e60 = k_13;
-                    k_13 = (_e60 + rt::Scalar(1f32));
+                    let _e60 = k_14;
+                    k_14 = (_e60 + rt::Scalar(1f32));
                 }
             }
         }
@@ -6509,15 +6630,15 @@ impl<'g> Resources<'g> {
         first_1: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_42: rt::Scalar<bool>;
+        let mut local_44: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_6.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first_1) {
-                local_42 = c_6.x().elementwise_lt(rt::Scalar(0f32));
+                local_44 = c_6.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_42 = rt::Scalar(false);
+                local_44 = rt::Scalar(false);
             }
-            let _e14 = local_42;
+            let _e14 = local_44;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_6.x(), c_6.x(), cost_10);
             }
@@ -6534,15 +6655,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cells(
         &self,
         path_40: Path,
-        params_36: impl rt::Into<rt::Vec4<f32>>,
+        params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_40, rt::into(params_36)))
+        rt::into(self.v_search_cells(path_40, rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
         path_40: Path,
-        params_36: rt::Vec4<f32>,
+        params_38: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_8: rt::Vec2<f32>;
         let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -6551,7 +6672,7 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_grid_of(path_40);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_8 = _e4;
-        let limit_1 = params_36.x().cast_elem_as_u32();
+        let limit_1 = params_38.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = cost_11.x();
@@ -6609,14 +6730,14 @@ impl<'g> Resources<'g> {
         cell_9: rt::Scalar<i32>,
         n_4: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_43: rt::Scalar<bool>;
+        let mut local_45: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_9.elementwise_ge(rt::Scalar(0i32))) {
-            local_43 = cell_9.elementwise_lt(n_4);
+            local_45 = cell_9.elementwise_lt(n_4);
         } else {
-            local_43 = rt::Scalar(false);
+            local_45 = rt::Scalar(false);
         }
-        let _e8 = local_43;
+        let _e8 = local_45;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_9, rt::Scalar(0i32));
         }
@@ -6653,17 +6774,17 @@ impl<'g> Resources<'g> {
         cell_10: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_44: rt::Scalar<bool>;
+        let mut local_46: rt::Scalar<bool>;
 
         let _e4 = self.v_height_texels(rt::Scalar(path_41.level));
         let _e7 = self.v_image_of(cell_10.x(), _e4.x());
         let _e10 = self.v_image_of(cell_10.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_44 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_46 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_44 = rt::Scalar(true);
+            local_46 = rt::Scalar(true);
         }
-        let _e21 = local_44;
+        let _e21 = local_46;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
@@ -6730,28 +6851,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_frustum(
         &self,
         path_43: Path,
-        params_37: impl rt::Into<rt::Vec4<f32>>,
+        params_39: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_43, rt::into(params_37)))
+        rt::into(self.v_search_frustum(path_43, rt::into(params_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
         path_43: Path,
-        params_37: rt::Vec4<f32>,
+        params_39: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_11: rt::Vec2<f32>;
         let mut t_22: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_2: rt::Scalar<f32>;
-        let mut local_45: rt::Scalar<bool>;
+        let mut local_47: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_43);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_11 = _e9;
-        let limit_2 = params_37.x().cast_elem_as_u32();
+        let limit_2 = params_39.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_12.x();
@@ -6788,11 +6909,11 @@ impl<'g> Resources<'g> {
                     let _e82 = self.v_least_at(above_6, span_8);
                     let _e83 = self.v_quadratic(above_6, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_45 = above_6.x().elementwise_gt(of_heights);
+                        local_47 = above_6.x().elementwise_gt(of_heights);
                     } else {
-                        local_45 = rt::Scalar(false);
+                        local_47 = rt::Scalar(false);
                     }
-                    let _e90 = local_45;
+                    let _e90 = local_47;
                     if rt::Scalar::into_branch_condition(_e90) {
                         if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_43.exit))) {
                             let _e93 = cell_11;
@@ -6820,8 +6941,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_11;
                         let _e119 = t_22;
-                        let at_93 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_3 = at_93.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_93), forward_3);
+                        let at_96 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_3 = at_96.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_96), forward_3);
                         let _e131 = t_22;
                         let far_5 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_2;
@@ -6862,13 +6983,13 @@ impl<'g> Resources<'g> {
         let _e186 = cost_12;
         return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
-    pub(crate) fn nearest_corner(&self, at_41: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_41)))
+    pub(crate) fn nearest_corner(&self, at_42: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_nearest_corner(&self, at_41: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_41.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_42: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_42.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
@@ -6892,7 +7013,7 @@ impl<'g> Resources<'g> {
         t_23: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_46: rt::Scalar<bool>;
+        let mut local_48: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
         let rest_5 = (rt::Scalar(path_44.exit) - t_23);
@@ -6915,26 +7036,26 @@ impl<'g> Resources<'g> {
         let gap_2 = (height_14 - (rt::Scalar(2f32) * lost_2));
         let _e85 = self.v_height_size(rt::Scalar(path_44.level));
         let aside_4 = (((grid_6.origin - offset_4) + (grid_6.step * t_23)) / _e85);
-        let c_11 = (((slope_3 * aside_4.length()) - gap_2) * ((slope_3 * aside_4.length()) + gap_2));
+        let c_12 = (((slope_3 * aside_4.length()) - gap_2) * ((slope_3 * aside_4.length()) + gap_2));
         if rt::Scalar::into_branch_condition((!gap_2.elementwise_le(rt::Scalar(0f32)))) {
-            local_46 = c_11.elementwise_ge(rt::Scalar(0f32));
+            local_48 = c_12.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_46 = rt::Scalar(true);
+            local_48 = rt::Scalar(true);
         }
-        let _e102 = local_46;
+        let _e102 = local_48;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_16 = (((slope_3 * slope_3) * aside_4.dot(path_44.duv)) - (gap_2 * rise_3));
-        let a_17 = (((slope_3 * slope_3) * path_44.duv.dot(path_44.duv)) - (rise_3 * rise_3));
-        let discriminant_3 = ((b_16 * b_16) - (a_17 * c_11));
+        let b_17 = (((slope_3 * slope_3) * aside_4.dot(path_44.duv)) - (gap_2 * rise_3));
+        let a_18 = (((slope_3 * slope_3) * path_44.duv.dot(path_44.duv)) - (rise_3 * rise_3));
+        let discriminant_3 = ((b_17 * b_17) - (a_18 * c_12));
         if rt::Scalar::into_branch_condition(discriminant_3.elementwise_ge(rt::Scalar(0f32))) {
             let root_4 = discriminant_3.sqrt();
-            if rt::Scalar::into_branch_condition(b_16.elementwise_ge(rt::Scalar(0f32))) {
-                leave_6 = ((rt::Scalar(0f32) - c_11) / (b_16 + root_4));
+            if rt::Scalar::into_branch_condition(b_17.elementwise_ge(rt::Scalar(0f32))) {
+                leave_6 = ((rt::Scalar(0f32) - c_12) / (b_17 + root_4));
             } else {
-                if rt::Scalar::into_branch_condition(a_17.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_6 = ((root_4 - b_16) / a_17);
+                if rt::Scalar::into_branch_condition(a_18.elementwise_gt(rt::Scalar(0f32))) {
+                    leave_6 = ((root_4 - b_17) / a_18);
                 }
             }
         }
@@ -6952,15 +7073,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cone(
         &self,
         path_45: Path,
-        params_38: impl rt::Into<rt::Vec4<f32>>,
+        params_40: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_45, rt::into(params_38)))
+        rt::into(self.v_search_cone(path_45, rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
         path_45: Path,
-        params_38: rt::Vec4<f32>,
+        params_40: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_12: rt::Vec2<f32>;
         let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -6971,7 +7092,7 @@ impl<'g> Resources<'g> {
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_12 = _e9;
-        let limit_3 = params_38.x().cast_elem_as_u32();
+        let limit_3 = params_40.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_13.x();
@@ -6995,8 +7116,8 @@ impl<'g> Resources<'g> {
                     let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_12;
                     let _e49 = t_24;
-                    let at_94 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_94);
+                    let at_97 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_97);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_24;
                     next_2 = _e54;
@@ -7066,7 +7187,7 @@ impl<'g> Resources<'g> {
         n_5: rt::Scalar<i32>,
         level_16: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_47: rt::Scalar<bool>;
+        let mut local_49: rt::Scalar<bool>;
 
         let first_10 = ((image.x() >> level_16) << level_16);
         let side_3 = (rt::Scalar(1i32) << level_16);
@@ -7080,11 +7201,11 @@ impl<'g> Resources<'g> {
         }
         if rt::Scalar::into_branch_condition(level_16.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_47 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_49 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_47 = rt::Scalar(false);
+            local_49 = rt::Scalar(false);
         }
-        let _e43 = local_47;
+        let _e43 = local_49;
         if rt::Scalar::into_branch_condition(_e43) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_5, cell_13.elementwise_ge(n_5)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_13.elementwise_ge(n_5)));
         }
@@ -7117,15 +7238,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_pyramid(
         &self,
         path_46: Path,
-        params_39: impl rt::Into<rt::Vec4<f32>>,
+        params_41: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_46, rt::into(params_39)))
+        rt::into(self.v_search_pyramid(path_46, rt::into(params_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
         path_46: Path,
-        params_39: rt::Vec4<f32>,
+        params_41: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut level_17: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -7133,10 +7254,10 @@ impl<'g> Resources<'g> {
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_48: rt::Scalar<bool>;
-        let mut local_49: rt::Scalar<bool>;
         let mut local_50: rt::Scalar<bool>;
         let mut local_51: rt::Scalar<bool>;
+        let mut local_52: rt::Scalar<bool>;
+        let mut local_53: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_46);
         let _e4 = self.v_height_texels(rt::Scalar(path_46.level));
@@ -7161,7 +7282,7 @@ impl<'g> Resources<'g> {
         }
         let _e37 = self.v_cell_of(_e2.origin);
         cell_14 = _e37.cast_elem_as_i32();
-        let limit_4 = params_39.x().cast_elem_as_u32();
+        let limit_4 = params_41.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e51 = cost_14.x();
@@ -7185,24 +7306,24 @@ impl<'g> Resources<'g> {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_1.x()))) {
                             let _e89 = parent.y();
-                            local_49 = _e89.elementwise_ne(over_1.y());
+                            local_51 = _e89.elementwise_ne(over_1.y());
                         } else {
-                            local_49 = rt::Scalar(true);
+                            local_51 = rt::Scalar(true);
                         }
-                        let _e93 = local_49;
-                        local_48 = _e93;
-                    } else {
-                        local_48 = rt::Scalar(false);
-                    }
-                    let left_4 = local_48;
-                    if rt::Scalar::into_branch_condition(left_4) {
-                        let _e98 = level_17;
-                        let _e99 = top;
-                        local_50 = _e98.elementwise_lt(_e99);
+                        let _e93 = local_51;
+                        local_50 = _e93;
                     } else {
                         local_50 = rt::Scalar(false);
                     }
-                    let _e102 = local_50;
+                    let left_4 = local_50;
+                    if rt::Scalar::into_branch_condition(left_4) {
+                        let _e98 = level_17;
+                        let _e99 = top;
+                        local_52 = _e98.elementwise_lt(_e99);
+                    } else {
+                        local_52 = rt::Scalar(false);
+                    }
+                    let _e102 = local_52;
                     if rt::Scalar::into_branch_condition(_e102) {
                         level_17 = above_level;
                     }
@@ -7256,11 +7377,11 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition((!gap_3.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e214 = self.v_least_at(gap_3, span_10);
                             let _e215 = self.v_quadratic(gap_3, _e214);
-                            local_51 = _e215.elementwise_le(rt::Scalar(0f32));
+                            local_53 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_51 = rt::Scalar(true);
+                            local_53 = rt::Scalar(true);
                         }
-                        let _e219 = local_51;
+                        let _e219 = local_53;
                         if rt::Scalar::into_branch_condition(_e219) {
                             if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
                                 let _e223 = t_25;
@@ -7316,18 +7437,18 @@ impl<'g> Resources<'g> {
         n_6: rt::Scalar<i32>,
         level_18: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_52: rt::Scalar<bool>;
+        let mut local_54: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_6);
         let first_11 = ((_e3 >> level_18) << level_18);
         let last_5 = (first_11 + (rt::Scalar(1i32) << level_18)).min(n_6);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_52 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_54 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_52 = rt::Scalar(true);
+            local_54 = rt::Scalar(true);
         }
-        let _e20 = local_52;
+        let _e20 = local_54;
         if rt::Scalar::into_branch_condition(_e20) {
             return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_11), ((texel_2 - _e3) + last_5));
         }
@@ -7345,15 +7466,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_pyramid_texels(
         &self,
         path_47: Path,
-        params_40: impl rt::Into<rt::Vec4<f32>>,
+        params_42: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_47, rt::into(params_40)))
+        rt::into(self.v_search_pyramid_texels(path_47, rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
         path_47: Path,
-        params_40: rt::Vec4<f32>,
+        params_42: rt::Vec4<f32>,
     ) -> Found {
         let mut level_19: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
@@ -7383,9 +7504,9 @@ impl<'g> Resources<'g> {
         }
         let _e24 = self.v_cell_of(origin_5);
         texel_3 = _e24.cast_elem_as_i32();
-        let limit_5 = params_40.x().cast_elem_as_u32();
+        let limit_5 = params_42.x().cast_elem_as_u32();
         let _e35 = level_19;
-        finest_1 = params_40.y().cast_elem_as_u32().min(_e35);
+        finest_1 = params_42.y().cast_elem_as_u32().min(_e35);
         if rt::Scalar::into_branch_condition(rt::Scalar(path_47.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
@@ -7512,15 +7633,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_dilation_erosion(
         &self,
         path_48: Path,
-        params_41: impl rt::Into<rt::Vec4<f32>>,
+        params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_48, rt::into(params_41)))
+        rt::into(self.v_search_dilation_erosion(path_48, rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
         path_48: Path,
-        params_41: rt::Vec4<f32>,
+        params_43: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_16: rt::Vec2<f32>;
         let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -7528,17 +7649,17 @@ impl<'g> Resources<'g> {
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_53: rt::Scalar<bool>;
-        let mut local_54: rt::Scalar<bool>;
         let mut local_55: rt::Scalar<bool>;
         let mut local_56: rt::Scalar<bool>;
+        let mut local_57: rt::Scalar<bool>;
+        let mut local_58: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_48);
         let _e4 = self.v_height_texels(rt::Scalar(path_48.level));
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_16 = _e11;
-        let limit_6 = params_41.x().cast_elem_as_u32();
+        let limit_6 = params_43.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_16.x();
@@ -7556,17 +7677,17 @@ impl<'g> Resources<'g> {
                     let span_11 = (end_11 - _e34).max(rt::Scalar(0f32));
                     let _e38 = t_27;
                     next_3 = _e38;
-                    looks = params_41.y().elementwise_gt(rt::Scalar(0.5f32));
+                    looks = params_43.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e45 = cell_16.x();
                     let _e48 = self.v_image_of(_e45.cast_elem_as_i32(), _e4.x());
                     let _e50 = cell_16.y();
                     let _e53 = self.v_image_of(_e50.cast_elem_as_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_53 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_55 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_53 = rt::Scalar(true);
+                        local_55 = rt::Scalar(true);
                     }
-                    let _e64 = local_53;
+                    let _e64 = local_55;
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
@@ -7575,7 +7696,7 @@ impl<'g> Resources<'g> {
                         let _e75 = self.v_map_read(path_48, rt::Scalar(1u32));
                         cost_16 = (_e73 + _e75);
                         let _e77 = cell_16;
-                        let _e79 = self.v_leaves_window(_e2, _e77, params_41.z());
+                        let _e79 = self.v_leaves_window(_e2, _e77, params_43.z());
                         let _e82 = t_27;
                         let reach = (_e79.min(rt::Scalar(path_48.exit)) - _e82).max(rt::Scalar(0f32));
                         let _e86 = t_27;
@@ -7602,18 +7723,18 @@ impl<'g> Resources<'g> {
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_54 = _e131.elementwise_lt(end_11);
+                            local_56 = _e131.elementwise_lt(end_11);
                         } else {
-                            local_54 = rt::Scalar(false);
+                            local_56 = rt::Scalar(false);
                         }
-                        let _e134 = local_54;
+                        let _e134 = local_56;
                         if rt::Scalar::into_branch_condition(_e134) {
                             let _e137 = self.v_path_height(path_48, end_11);
-                            local_55 = _e137.elementwise_lt(_e72.x());
+                            local_57 = _e137.elementwise_lt(_e72.x());
                         } else {
-                            local_55 = rt::Scalar(false);
+                            local_57 = rt::Scalar(false);
                         }
-                        let _e141 = local_55;
+                        let _e141 = local_57;
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
@@ -7624,11 +7745,11 @@ impl<'g> Resources<'g> {
                     let _e145 = next_3;
                     if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_11))) {
                         let _e150 = t_27;
-                        local_56 = (!end_11.elementwise_gt(_e150));
+                        local_58 = (!end_11.elementwise_gt(_e150));
                     } else {
-                        local_56 = rt::Scalar(true);
+                        local_58 = rt::Scalar(true);
                     }
-                    let _e154 = local_56;
+                    let _e154 = local_58;
                     if rt::Scalar::into_branch_condition(_e154) {
                         let _e155 = looks;
                         if rt::Scalar::into_branch_condition(_e155) {
@@ -7672,21 +7793,21 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_sphere(
         &self,
         path_49: Path,
-        params_42: impl rt::Into<rt::Vec4<f32>>,
+        params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_49, rt::into(params_42)))
+        rt::into(self.v_search_sphere(path_49, rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
         path_49: Path,
-        params_42: rt::Vec4<f32>,
+        params_44: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_17: rt::Vec2<f32>;
         let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_57: rt::Scalar<bool>;
+        let mut local_59: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_49);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -7700,7 +7821,7 @@ impl<'g> Resources<'g> {
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_7.x() + far_7.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_17 = _e52;
-        let limit_7 = params_42.x().cast_elem_as_u32();
+        let limit_7 = params_44.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e61 = cost_17.x();
@@ -7720,7 +7841,7 @@ impl<'g> Resources<'g> {
                     let _e78 = self.v_path_uv(path_49, _e77);
                     let _e79 = t_28;
                     let _e80 = self.v_path_height(path_49, _e79);
-                    let _e82 = self.v_distance_at(path_49, _e78, _e80, params_42.z());
+                    let _e82 = self.v_distance_at(path_49, _e78, _e80, params_44.z());
                     let free_1 = (_e82 - lost_3);
                     let _e84 = cost_17;
                     let _e86 = self.v_map_read(path_49, rt::Scalar(4u32));
@@ -7732,7 +7853,7 @@ impl<'g> Resources<'g> {
                         let _e95 = t_28;
                         next_4 = (_e95 + (free_1 / speed_2));
                     }
-                    if rt::Scalar::into_branch_condition(params_42.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_44.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_4;
                         let _e102 = t_28;
                         if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_49.exit))))) {
@@ -7744,11 +7865,11 @@ impl<'g> Resources<'g> {
                         let _e116 = next_4;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_12))) {
                             let _e121 = t_28;
-                            local_57 = (!end_12.elementwise_gt(_e121));
+                            local_59 = (!end_12.elementwise_gt(_e121));
                         } else {
-                            local_57 = rt::Scalar(true);
+                            local_59 = rt::Scalar(true);
                         }
-                        let _e125 = local_57;
+                        let _e125 = local_59;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
@@ -7790,28 +7911,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cone_moved(
         &self,
         path_50: Path,
-        params_43: impl rt::Into<rt::Vec4<f32>>,
+        params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_50, rt::into(params_43)))
+        rt::into(self.v_search_cone_moved(path_50, rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
         path_50: Path,
-        params_43: rt::Vec4<f32>,
+        params_45: rt::Vec4<f32>,
     ) -> Found {
         let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
-        let mut k_14: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_58: rt::Scalar<bool>;
+        let mut k_15: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_60: rt::Scalar<bool>;
 
         let aside_5 = path_50.duv.length();
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_14;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_43.x())) {
+                let _e14 = k_15;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_45.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -7825,11 +7946,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
                         let _e27 = t_29;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_58 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_60 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_58 = rt::Scalar(false);
+                            local_60 = rt::Scalar(false);
                         }
-                        let _e35 = local_58;
+                        let _e35 = local_60;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
@@ -7876,8 +7997,8 @@ impl<'g> Resources<'g> {
                         let _e130 = cost_18;
                         return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
-                    let _e134 = k_14;
-                    k_14 = (_e134 + rt::Scalar(1f32));
+                    let _e134 = k_15;
+                    k_15 = (_e134 + rt::Scalar(1f32));
                 }
             }
         }
@@ -7890,26 +8011,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_relaxed_cone(
         &self,
         path_51: Path,
-        params_44: impl rt::Into<rt::Vec4<f32>>,
+        params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_51, rt::into(params_44)))
+        rt::into(self.v_search_relaxed_cone(path_51, rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
         path_51: Path,
-        params_44: rt::Vec4<f32>,
+        params_46: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_18: rt::Vec2<f32>;
         let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_59: rt::Scalar<bool>;
+        let mut local_61: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_60: rt::Scalar<bool>;
+        let mut local_62: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_51);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -7920,7 +8041,7 @@ impl<'g> Resources<'g> {
         let far_9 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_51.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_18 = _e36;
-        let limit_8 = params_44.x().cast_elem_as_u32();
+        let limit_8 = params_46.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e49 = cost_19.x();
@@ -7948,11 +8069,11 @@ impl<'g> Resources<'g> {
                         let _e79 = t_30;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_59 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_61 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_59 = rt::Scalar(false);
+                            local_61 = rt::Scalar(false);
                         }
-                        let _e87 = local_59;
+                        let _e87 = local_61;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
                             let _e89 = t_30;
@@ -7970,7 +8091,7 @@ impl<'g> Resources<'g> {
                     let _e100 = t_30;
                     start_1 = _e100;
                     gap = _e71.x();
-                    if rt::Scalar::into_branch_condition(params_44.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_46.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e107 = t_30;
                         let _e108 = t_30;
                         let _e111 = cost_19;
@@ -8013,14 +8134,14 @@ impl<'g> Resources<'g> {
                             next_5 = (_e167 + (room_1.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_44.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_46.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
                         let _e178 = t_30;
-                        local_60 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_51.exit))));
+                        local_62 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_51.exit))));
                     } else {
-                        local_60 = rt::Scalar(false);
+                        local_62 = rt::Scalar(false);
                     }
-                    let _e186 = local_60;
+                    let _e186 = local_62;
                     if rt::Scalar::into_branch_condition(_e186) {
                         let _e188 = t_30;
                         let _e190 = gap;
@@ -8059,29 +8180,29 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_relaxed_cone_resting(
         &self,
         path_52: Path,
-        params_45: impl rt::Into<rt::Vec4<f32>>,
+        params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_52, rt::into(params_45)))
+        rt::into(self.v_search_relaxed_cone_resting(path_52, rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
         path_52: Path,
-        params_45: rt::Vec4<f32>,
+        params_47: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_19: rt::Vec2<f32>;
         let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_61: rt::Scalar<bool>;
+        let mut local_63: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_52);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_19 = _e9;
-        let limit_9 = params_45.x().cast_elem_as_u32();
+        let limit_9 = params_47.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_20.x();
@@ -8109,11 +8230,11 @@ impl<'g> Resources<'g> {
                         let _e52 = t_31;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_61 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_63 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_61 = rt::Scalar(false);
+                            local_63 = rt::Scalar(false);
                         }
-                        let _e60 = local_61;
+                        let _e60 = local_63;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
                             let _e62 = t_31;
@@ -8136,19 +8257,19 @@ impl<'g> Resources<'g> {
                         return _e78;
                     }
                     let _e82 = t_31;
-                    let start_2 = _e82.max(end_14);
-                    if rt::Scalar::into_branch_condition(start_2.elementwise_ge(rt::Scalar(path_52.exit))) {
+                    let start_3 = _e82.max(end_14);
+                    if rt::Scalar::into_branch_condition(start_3.elementwise_ge(rt::Scalar(path_52.exit))) {
                         let _e87 = t_31;
                         let _e89 = cost_20;
                         return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_52.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
-                    near_7 = start_2;
+                    near_7 = start_3;
                     near_gap_5 = rt::Scalar(_e78.far_gap);
                     let _e95 = cell_19;
-                    let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_2)));
+                    let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_3)));
                     let _e101 = self.v_corner_height(_e30, _e100);
-                    next_6 = start_2;
-                    let _e103 = self.v_path_height(path_52, start_2);
+                    next_6 = start_3;
+                    let _e103 = self.v_path_height(path_52, start_3);
                     if rt::Scalar::into_branch_condition(_e103.elementwise_gt(_e101)) {
                         let _e105 = cell_19;
                         let texel_9 = (_e105 + _e100);
@@ -8157,8 +8278,8 @@ impl<'g> Resources<'g> {
                         let _e110 = self.v_map_read(path_52, rt::Scalar(1u32));
                         cost_20 = (_e108 + _e110);
                         if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e114 = self.v_stays_inside(path_52, _e2, texel_9, _e101, _e107, start_2);
-                            next_6 = (start_2 + _e114);
+                            let _e114 = self.v_stays_inside(path_52, _e2, texel_9, _e101, _e107, start_3);
+                            next_6 = (start_3 + _e114);
                         }
                     }
                     let _e116 = next_6;
@@ -8169,11 +8290,11 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
                             let _e127 = near_gap_5;
                             let _e128 = cost_20;
-                            let _e129 = self.v_entered_once(path_52, _e2, start_2, rt::Scalar(path_52.exit), _e127, _e120, _e128);
+                            let _e129 = self.v_entered_once(path_52, _e2, start_3, rt::Scalar(path_52.exit), _e127, _e120, _e128);
                             return _e129;
                         }
                         let _e132 = cost_20;
-                        return <Found>::new(FOUND_MISS, start_2, rt::Scalar(path_52.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
+                        return <Found>::new(FOUND_MISS, start_3, rt::Scalar(path_52.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
                     }
                     let _e136 = cell_19;
                     let _e137 = next_6;
@@ -8193,65 +8314,65 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_stage(&self, path_53: Path) -> Found {
-        let _e5 = rt::Scalar(self.surface_settings.choices[2usize].number);
+        let _e5 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
-                let _e10 = self.surface_settings.choices[2usize].params;
+                let _e10 = self.surface_settings.choices[3usize].params;
                 let _e11 = self.v_search_none(path_53, _e10);
                 return _e11;
             }
             1u32 => {
-                let _e16 = self.surface_settings.choices[2usize].params;
+                let _e16 = self.surface_settings.choices[3usize].params;
                 let _e17 = self.v_search_linear(path_53, _e16);
                 return _e17;
             }
             2u32 => {
-                let _e22 = self.surface_settings.choices[2usize].params;
+                let _e22 = self.surface_settings.choices[3usize].params;
                 let _e23 = self.v_search_cells(path_53, _e22);
                 return _e23;
             }
             3u32 => {
-                let _e28 = self.surface_settings.choices[2usize].params;
+                let _e28 = self.surface_settings.choices[3usize].params;
                 let _e29 = self.v_search_frustum(path_53, _e28);
                 return _e29;
             }
             4u32 => {
-                let _e34 = self.surface_settings.choices[2usize].params;
+                let _e34 = self.surface_settings.choices[3usize].params;
                 let _e35 = self.v_search_cone(path_53, _e34);
                 return _e35;
             }
             5u32 => {
-                let _e40 = self.surface_settings.choices[2usize].params;
+                let _e40 = self.surface_settings.choices[3usize].params;
                 let _e41 = self.v_search_pyramid(path_53, _e40);
                 return _e41;
             }
             6u32 => {
-                let _e46 = self.surface_settings.choices[2usize].params;
+                let _e46 = self.surface_settings.choices[3usize].params;
                 let _e47 = self.v_search_pyramid_texels(path_53, _e46);
                 return _e47;
             }
             7u32 => {
-                let _e52 = self.surface_settings.choices[2usize].params;
+                let _e52 = self.surface_settings.choices[3usize].params;
                 let _e53 = self.v_search_dilation_erosion(path_53, _e52);
                 return _e53;
             }
             8u32 => {
-                let _e58 = self.surface_settings.choices[2usize].params;
+                let _e58 = self.surface_settings.choices[3usize].params;
                 let _e59 = self.v_search_sphere(path_53, _e58);
                 return _e59;
             }
             9u32 => {
-                let _e64 = self.surface_settings.choices[2usize].params;
+                let _e64 = self.surface_settings.choices[3usize].params;
                 let _e65 = self.v_search_cone_moved(path_53, _e64);
                 return _e65;
             }
             10u32 => {
-                let _e70 = self.surface_settings.choices[2usize].params;
+                let _e70 = self.surface_settings.choices[3usize].params;
                 let _e71 = self.v_search_relaxed_cone(path_53, _e70);
                 return _e71;
             }
             _ => {
-                let _e76 = self.surface_settings.choices[2usize].params;
+                let _e76 = self.surface_settings.choices[3usize].params;
                 let _e77 = self.v_search_relaxed_cone_resting(path_53, _e76);
                 return _e77;
             }
@@ -8269,23 +8390,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane_polish(
         &self,
-        pixel_47: PixelIn,
-        at_42: Entered,
+        pixel_50: PixelIn,
+        at_43: Entered,
         path_55: Path,
         hit_8: Hit,
-        params_46: impl rt::Into<rt::Vec4<f32>>,
+        params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_47, at_42, path_55, hit_8, rt::into(params_46)))
+        rt::into(self.v_surface_plane_polish(pixel_50, at_43, path_55, hit_8, rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_polish(
         &self,
-        pixel_47: PixelIn,
-        at_42: Entered,
+        pixel_50: PixelIn,
+        at_43: Entered,
         path_55: Path,
         hit_8: Hit,
-        params_46: rt::Vec4<f32>,
+        params_48: rt::Vec4<f32>,
     ) -> Hit {
         return hit_8;
     }
@@ -8306,16 +8427,16 @@ impl<'g> Resources<'g> {
         offset_5: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let corner_6 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
-        let a_18 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
-        let b_17 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
+        let a_19 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
+        let b_18 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
         let rest_7 = (place_8 - corner_6);
-        let across_4 = a_18.cross(b_17);
-        let square_1 = across_4.dot(across_4);
+        let across_5 = a_19.cross(b_18);
+        let square_1 = across_5.dot(across_5);
         if rt::Scalar::into_branch_condition((!square_1.elementwise_gt(rt::Scalar(0f32)))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
         }
-        let second_4 = (rest_7.cross(b_17).dot(across_4) / square_1);
-        let third_3 = (a_18.cross(rest_7).dot(across_4) / square_1);
+        let second_4 = (rest_7.cross(b_18).dot(across_5) / square_1);
+        let third_3 = (a_19.cross(rest_7).dot(across_5) / square_1);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_4) - third_3), second_4, third_3);
     }
     pub(crate) fn shell_point_near(
@@ -8351,23 +8472,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn point_of_way(
         &self,
-        pixel_48: PixelIn,
+        pixel_51: PixelIn,
         prism_13: Prism,
         place_10: impl rt::Into<rt::Vec3<f32>>,
         height_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_point_of_way(pixel_48, prism_13, rt::into(place_10), rt::into(height_5)))
+        rt::into(self.v_point_of_way(pixel_51, prism_13, rt::into(place_10), rt::into(height_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_way(
         &self,
-        pixel_48: PixelIn,
+        pixel_51: PixelIn,
         prism_13: Prism,
         place_10: rt::Vec3<f32>,
         height_5: rt::Scalar<f32>,
     ) -> ShellPoint {
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_48.shell.order).elementwise_ge(SHELL_FOLDED)) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_51.shell.order).elementwise_ge(SHELL_FOLDED)) {
             let _e8 = self.v_shell_point_near(prism_13, place_10, height_5);
             return _e8;
         }
@@ -8376,39 +8497,39 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_prism_polish(
         &self,
-        pixel_49: PixelIn,
-        at_43: Entered,
+        pixel_52: PixelIn,
+        at_44: Entered,
         path_56: Path,
         hit_9: Hit,
-        params_47: impl rt::Into<rt::Vec4<f32>>,
+        params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_49, at_43, path_56, hit_9, rt::into(params_47)))
+        rt::into(self.v_surface_prism_polish(pixel_52, at_44, path_56, hit_9, rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_polish(
         &self,
-        pixel_49: PixelIn,
-        at_43: Entered,
+        pixel_52: PixelIn,
+        at_44: Entered,
         path_56: Path,
         hit_9: Hit,
-        params_47: rt::Vec4<f32>,
+        params_49: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_32: rt::Scalar<f32>;
         let mut point_4: ShellPoint;
         let mut step_3: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let along_28 = pixel_49.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_49, along_28);
-        let _e8 = self.v_prism_of(pixel_49, along_28, _e7, params_47);
+        let along_29 = pixel_52.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_52, along_29);
+        let _e8 = self.v_prism_of(pixel_52, along_29, _e7, params_49);
         let _e10 = self.v_path_gap(path_56, rt::Scalar(hit_9.t));
         let _e11 = self.v_grid_of(path_56);
         let texels_4 = _e11.step.abs();
-        let most_7 = ((rt::Scalar(2f32) * params_47.x()) / texels_4.x().max(texels_4.y()).max((path_56.h.y().abs() / rt::Scalar(0.0625f32))));
+        let most_8 = ((rt::Scalar(2f32) * params_49.x()) / texels_4.x().max(texels_4.y()).max((path_56.h.y().abs() / rt::Scalar(0.0625f32))));
         t_32 = rt::Scalar(hit_9.t);
         let _e30 = t_32;
         let _e34 = t_32;
         let _e35 = self.v_path_height(path_56, _e34);
-        let _e36 = self.v_point_of_way(pixel_49, _e8, (along_28 * ((rt::Scalar(path_56.start) + _e30) - _e7)), _e35);
+        let _e36 = self.v_point_of_way(pixel_52, _e8, (along_29 * ((rt::Scalar(path_56.start) + _e30) - _e7)), _e35);
         point_4 = _e36;
         'naga_break: loop {
             'naga_continue: {
@@ -8422,7 +8543,7 @@ impl<'g> Resources<'g> {
                     step_3 = (_e43 + rt::Scalar(1u32));
                     let _e47 = rt::Scalar(point_4.height);
                     let _e49 = point_4.weights;
-                    let _e50 = self.v_uv_of(pixel_49, _e49);
+                    let _e50 = self.v_uv_of(pixel_52, _e49);
                     let _e52 = self.v_height_at(_e50, rt::Scalar(path_56.level));
                     let gap_6 = ((_e47 - _e52) - _e10);
                     let _e57 = t_32;
@@ -8432,11 +8553,11 @@ impl<'g> Resources<'g> {
                     let change_5 = _e62.y();
                     if rt::Scalar::into_branch_condition(change_5.elementwise_lt(rt::Scalar(0f32))) {
                         let _e66 = t_32;
-                        t_32 = (_e66 - (gap_6 / change_5)).clamp((rt::Scalar(hit_9.t) - most_7), (rt::Scalar(hit_9.t) + most_7));
+                        t_32 = (_e66 - (gap_6 / change_5)).clamp((rt::Scalar(hit_9.t) - most_8), (rt::Scalar(hit_9.t) + most_8));
                     }
                     let _e75 = t_32;
-                    let place_20 = (along_28 * ((rt::Scalar(path_56.start) + _e75) - _e7));
-                    if rt::Scalar::into_branch_condition(rt::Scalar(pixel_49.shell.order).elementwise_ge(SHELL_FOLDED)) {
+                    let place_20 = (along_29 * ((rt::Scalar(path_56.start) + _e75) - _e7));
+                    if rt::Scalar::into_branch_condition(rt::Scalar(pixel_52.shell.order).elementwise_ge(SHELL_FOLDED)) {
                         let _e83 = t_32;
                         let _e84 = self.v_path_height(path_56, _e83);
                         let _e85 = self.v_shell_point_near(_e8, place_20, _e84);
@@ -8450,118 +8571,145 @@ impl<'g> Resources<'g> {
             }
         }
         let _e91 = point_4.weights;
-        let _e92 = self.v_uv_of(pixel_49, _e91);
+        let _e92 = self.v_uv_of(pixel_52, _e91);
         let _e94 = rt::Scalar(point_4.height);
         let _e95 = t_32;
         return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_9.exhausted), _e92, _e94, _e95, hit_9.cost);
     }
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
-        pixel_50: PixelIn,
-        at_44: Entered,
+        pixel_53: PixelIn,
+        at_45: Entered,
         path_57: Path,
         hit_10: Hit,
-        params_48: impl rt::Into<rt::Vec4<f32>>,
+        params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_50, at_44, path_57, hit_10, rt::into(params_48)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_53, at_45, path_57, hit_10, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_polish(
         &self,
-        pixel_50: PixelIn,
-        at_44: Entered,
+        pixel_53: PixelIn,
+        at_45: Entered,
         path_57: Path,
         hit_10: Hit,
-        params_48: rt::Vec4<f32>,
+        params_50: rt::Vec4<f32>,
     ) -> Hit {
         return hit_10;
     }
     pub(crate) fn surface_quadric_vertical_polish(
         &self,
-        pixel_51: PixelIn,
-        at_45: Entered,
+        pixel_54: PixelIn,
+        at_46: Entered,
         path_58: Path,
         hit_11: Hit,
-        params_49: impl rt::Into<rt::Vec4<f32>>,
+        params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_51, at_45, path_58, hit_11, rt::into(params_49)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_54, at_46, path_58, hit_11, rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_vertical_polish(
         &self,
-        pixel_51: PixelIn,
-        at_45: Entered,
+        pixel_54: PixelIn,
+        at_46: Entered,
         path_58: Path,
         hit_11: Hit,
-        params_49: rt::Vec4<f32>,
+        params_51: rt::Vec4<f32>,
     ) -> Hit {
         return hit_11;
     }
     pub(crate) fn surface_tetrahedra_polish(
         &self,
-        pixel_52: PixelIn,
-        at_46: Entered,
+        pixel_55: PixelIn,
+        at_47: Entered,
         path_59: Path,
         hit_12: Hit,
-        params_50: impl rt::Into<rt::Vec4<f32>>,
+        params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_52, at_46, path_59, hit_12, rt::into(params_50)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_55, at_47, path_59, hit_12, rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_tetrahedra_polish(
         &self,
-        pixel_52: PixelIn,
-        at_46: Entered,
+        pixel_55: PixelIn,
+        at_47: Entered,
         path_59: Path,
         hit_12: Hit,
-        params_50: rt::Vec4<f32>,
+        params_52: rt::Vec4<f32>,
     ) -> Hit {
         return hit_12;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_53: PixelIn, at_47: Entered, path_60: Path, hit_13: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_53, at_47, path_60, hit_13))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_53: PixelIn, at_47: Entered, path_60: Path, hit_13: Hit) -> Hit {
-        let _e8 = rt::Scalar(self.surface_settings.choices[0usize].number);
-        match rt::Scalar::into_inner(_e8) {
-            0u32 => {
-                let _e13 = self.surface_settings.choices[0usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_53, at_47, path_60, hit_13, _e13);
-                return _e14;
-            }
-            1u32 => {
-                let _e19 = self.surface_settings.choices[0usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_53, at_47, path_60, hit_13, _e19);
-                return _e20;
-            }
-            2u32 => {
-                let _e25 = self.surface_settings.choices[0usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_53, at_47, path_60, hit_13, _e25);
-                return _e26;
-            }
-            3u32 => {
-                let _e31 = self.surface_settings.choices[0usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_53, at_47, path_60, hit_13, _e31);
-                return _e32;
-            }
-            _ => {
-                let _e37 = self.surface_settings.choices[0usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_53, at_47, path_60, hit_13, _e37);
-                return _e38;
-            }
-        }
-    }
-    pub(crate) fn polish_hit(&self, pixel_54: PixelIn, at_48: Entered, path_61: Path, hit_14: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_54, at_48, path_61, hit_14))
+    pub(crate) fn surface_facets_polish(
+        &self,
+        pixel_56: PixelIn,
+        at_48: Entered,
+        path_60: Path,
+        hit_13: Hit,
+        params_53: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_surface_facets_polish(pixel_56, at_48, path_60, hit_13, rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_polish_hit(&self, pixel_54: PixelIn, at_48: Entered, path_61: Path, hit_14: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_54, at_48, path_61, hit_14);
+    fn v_surface_facets_polish(
+        &self,
+        pixel_56: PixelIn,
+        at_48: Entered,
+        path_60: Path,
+        hit_13: Hit,
+        params_53: rt::Vec4<f32>,
+    ) -> Hit {
+        return hit_13;
+    }
+    pub(crate) fn surface_polish_stage(&self, pixel_57: PixelIn, at_49: Entered, path_61: Path, hit_14: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_57, at_49, path_61, hit_14))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_polish_stage(&self, pixel_57: PixelIn, at_49: Entered, path_61: Path, hit_14: Hit) -> Hit {
+        let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
+        match rt::Scalar::into_inner(_e8) {
+            0u32 => {
+                let _e13 = self.surface_settings.choices[1usize].params;
+                let _e14 = self.v_surface_plane_polish(pixel_57, at_49, path_61, hit_14, _e13);
+                return _e14;
+            }
+            1u32 => {
+                let _e19 = self.surface_settings.choices[1usize].params;
+                let _e20 = self.v_surface_prism_polish(pixel_57, at_49, path_61, hit_14, _e19);
+                return _e20;
+            }
+            2u32 => {
+                let _e25 = self.surface_settings.choices[1usize].params;
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_57, at_49, path_61, hit_14, _e25);
+                return _e26;
+            }
+            3u32 => {
+                let _e31 = self.surface_settings.choices[1usize].params;
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_57, at_49, path_61, hit_14, _e31);
+                return _e32;
+            }
+            4u32 => {
+                let _e37 = self.surface_settings.choices[1usize].params;
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_57, at_49, path_61, hit_14, _e37);
+                return _e38;
+            }
+            _ => {
+                let _e43 = self.surface_settings.choices[1usize].params;
+                let _e44 = self.v_surface_facets_polish(pixel_57, at_49, path_61, hit_14, _e43);
+                return _e44;
+            }
+        }
+    }
+    pub(crate) fn polish_hit(&self, pixel_58: PixelIn, at_50: Entered, path_62: Path, hit_15: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_58, at_50, path_62, hit_15))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_polish_hit(&self, pixel_58: PixelIn, at_50: Entered, path_62: Path, hit_15: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_58, at_50, path_62, hit_15);
         return _e4;
     }
     pub(crate) fn key_of(&self, depth_5: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -8574,18 +8722,18 @@ impl<'g> Resources<'g> {
         let _e6 = rt::Scalar(self.frame.near);
         return (_e3 / (_e6 + depth_5.max(rt::Scalar(0f32))));
     }
-    pub(crate) fn in_hole(&self, uv_14: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_in_hole(rt::into(uv_14)))
+    pub(crate) fn in_hole(&self, uv_15: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_in_hole(rt::into(uv_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_in_hole(&self, uv_14: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    fn v_in_hole(&self, uv_15: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e3 = rt::Scalar(self.surface_settings.has_holes);
         if rt::Scalar::into_branch_condition(_e3.elementwise_ne(rt::Scalar(1u32))) {
             return rt::Scalar(false);
         }
         let _e8 = self.v_height_texels(rt::Scalar(0u32));
         let _e10 = self.v_height_size(rt::Scalar(0u32));
-        let _e16 = self.v_cell_of(((uv_14 * _e10) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e16 = self.v_cell_of(((uv_15 * _e10) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
         let cell_20 = _e16.cast_elem_as_i32();
         let _e20 = self.v_wrap_index(cell_20.x(), _e8.x());
         let _e25 = self.v_wrap_index((cell_20.x() + rt::Scalar(1i32)), _e8.x());
@@ -8599,81 +8747,81 @@ impl<'g> Resources<'g> {
         let below_5 = _e48.x().max(_e53.x());
         return above_7.max(below_5).elementwise_gt(rt::Scalar(0f32));
     }
-    pub(crate) fn first_hit(&self, pixel_55: PixelIn, at_49: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_55, at_49))
+    pub(crate) fn first_hit(&self, pixel_59: PixelIn, at_51: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_59, at_51))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_hit(&self, pixel_55: PixelIn, at_49: Entered) -> FirstHit {
+    fn v_first_hit(&self, pixel_59: PixelIn, at_51: Entered) -> FirstHit {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
         let mut first_2: FirstHit;
-        let mut k_15: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut hit_15: Hit;
-        let mut local_62: rt::Scalar<bool>;
-        let mut local_63: rt::Scalar<bool>;
+        let mut k_16: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut hit_16: Hit;
         let mut local_64: rt::Scalar<bool>;
+        let mut local_65: rt::Scalar<bool>;
+        let mut local_66: rt::Scalar<bool>;
 
         let _e4 = cost_21;
         let _e5 = self.v_miss(_e4);
         first_2 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e12 = k_15;
-                if rt::Scalar::into_branch_condition(_e12.elementwise_lt(rt::Scalar(at_49.segments))) {
+                let _e12 = k_16;
+                if rt::Scalar::into_branch_condition(_e12.elementwise_lt(rt::Scalar(at_51.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_15;
-                    let _e16 = self.v_segment_of(pixel_55, at_49, _e15);
+                    let _e15 = k_16;
+                    let _e16 = self.v_segment_of(pixel_59, at_51, _e15);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e16.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e20 = self.v_trace(_e16);
-                        hit_15 = _e20;
+                        hit_16 = _e20;
                         let _e22 = cost_21;
-                        let _e24 = hit_15.cost;
+                        let _e24 = hit_16.cost;
                         cost_21 = (_e22 + _e24);
-                        let _e27 = rt::Scalar(hit_15.found);
+                        let _e27 = rt::Scalar(hit_16.found);
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(1u32))) {
-                            let _e30 = hit_15;
-                            let _e31 = self.v_polish_hit(pixel_55, at_49, _e16, _e30);
-                            hit_15 = _e31;
-                            let _e32 = hit_15;
-                            let _e33 = self.v_depth_on_ray(pixel_55, _e16, _e32);
+                            let _e30 = hit_16;
+                            let _e31 = self.v_polish_hit(pixel_59, at_51, _e16, _e30);
+                            hit_16 = _e31;
+                            let _e32 = hit_16;
+                            let _e33 = self.v_depth_on_ray(pixel_59, _e16, _e32);
                             let _e34 = self.v_key_of(_e33);
-                            let _e36 = hit_15.uv;
+                            let _e36 = hit_16.uv;
                             let _e37 = self.v_in_hole(_e36);
                             let is_open = (!_e37);
                             if rt::Scalar::into_branch_condition(is_open) {
                                 let _e43 = rt::Scalar(first_2.hit.found);
                                 if rt::Scalar::into_branch_condition((!_e43.elementwise_eq(rt::Scalar(0u32)))) {
                                     let _e50 = rt::Scalar(first_2.key);
-                                    local_63 = _e34.elementwise_gt(_e50);
+                                    local_65 = _e34.elementwise_gt(_e50);
                                 } else {
-                                    local_63 = rt::Scalar(true);
+                                    local_65 = rt::Scalar(true);
                                 }
-                                let _e53 = local_63;
-                                local_62 = _e53;
-                            } else {
-                                local_62 = rt::Scalar(false);
-                            }
-                            let _e55 = local_62;
-                            if rt::Scalar::into_branch_condition(_e55) {
-                                let _e56 = hit_15;
-                                let _e57 = k_15;
-                                first_2 = <FirstHit>::new(_e56, _e57, _e34);
-                            }
-                            if rt::Scalar::into_branch_condition(is_open) {
-                                local_64 = rt::Scalar(pixel_55.shell.order).elementwise_lt(SHELL_FOLDED);
+                                let _e53 = local_65;
+                                local_64 = _e53;
                             } else {
                                 local_64 = rt::Scalar(false);
                             }
-                            let _e66 = local_64;
+                            let _e55 = local_64;
+                            if rt::Scalar::into_branch_condition(_e55) {
+                                let _e56 = hit_16;
+                                let _e57 = k_16;
+                                first_2 = <FirstHit>::new(_e56, _e57, _e34);
+                            }
+                            if rt::Scalar::into_branch_condition(is_open) {
+                                local_66 = rt::Scalar(pixel_59.shell.order).elementwise_lt(SHELL_FOLDED);
+                            } else {
+                                local_66 = rt::Scalar(false);
+                            }
+                            let _e66 = local_66;
                             if rt::Scalar::into_branch_condition(_e66) {
                                 break 'naga_break;
                             }
                         }
                     }
-                    let _e67 = k_15;
-                    k_15 = (_e67 + rt::Scalar(1u32));
+                    let _e67 = k_16;
+                    k_16 = (_e67 + rt::Scalar(1u32));
                 }
             }
         }
@@ -8682,59 +8830,59 @@ impl<'g> Resources<'g> {
         let _e73 = first_2;
         return _e73;
     }
-    pub(crate) fn footprint_m(&self, at_50: Entered) -> f32 {
-        rt::into(self.v_footprint_m(at_50))
+    pub(crate) fn footprint_m(&self, at_52: Entered) -> f32 {
+        rt::into(self.v_footprint_m(at_52))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_footprint_m(&self, at_50: Entered) -> rt::Scalar<f32> {
+    fn v_footprint_m(&self, at_52: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        return ((rt::Scalar(at_50.footprint) * at_50.metric.x().sqrt()) / _e7.x());
+        return ((rt::Scalar(at_52.footprint) * at_52.metric.x().sqrt()) / _e7.x());
     }
-    pub(crate) fn near_uv(&self, uv_15: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_15)))
+    pub(crate) fn near_uv(&self, uv_16: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_near_uv(&self, uv_15: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_near_uv(&self, uv_16: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_15 - uv_15.floor());
+            return (uv_16 - uv_16.floor());
         }
         let _e10 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_15 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_15).floor()));
+            return (uv_16 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_16).floor()));
         }
-        return uv_15;
+        return uv_16;
     }
-    pub(crate) fn from_hit(&self, at_51: Entered, hit_16: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_51, hit_16, light_1))
+    pub(crate) fn from_hit(&self, at_53: Entered, hit_17: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_53, hit_17, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_from_hit(&self, at_51: Entered, hit_16: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_51, light_1.direction);
-        let _e6 = self.v_near_uv(hit_16.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_51.level));
+    fn v_from_hit(&self, at_53: Entered, hit_17: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_53, light_1.direction);
+        let _e6 = self.v_near_uv(hit_17.uv);
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_53.level));
         let h_5 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_5, rt::Scalar(0f32), rt::Scalar(0f32), at_51.metric, RAY_SHADOW, rt::Scalar(at_51.level), rt::Scalar(0f32), rt::Scalar(1f32));
+        return <Path>::new(_e6, _e4.xy(), h_5, rt::Scalar(0f32), rt::Scalar(0f32), at_53.metric, RAY_SHADOW, rt::Scalar(at_53.level), rt::Scalar(0f32), rt::Scalar(1f32));
     }
-    pub(crate) fn way_out(&self, path_62: Path, light_2: Toward) -> f32 {
-        rt::into(self.v_way_out(path_62, light_2))
+    pub(crate) fn way_out(&self, path_63: Path, light_2: Toward) -> f32 {
+        rt::into(self.v_way_out(path_63, light_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_way_out(&self, path_62: Path, light_2: Toward) -> rt::Scalar<f32> {
+    fn v_way_out(&self, path_63: Path, light_2: Toward) -> rt::Scalar<f32> {
         let mut way_6: rt::Scalar<f32>;
         let mut interval_5: rt::Vec2<f32>;
 
-        way_6 = ((rt::Scalar(1f32) - path_62.h.x()) / path_62.h.y()).min(rt::Scalar(light_2.distance));
+        way_6 = ((rt::Scalar(1f32) - path_63.h.x()) / path_63.h.y()).min(rt::Scalar(light_2.distance));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
             let _e21 = way_6;
-            let _e24 = self.v_inside_unit(path_62.uv.x(), path_62.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
+            let _e24 = self.v_inside_unit(path_63.uv.x(), path_63.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
             interval_5 = _e24;
             let _e30 = interval_5;
-            let _e31 = self.v_inside_unit(path_62.uv.y(), path_62.duv.y(), _e30);
+            let _e31 = self.v_inside_unit(path_63.uv.y(), path_63.duv.y(), _e30);
             interval_5 = _e31;
             let _e33 = interval_5.y();
             way_6 = _e33;
@@ -8742,14 +8890,14 @@ impl<'g> Resources<'g> {
         let _e34 = way_6;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_52: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_52, hit_17, light_3))
+    pub(crate) fn light_ray(&self, at_54: Entered, hit_18: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_54, hit_18, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_52: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
-        let mut local_65: rt::Scalar<bool>;
+    fn v_light_ray(&self, at_54: Entered, hit_18: Hit, light_3: Toward) -> LightRay {
+        let mut local_67: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_52, hit_17, light_3);
+        let _e3 = self.v_from_hit(at_54, hit_18, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -8764,11 +8912,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.cast_elem_as_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_65 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
+            local_67 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_65 = rt::Scalar(true);
+            local_67 = rt::Scalar(true);
         }
-        let _e45 = local_65;
+        let _e45 = local_67;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -8779,85 +8927,85 @@ impl<'g> Resources<'g> {
         let gap_7 = (end_15 * (_e31.y() + (_e31.z() * end_15)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
         let h_6 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_70 = <Path>::new(_e51, _e3.duv, h_6, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_70);
+        let path_72 = <Path>::new(_e51, _e3.duv, h_6, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_72);
     }
-    pub(crate) fn shadow_search_stage(&self, path_63: Path) -> Found {
-        rt::into(self.v_shadow_search_stage(path_63))
+    pub(crate) fn shadow_search_stage(&self, path_64: Path) -> Found {
+        rt::into(self.v_shadow_search_stage(path_64))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_search_stage(&self, path_63: Path) -> Found {
-        let _e5 = rt::Scalar(self.surface_settings.choices[6usize].number);
+    fn v_shadow_search_stage(&self, path_64: Path) -> Found {
+        let _e5 = rt::Scalar(self.surface_settings.choices[7usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
-                let _e10 = self.surface_settings.choices[6usize].params;
-                let _e11 = self.v_search_none(path_63, _e10);
+                let _e10 = self.surface_settings.choices[7usize].params;
+                let _e11 = self.v_search_none(path_64, _e10);
                 return _e11;
             }
             1u32 => {
-                let _e16 = self.surface_settings.choices[6usize].params;
-                let _e17 = self.v_search_linear(path_63, _e16);
+                let _e16 = self.surface_settings.choices[7usize].params;
+                let _e17 = self.v_search_linear(path_64, _e16);
                 return _e17;
             }
             2u32 => {
-                let _e22 = self.surface_settings.choices[6usize].params;
-                let _e23 = self.v_search_cells(path_63, _e22);
+                let _e22 = self.surface_settings.choices[7usize].params;
+                let _e23 = self.v_search_cells(path_64, _e22);
                 return _e23;
             }
             3u32 => {
-                let _e28 = self.surface_settings.choices[6usize].params;
-                let _e29 = self.v_search_frustum(path_63, _e28);
+                let _e28 = self.surface_settings.choices[7usize].params;
+                let _e29 = self.v_search_frustum(path_64, _e28);
                 return _e29;
             }
             4u32 => {
-                let _e34 = self.surface_settings.choices[6usize].params;
-                let _e35 = self.v_search_cone(path_63, _e34);
+                let _e34 = self.surface_settings.choices[7usize].params;
+                let _e35 = self.v_search_cone(path_64, _e34);
                 return _e35;
             }
             5u32 => {
-                let _e40 = self.surface_settings.choices[6usize].params;
-                let _e41 = self.v_search_pyramid(path_63, _e40);
+                let _e40 = self.surface_settings.choices[7usize].params;
+                let _e41 = self.v_search_pyramid(path_64, _e40);
                 return _e41;
             }
             6u32 => {
-                let _e46 = self.surface_settings.choices[6usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_63, _e46);
+                let _e46 = self.surface_settings.choices[7usize].params;
+                let _e47 = self.v_search_pyramid_texels(path_64, _e46);
                 return _e47;
             }
             7u32 => {
-                let _e52 = self.surface_settings.choices[6usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_63, _e52);
+                let _e52 = self.surface_settings.choices[7usize].params;
+                let _e53 = self.v_search_dilation_erosion(path_64, _e52);
                 return _e53;
             }
             8u32 => {
-                let _e58 = self.surface_settings.choices[6usize].params;
-                let _e59 = self.v_search_sphere(path_63, _e58);
+                let _e58 = self.surface_settings.choices[7usize].params;
+                let _e59 = self.v_search_sphere(path_64, _e58);
                 return _e59;
             }
             9u32 => {
-                let _e64 = self.surface_settings.choices[6usize].params;
-                let _e65 = self.v_search_cone_moved(path_63, _e64);
+                let _e64 = self.surface_settings.choices[7usize].params;
+                let _e65 = self.v_search_cone_moved(path_64, _e64);
                 return _e65;
             }
             10u32 => {
-                let _e70 = self.surface_settings.choices[6usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_63, _e70);
+                let _e70 = self.surface_settings.choices[7usize].params;
+                let _e71 = self.v_search_relaxed_cone(path_64, _e70);
                 return _e71;
             }
             _ => {
-                let _e76 = self.surface_settings.choices[6usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_63, _e76);
+                let _e76 = self.surface_settings.choices[7usize].params;
+                let _e77 = self.v_search_relaxed_cone_resting(path_64, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn free_way(&self, at_53: Entered, hit_18: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_53, hit_18, light_4))
+    pub(crate) fn free_way(&self, at_55: Entered, hit_19: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_55, hit_19, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_free_way(&self, at_53: Entered, hit_18: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_53, hit_18, light_4);
+    fn v_free_way(&self, at_55: Entered, hit_19: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_55, hit_19, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -8890,23 +9038,23 @@ impl<'g> Resources<'g> {
         place_11: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_66: rt::Scalar<bool>;
-        let mut local_67: rt::Scalar<bool>;
+        let mut local_68: rt::Scalar<bool>;
+        let mut local_69: rt::Scalar<bool>;
 
-        let least_1 = (place_11.x().min(place_11.y()) - half);
-        let most_8 = (place_11.x().max(place_11.y()) + half);
+        let least_2 = (place_11.x().min(place_11.y()) - half);
+        let most_9 = (place_11.x().max(place_11.y()) + half);
         if rt::Scalar::into_branch_condition(place_11.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_66 = least_1.elementwise_ge(rt::Scalar(0f32));
+            local_68 = least_2.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_66 = rt::Scalar(false);
+            local_68 = rt::Scalar(false);
         }
-        let _e19 = local_66;
+        let _e19 = local_68;
         if rt::Scalar::into_branch_condition(_e19) {
-            local_67 = most_8.elementwise_le(rt::Scalar(view_6.size).cast_elem_as_f32());
+            local_69 = most_9.elementwise_le(rt::Scalar(view_6.size).cast_elem_as_f32());
         } else {
-            local_67 = rt::Scalar(false);
+            local_69 = rt::Scalar(false);
         }
-        let _e26 = local_67;
+        let _e26 = local_69;
         return _e26;
     }
     pub(crate) fn light_place(
@@ -8923,41 +9071,46 @@ impl<'g> Resources<'g> {
         view_7: LightView,
         point_5: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_95 = <rt::Vec4<f32>>::new_31(point_5, rt::Scalar(1f32));
-        let depth_7 = view_7.depth.dot(at_95);
+        let at_98 = <rt::Vec4<f32>>::new_31(point_5, rt::Scalar(1f32));
+        let depth_7 = view_7.depth.dot(at_98);
         let over_2 = rt::Scalar(1f32).select(depth_7, rt::Scalar(view_7.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_7.column.dot(at_95), view_7.row.dot(at_95)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_7.column.dot(at_98), view_7.row.dot(at_98)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
     }
     pub(crate) fn patch_normal(
         &self,
-        at_54: Entered,
-        uv_16: impl rt::Into<rt::Vec2<f32>>,
+        at_56: Entered,
+        uv_17: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_54, rt::into(uv_16)))
+        rt::into(self.v_patch_normal(at_56, rt::into(uv_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_patch_normal(
         &self,
-        at_54: Entered,
-        uv_16: rt::Vec2<f32>,
+        at_56: Entered,
+        uv_17: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_height_and_slope(uv_16, rt::Scalar(at_54.level));
-        let _e9 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_2 = (at_54.tangent + (at_54.normal * (_e3.y() * _e9)));
-        let _e18 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_2 = (at_54.bitangent + (at_54.normal * (_e3.z() * _e18)));
-        let across_5 = along_v_2.cross(along_u_2).normalize();
-        return (across_5 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_5.dot(at_54.normal).elementwise_ge(rt::Scalar(0f32))));
+        let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
+        if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
+            let facet = at_56.facing.normalize();
+            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_56.normal).elementwise_ge(rt::Scalar(0f32))));
+        }
+        let _e18 = self.v_height_and_slope(uv_17, rt::Scalar(at_56.level));
+        let _e24 = rt::Scalar(self.surface_settings.scale_m);
+        let along_u_2 = (at_56.tangent + (at_56.normal * (_e18.y() * _e24)));
+        let _e33 = rt::Scalar(self.surface_settings.scale_m);
+        let along_v_2 = (at_56.bitangent + (at_56.normal * (_e18.z() * _e33)));
+        let across_6 = along_v_2.cross(along_u_2).normalize();
+        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_56.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
         view_8: LightView,
         point_6: impl rt::Into<rt::Vec3<f32>>,
-        normal_11: impl rt::Into<rt::Vec3<f32>>,
+        normal_12: impl rt::Into<rt::Vec3<f32>>,
         texel_4: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_plane_depth(view_8, rt::into(point_6), rt::into(normal_11), rt::into(texel_4)))
+        rt::into(self.v_plane_depth(view_8, rt::into(point_6), rt::into(normal_12), rt::into(texel_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8965,14 +9118,14 @@ impl<'g> Resources<'g> {
         &self,
         view_8: LightView,
         point_6: rt::Vec3<f32>,
-        normal_11: rt::Vec3<f32>,
+        normal_12: rt::Vec3<f32>,
         texel_4: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let corner_7 = ((view_8.corner.xyz() + (view_8.across.xyz() * texel_4.x())) + (view_8.along.xyz() * texel_4.y()));
         if rt::Scalar::into_branch_condition(rt::Scalar(view_8.from_point).elementwise_eq(rt::Scalar(1u32))) {
-            return (normal_11.dot((point_6 - view_8.eye.xyz())) / normal_11.dot(corner_7));
+            return (normal_12.dot((point_6 - view_8.eye.xyz())) / normal_12.dot(corner_7));
         }
-        return (normal_11.dot((point_6 - corner_7)) / normal_11.dot(view_8.depth.xyz()));
+        return (normal_12.dot((point_6 - corner_7)) / normal_12.dot(view_8.depth.xyz()));
     }
     pub(crate) fn light_texel(
         &self,
@@ -8993,24 +9146,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn row_sees(
         &self,
-        at_55: InView,
+        at_57: InView,
         row: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_55, rt::into(row), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_57, rt::into(row), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_row_sees(
         &self,
-        at_55: InView,
+        at_57: InView,
         row: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column: rt::Scalar<f32>;
 
-        let view_16 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_55.number))];
-        column = at_55.low.x().floor();
+        let view_16 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_57.number))];
+        column = at_57.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = column;
@@ -9021,13 +9174,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e18 = column;
                     let _e24 = column;
-                    let wide_2 = (at_55.high.x().min((_e18 + rt::Scalar(1f32))) - at_55.low.x().max(_e24));
+                    let wide_2 = (at_57.high.x().min((_e18 + rt::Scalar(1f32))) - at_57.low.x().max(_e24));
                     let _e27 = column;
                     let place_21 = <rt::Vec2<f32>>::from_scalars(_e27, row);
-                    let _e35 = self.v_plane_depth(view_16, at_55.point, at_55.normal, (place_21 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_8 = _e35.clamp(rt::Scalar(at_55.least_depth), rt::Scalar(at_55.most_depth));
+                    let _e35 = self.v_plane_depth(view_16, at_57.point, at_57.normal, (place_21 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_8 = _e35.clamp(rt::Scalar(at_57.least_depth), rt::Scalar(at_57.most_depth));
                     let key = (rt::Scalar(view_16.near) / (rt::Scalar(view_16.near) + depth_8.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_21.cast_elem_as_i32(), rt::Scalar(at_55.number).cast_elem_as_i32());
+                    let _e48 = self.v_light_texel(place_21.cast_elem_as_i32(), rt::Scalar(at_57.number).cast_elem_as_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -9043,20 +9196,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn seen_part(
         &self,
         number_3: impl rt::Into<rt::Scalar<u32>>,
-        at_56: Entered,
-        normal_12: impl rt::Into<rt::Vec3<f32>>,
+        at_58: Entered,
+        normal_13: impl rt::Into<rt::Vec3<f32>>,
         place_13: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_3), at_56, rt::into(normal_12), rt::into(place_13), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_3), at_58, rt::into(normal_13), rt::into(place_13), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
         &self,
         number_3: rt::Scalar<u32>,
-        at_56: Entered,
-        normal_12: rt::Vec3<f32>,
+        at_58: Entered,
+        normal_13: rt::Vec3<f32>,
         place_13: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
         bias: rt::Scalar<f32>,
@@ -9066,13 +9219,13 @@ impl<'g> Resources<'g> {
 
         let view_17 = self.frame.light_views[rt::Scalar::into_array_index(number_3)];
         let texel_m = (rt::Scalar(view_17.texel_m) * rt::Scalar(1f32).select(place_13.z(), rt::Scalar(view_17.from_point).elementwise_eq(rt::Scalar(1u32))));
-        let _e19 = self.v_footprint_m(at_56);
-        let point_16 = (at_56.point + (normal_12 * (bias * texel_m.max(_e19))));
+        let _e19 = self.v_footprint_m(at_58);
+        let point_17 = (at_58.point + (normal_13 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
         let low_6 = (place_13.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_1 = (low_6 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
         let last_7 = high_1.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_17.size).cast_elem_as_f32(), rt::Scalar(view_17.size).cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_3, point_16, normal_12, low_6, high_1, (place_13.z() - reach_1), (place_13.z() + reach_1));
+        let in_view = <InView>::new(number_3, point_17, normal_13, low_6, high_1, (place_13.z() - reach_1), (place_13.z() + reach_1));
         row_1 = low_6.y().floor();
         'naga_break: loop {
             'naga_continue: {
@@ -9099,58 +9252,58 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_seen(
         &self,
-        at_57: Entered,
-        uv_17: impl rt::Into<rt::Vec2<f32>>,
+        at_59: Entered,
+        uv_18: impl rt::Into<rt::Vec2<f32>>,
         number_4: impl rt::Into<rt::Scalar<u32>>,
         toward: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_57, rt::into(uv_17), rt::into(number_4), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_59, rt::into(uv_18), rt::into(number_4), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
-        at_57: Entered,
-        uv_17: rt::Vec2<f32>,
+        at_59: Entered,
+        uv_18: rt::Vec2<f32>,
         number_4: rt::Scalar<u32>,
         toward: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
         bias_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut k_16: rt::Scalar<u32>;
+        let mut k_17: rt::Scalar<u32>;
 
         let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_4)];
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_57, uv_17);
+        let _e14 = self.v_patch_normal(at_59, uv_18);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let width_5 = filter_texels.max(rt::Scalar(0.001f32));
-        k_16 = rt::Scalar(light_17.first_view);
+        k_17 = rt::Scalar(light_17.first_view);
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_16;
+                let _e24 = k_17;
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt((rt::Scalar(light_17.first_view) + rt::Scalar(light_17.views)))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e31 = k_16;
+                    let _e31 = k_17;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_light_place(_e33, at_57.point);
-                    let _e38 = k_16;
+                    let _e35 = self.v_light_place(_e33, at_59.point);
+                    let _e38 = k_17;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
                     let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_5));
                     if rt::Scalar::into_branch_condition(_e43) {
-                        let _e44 = k_16;
-                        let _e45 = self.v_seen_part(_e44, at_57, _e14, _e35, width_5, bias_1);
+                        let _e44 = k_17;
+                        let _e45 = self.v_seen_part(_e44, at_59, _e14, _e35, width_5, bias_1);
                         return _e45;
                     }
-                    let _e46 = k_16;
-                    k_16 = (_e46 + rt::Scalar(1u32));
+                    let _e46 = k_17;
+                    k_17 = (_e46 + rt::Scalar(1u32));
                 }
             }
         }
@@ -9192,68 +9345,68 @@ impl<'g> Resources<'g> {
         let none = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         return <SeenTable>::new(none, none, none);
     }
-    pub(crate) fn one_seen(&self, normal_13: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
-        rt::into(self.v_one_seen(rt::into(normal_13)))
+    pub(crate) fn one_seen(&self, normal_14: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
+        rt::into(self.v_one_seen(rt::into(normal_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_one_seen(&self, normal_13: rt::Vec3<f32>) -> SeenNormals {
+    fn v_one_seen(&self, normal_14: rt::Vec3<f32>) -> SeenNormals {
         let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let none_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let parts_1 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let _e13 = self.v_no_table();
-        return <SeenNormals>::new(normal_13, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts_1, rt::Scalar(0f32), _e13);
+        return <SeenNormals>::new(normal_14, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts_1, rt::Scalar(0f32), _e13);
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_58: Entered,
+        at_60: Entered,
         v: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_58, rt::into(v)))
+        rt::into(self.v_to_tangent_space(at_60, rt::into(v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_to_tangent_space(
         &self,
-        at_58: Entered,
+        at_60: Entered,
         v: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_3 = at_58.tangent.normalize();
-        let along_v_3 = at_58.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v), (-along_v_3.dot(v)), at_58.normal.dot(v));
+        let along_u_3 = at_60.tangent.normalize();
+        let along_v_3 = at_60.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v), (-along_v_3.dot(v)), at_60.normal.dot(v));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_59: Entered,
-        uv_18: impl rt::Into<rt::Vec2<f32>>,
+        at_61: Entered,
+        uv_19: impl rt::Into<rt::Vec2<f32>>,
         level_20: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_59, rt::into(uv_18), rt::into(level_20)))
+        rt::into(self.v_normals_of_level(at_61, rt::into(uv_19), rt::into(level_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_59: Entered,
-        uv_18: rt::Vec2<f32>,
+        at_61: Entered,
+        uv_19: rt::Vec2<f32>,
         level_20: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_20.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_59, uv_18);
-            let _e6 = self.v_to_tangent_space(at_59, _e5);
+            let _e5 = self.v_finest_normal(at_61, uv_19);
+            let _e6 = self.v_to_tangent_space(at_61, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_18, rt::Scalar(0i32), level_20);
-            let _e16 = self.v_normal_at(uv_18, rt::Scalar(1i32), level_20);
+            let _e14 = self.v_normal_at(uv_19, rt::Scalar(0i32), level_20);
+            let _e16 = self.v_normal_at(uv_19, rt::Scalar(1i32), level_20);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_2 = ((tile.x() * at_59.tangent.normalize().dot(at_59.tangent)) / at_59.tangent.dot(at_59.tangent));
-        let y_1 = ((tile.y() * at_59.bitangent.normalize().dot(at_59.bitangent)) / at_59.bitangent.dot(at_59.bitangent));
-        let _e44 = self.v_normal_at(uv_18, rt::Scalar(0i32), (level_20 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_18, rt::Scalar(1i32), (level_20 - rt::Scalar(1u32)));
+        let x_2 = ((tile.x() * at_61.tangent.normalize().dot(at_61.tangent)) / at_61.tangent.dot(at_61.tangent));
+        let y_1 = ((tile.y() * at_61.bitangent.normalize().dot(at_61.bitangent)) / at_61.bitangent.dot(at_61.bitangent));
+        let _e44 = self.v_normal_at(uv_19, rt::Scalar(0i32), (level_20 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_19, rt::Scalar(1i32), (level_20 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_2), (_e44.y() * y_1), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
         let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_2) * x_2), ((_e48.y() * x_2) * y_1), ((_e48.z() * y_1) * y_1)) * longer_1);
@@ -9269,16 +9422,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_60: Entered,
+        at_62: Entered,
         normals: Normals,
         view_10: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_60, normals, rt::into(view_10)))
+        rt::into(self.v_seen_normals(at_62, normals, rt::into(view_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_60: Entered,
+        at_62: Entered,
         normals: Normals,
         view_10: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -9288,54 +9441,54 @@ impl<'g> Resources<'g> {
         let upright_1 = first_12.z().max(rt::Scalar(0.05f32));
         let x_3 = (first_12.x() / upright_1);
         let y_2 = (first_12.y() / upright_1);
-        let a_19 = ((second_5.x() / upright_1) - (x_3 * x_3)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_18 = (((second_5.y() / upright_1) - (x_3 * y_2)) / a_19);
+        let a_20 = ((second_5.x() / upright_1) - (x_3 * x_3)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_19 = (((second_5.y() / upright_1) - (x_3 * y_2)) / a_20);
         let spread = ((second_5.z() / upright_1) - (y_2 * y_2)).max(rt::Scalar(0f32));
-        let d_2 = (spread - (b_18 * b_18)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let d_2 = (spread - (b_19 * b_19)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
         let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_12.x())) - (first_12.xyz() * slope_11.x()));
         let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_12.y())) - (first_12.xyz() * slope_11.y()));
-        let most_9 = ((a_19 * a_19) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_29 = (with_x / rt::Vec3::splat_from_scalar(a_19.max((with_x.length() / most_9))));
-        let rest_8 = (with_y - (along_29 * b_18));
-        let across_6 = (rest_8 / rt::Vec3::splat_from_scalar(d_2.max((rest_8.length() / most_9))));
-        let _e77 = self.v_to_tangent_space(at_60, view_10);
+        let most_10 = ((a_20 * a_20) + spread).sqrt().min(rt::Scalar(1f32));
+        let along_30 = (with_x / rt::Vec3::splat_from_scalar(a_20.max((with_x.length() / most_10))));
+        let rest_8 = (with_y - (along_30 * b_19));
+        let across_7 = (rest_8 / rt::Vec3::splat_from_scalar(d_2.max((rest_8.length() / most_10))));
+        let _e77 = self.v_to_tangent_space(at_62, view_10);
         let middle_14 = (_e77.z() - _e77.xy().dot(slope_11));
-        let _e91 = self.v_facing_four(middle_14, (-((_e77.x() * a_19) + (_e77.y() * b_18))), (-(_e77.y() * d_2)));
+        let _e91 = self.v_facing_four(middle_14, (-((_e77.x() * a_20) + (_e77.y() * b_19))), (-(_e77.y() * d_2)));
         let one = middle_14.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one, _e94);
         let all = _e95.max(rt::Scalar(0.001f32));
-        let aside_7 = ((along_29 * ((_e91.x() - _e91.y()) / all)) + (across_6 * ((_e91.z() - _e91.w()) / all)));
-        let _e113 = self.v_from_tangent_space(at_60, (first_12.xyz() + (aside_7 * rt::Scalar(0.28867513f32))));
+        let aside_7 = ((along_30 * ((_e91.x() - _e91.y()) / all)) + (across_7 * ((_e91.z() - _e91.w()) / all)));
+        let _e113 = self.v_from_tangent_space(at_62, (first_12.xyz() + (aside_7 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_12.xyz(), along_29, across_6, slope_11, <rt::Vec2<f32>>::from_scalars(a_19, b_18), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_12.xyz(), along_30, across_7, slope_11, <rt::Vec2<f32>>::from_scalars(a_20, b_19), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_61: Entered) -> f32 {
-        rt::into(self.v_table_part(at_61))
+    pub(crate) fn table_part(&self, at_63: Entered) -> f32 {
+        rt::into(self.v_table_part(at_63))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_table_part(&self, at_61: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_63: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_61.fade) * ((rt::Scalar(at_61.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_63.fade) * ((rt::Scalar(at_63.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_62: Entered,
+        at_64: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_62, seen_1, table, rt::into(part_6)))
+        rt::into(self.v_with_table(at_64, seen_1, table, rt::into(part_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_with_table(
         &self,
-        at_62: Entered,
+        at_64: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: rt::Scalar<f32>,
@@ -9344,7 +9497,7 @@ impl<'g> Resources<'g> {
 
         told = seen_1;
         let before_3 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_62, table.mean);
+        let _e9 = self.v_from_tangent_space(at_64, table.mean);
         let mean_4 = (before_3 + ((_e9 - before_3) * part_6));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
@@ -9403,48 +9556,48 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_texel(
         &self,
-        uv_19: impl rt::Into<rt::Vec2<f32>>,
+        uv_20: impl rt::Into<rt::Vec2<f32>>,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
         level_21: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_19), rt::into(azimuth), rt::into(elevation), rt::into(level_21)))
+        rt::into(self.v_seen_texel(rt::into(uv_20), rt::into(azimuth), rt::into(elevation), rt::into(level_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_texel(
         &self,
-        uv_19: rt::Vec2<f32>,
+        uv_20: rt::Vec2<f32>,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
         level_21: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_8 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_19, layer_8, level_21);
-        let _e12 = self.v_detail_texel_between(uv_19, (layer_8 + rt::Scalar(1i32)), level_21);
+        let _e9 = self.v_detail_texel_between(uv_20, layer_8, level_21);
+        let _e12 = self.v_detail_texel_between(uv_20, (layer_8 + rt::Scalar(1i32)), level_21);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
         &self,
-        uv_20: impl rt::Into<rt::Vec2<f32>>,
+        uv_21: impl rt::Into<rt::Vec2<f32>>,
         azimuth_1: impl rt::Into<rt::Scalar<i32>>,
         elevation_1: impl rt::Into<rt::Scalar<i32>>,
         levels_1: Levels,
     ) -> SeenTexel {
-        rt::into(self.v_seen_in_levels(rt::into(uv_20), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
+        rt::into(self.v_seen_in_levels(rt::into(uv_21), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_in_levels(
         &self,
-        uv_20: rt::Vec2<f32>,
+        uv_21: rt::Vec2<f32>,
         azimuth_1: rt::Scalar<i32>,
         elevation_1: rt::Scalar<i32>,
         levels_1: Levels,
     ) -> SeenTexel {
-        let _e5 = self.v_seen_texel(uv_20, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
+        let _e5 = self.v_seen_texel(uv_21, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
         if rt::Scalar::into_branch_condition(rt::Scalar(levels_1.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e12 = self.v_seen_texel(uv_20, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
+            let _e12 = self.v_seen_texel(uv_21, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
             let _e14 = self.v_seen_between(_e5, _e12, rt::Scalar(levels_1.part));
             return _e14;
         }
@@ -9452,22 +9605,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_63: Entered,
-        uv_21: impl rt::Into<rt::Vec2<f32>>,
+        at_65: Entered,
+        uv_22: impl rt::Into<rt::Vec2<f32>>,
         view_11: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_63, rt::into(uv_21), rt::into(view_11), levels_2))
+        rt::into(self.v_table_of(at_65, rt::into(uv_22), rt::into(view_11), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_63: Entered,
-        uv_21: rt::Vec2<f32>,
+        at_65: Entered,
+        uv_22: rt::Vec2<f32>,
         view_11: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_63, view_11);
+        let _e4 = self.v_climb(at_65, view_11);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_5 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
@@ -9479,16 +9632,16 @@ impl<'g> Resources<'g> {
         let a1_ = ((a0_ + rt::Scalar(1i32)) % rt::Scalar(8i32));
         let e0_ = elevation_3.floor().cast_elem_as_i32();
         let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
-        let across_7 = (azimuth_3 - azimuth_3.floor());
-        let _e48 = self.v_seen_in_levels(uv_21, a0_, e0_, levels_2);
-        let _e49 = self.v_seen_in_levels(uv_21, a1_, e0_, levels_2);
-        let _e50 = self.v_seen_between(_e48, _e49, across_7);
-        let _e51 = self.v_seen_in_levels(uv_21, a0_, e1_1, levels_2);
-        let _e52 = self.v_seen_in_levels(uv_21, a1_, e1_1, levels_2);
-        let _e53 = self.v_seen_between(_e51, _e52, across_7);
+        let across_8 = (azimuth_3 - azimuth_3.floor());
+        let _e48 = self.v_seen_in_levels(uv_22, a0_, e0_, levels_2);
+        let _e49 = self.v_seen_in_levels(uv_22, a1_, e0_, levels_2);
+        let _e50 = self.v_seen_between(_e48, _e49, across_8);
+        let _e51 = self.v_seen_in_levels(uv_22, a0_, e1_1, levels_2);
+        let _e52 = self.v_seen_in_levels(uv_22, a1_, e1_1, levels_2);
+        let _e53 = self.v_seen_between(_e51, _e52, across_8);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_5 = ((tile_1.x() * at_63.tangent.normalize().dot(at_63.tangent)) / at_63.tangent.dot(at_63.tangent));
-        let y_4 = ((tile_1.y() * at_63.bitangent.normalize().dot(at_63.bitangent)) / at_63.bitangent.dot(at_63.bitangent));
+        let x_5 = ((tile_1.x() * at_65.tangent.normalize().dot(at_65.tangent)) / at_65.tangent.dot(at_65.tangent));
+        let y_4 = ((tile_1.y() * at_65.bitangent.normalize().dot(at_65.bitangent)) / at_65.bitangent.dot(at_65.bitangent));
         let mean_5 = _e56.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_5), (mean_5.y() * y_4), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
@@ -9497,128 +9650,133 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_64: Entered,
-        uv_22: impl rt::Into<rt::Vec2<f32>>,
+        at_66: Entered,
+        uv_23: impl rt::Into<rt::Vec2<f32>>,
         view_12: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_64, rt::into(uv_22), rt::into(view_12)))
+        rt::into(self.v_mesostructure_normals(at_66, rt::into(uv_23), rt::into(view_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_64: Entered,
-        uv_22: rt::Vec2<f32>,
+        at_66: Entered,
+        uv_23: rt::Vec2<f32>,
         view_12: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_68: rt::Scalar<bool>;
+        let mut local_70: rt::Scalar<bool>;
         let mut first_3: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
-        let upright_3 = at_64.normal.dot(view_12);
+        let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
+        if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
+            let _e9 = self.v_one_seen(at_66.normal);
+            return _e9;
+        }
+        let upright_3 = at_66.normal.dot(view_12);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_6 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_64.fade)));
-        let _e15 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_5 = ((rt::Scalar(at_64.footprint) * _e15) * width_6);
-        let _e20 = rt::Scalar(self.surface_settings.normal_levels);
-        let _e21 = self.v_levels_of(texels_5, _e20);
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e21.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_68 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
+        let width_6 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_66.fade)));
+        let _e22 = rt::Scalar(self.surface_settings.normal_texels);
+        let texels_5 = ((rt::Scalar(at_66.footprint) * _e22) * width_6);
+        let _e27 = rt::Scalar(self.surface_settings.normal_levels);
+        let _e28 = self.v_levels_of(texels_5, _e27);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
+            local_70 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_68 = rt::Scalar(false);
+            local_70 = rt::Scalar(false);
         }
-        let _e32 = local_68;
-        if rt::Scalar::into_branch_condition(_e32) {
-            let _e33 = self.v_finest_normal(at_64, uv_22);
-            let _e34 = self.v_one_seen(_e33);
-            return _e34;
+        let _e39 = local_70;
+        if rt::Scalar::into_branch_condition(_e39) {
+            let _e40 = self.v_finest_normal(at_66, uv_23);
+            let _e41 = self.v_one_seen(_e40);
+            return _e41;
         }
-        let _e36 = self.v_normals_of_level(at_64, uv_22, rt::Scalar(_e21.fine));
-        first_3 = _e36.first;
-        second = _e36.second;
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e47 = self.v_normals_of_level(at_64, uv_22, (rt::Scalar(_e21.fine) + rt::Scalar(1u32)));
-            let _e48 = first_3;
-            let _e50 = first_3;
-            first_3 = (_e48 + ((_e47.first - _e50) * rt::Scalar(_e21.part)));
-            let _e55 = second;
-            let _e57 = second;
-            second = (_e55 + ((_e47.second - _e57) * rt::Scalar(_e21.part)));
+        let _e43 = self.v_normals_of_level(at_66, uv_23, rt::Scalar(_e28.fine));
+        first_3 = _e43.first;
+        second = _e43.second;
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
+            let _e54 = self.v_normals_of_level(at_66, uv_23, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e55 = first_3;
+            let _e57 = first_3;
+            first_3 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
+            let _e62 = second;
+            let _e64 = second;
+            second = (_e62 + ((_e54.second - _e64) * rt::Scalar(_e28.part)));
         }
-        let _e62 = first_3;
-        let _e63 = second;
-        let _e65 = self.v_seen_normals(at_64, <Normals>::new(_e62, _e63), view_12);
-        let _e66 = self.v_table_part(at_64);
-        if rt::Scalar::into_branch_condition(_e66.elementwise_gt(rt::Scalar(0f32))) {
-            let _e72 = rt::Scalar(self.surface_settings.height_levels);
-            let _e73 = self.v_levels_of(rt::Scalar(at_64.footprint), _e72);
-            let _e74 = self.v_has_table(_e73);
-            if rt::Scalar::into_branch_condition(_e74) {
-                let _e75 = self.v_table_of(at_64, uv_22, view_12, _e73);
-                let _e76 = self.v_with_table(at_64, _e65, _e75, _e66);
-                return _e76;
+        let _e69 = first_3;
+        let _e70 = second;
+        let _e72 = self.v_seen_normals(at_66, <Normals>::new(_e69, _e70), view_12);
+        let _e73 = self.v_table_part(at_66);
+        if rt::Scalar::into_branch_condition(_e73.elementwise_gt(rt::Scalar(0f32))) {
+            let _e79 = rt::Scalar(self.surface_settings.height_levels);
+            let _e80 = self.v_levels_of(rt::Scalar(at_66.footprint), _e79);
+            let _e81 = self.v_has_table(_e80);
+            if rt::Scalar::into_branch_condition(_e81) {
+                let _e82 = self.v_table_of(at_66, uv_23, view_12, _e80);
+                let _e83 = self.v_with_table(at_66, _e72, _e82, _e73);
+                return _e83;
             }
         }
-        return _e65;
+        return _e72;
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_65: Entered,
-        hit_19: Hit,
+        at_67: Entered,
+        hit_20: Hit,
         light_5: Toward,
-        params_51: impl rt::Into<rt::Vec4<f32>>,
+        params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_65, hit_19, light_5, rt::into(params_51)))
+        rt::into(self.v_shadow_ray(at_67, hit_20, light_5, rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_ray(
         &self,
-        at_65: Entered,
-        hit_19: Hit,
+        at_67: Entered,
+        hit_20: Hit,
         light_5: Toward,
-        params_51: rt::Vec4<f32>,
+        params_54: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_65, hit_19, light_5);
+        let _e4 = self.v_free_way(at_67, hit_20, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_66: Entered,
-        hit_20: Hit,
+        at_68: Entered,
+        hit_21: Hit,
         light_6: Toward,
-        params_52: impl rt::Into<rt::Vec4<f32>>,
+        params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_66, hit_20, light_6, rt::into(params_52)))
+        rt::into(self.v_shadow_none(at_68, hit_21, light_6, rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_none(
         &self,
-        at_66: Entered,
-        hit_20: Hit,
+        at_68: Entered,
+        hit_21: Hit,
         light_6: Toward,
-        params_52: rt::Vec4<f32>,
+        params_55: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_67: Entered,
-        hit_21: Hit,
+        at_69: Entered,
+        hit_22: Hit,
         light_7: Toward,
-        params_53: impl rt::Into<rt::Vec4<f32>>,
+        params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_67, hit_21, light_7, rt::into(params_53)))
+        rt::into(self.v_shadow_entry(at_69, hit_22, light_7, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_67: Entered,
-        hit_21: Hit,
+        at_69: Entered,
+        hit_22: Hit,
         light_7: Toward,
-        params_53: rt::Vec4<f32>,
+        params_56: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_67, hit_21, light_7);
+        let _e4 = self.v_from_hit(at_69, hit_22, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -9637,7 +9795,7 @@ impl<'g> Resources<'g> {
         }
         let _e51 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_4 = ((_e41.uv - _e4.uv).abs() * _e51);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_53.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_56.x()));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
         rt::into(self.v_mixed(rt::into(seed)))
@@ -9659,13 +9817,13 @@ impl<'g> Resources<'g> {
         let _e17 = x;
         return (_e16 ^ (_e17 >> rt::Scalar(16u32)));
     }
-    pub(crate) fn seed_of(&self, hit_22: Hit) -> u32 {
-        rt::into(self.v_seed_of(hit_22))
+    pub(crate) fn seed_of(&self, hit_23: Hit) -> u32 {
+        rt::into(self.v_seed_of(hit_23))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_seed_of(&self, hit_22: Hit) -> rt::Scalar<u32> {
-        let place_22 = ((hit_22.uv - hit_22.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
+    fn v_seed_of(&self, hit_23: Hit) -> rt::Scalar<u32> {
+        let place_22 = ((hit_23.uv - hit_23.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
         let _e10 = self.v_mixed(place_22.y());
         let _e12 = self.v_mixed((place_22.x() ^ _e10));
         return _e12;
@@ -9713,10 +9871,10 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: impl rt::Into<rt::Scalar<u32>>,
-        k_17: impl rt::Into<rt::Scalar<u32>>,
+        k_18: impl rt::Into<rt::Scalar<u32>>,
         count_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_17), rt::into(count_2)))
+        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_18), rt::into(count_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9724,59 +9882,59 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: rt::Scalar<u32>,
-        k_17: rt::Scalar<u32>,
+        k_18: rt::Scalar<u32>,
         count_2: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_1 + k_17) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_1 + k_18) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_17.cast_elem_as_f32() + _e9) / count_2.cast_elem_as_f32());
+        let ring = ((k_18.cast_elem_as_f32() + _e9) / count_2.cast_elem_as_f32());
         let _e16 = self.v_unit_of(seed_1);
-        let _e18 = self.v_turned(((k_17.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let _e18 = self.v_turned(((k_18.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
         let place_23 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
         let up_1 = light_8.direction.cross(right_2);
         let toward_6 = ((light_8.direction + (right_2 * place_23.x())) + (up_1 * place_23.y()));
-        let along_30 = toward_6.length();
-        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_30)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_30), rt::Scalar(0f32), rt::Scalar(light_8.number));
+        let along_31 = toward_6.length();
+        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_31)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_31), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_68: Entered,
-        hit_23: Hit,
+        at_70: Entered,
+        hit_24: Hit,
         light_9: Toward,
-        params_54: impl rt::Into<rt::Vec4<f32>>,
+        params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_68, hit_23, light_9, rt::into(params_54)))
+        rt::into(self.v_shadow_soft(at_70, hit_24, light_9, rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_68: Entered,
-        hit_23: Hit,
+        at_70: Entered,
+        hit_24: Hit,
         light_9: Toward,
-        params_54: rt::Vec4<f32>,
+        params_57: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_18: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_19: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_5 = params_54.x().cast_elem_as_u32();
-        let _e6 = self.v_seed_of(hit_23);
+        let count_5 = params_57.x().cast_elem_as_u32();
+        let _e6 = self.v_seed_of(hit_24);
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_18;
+                let _e11 = k_19;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_5)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
-                    let _e14 = k_18;
+                    let _e14 = k_19;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_5);
-                    let _e16 = self.v_free_way(at_68, hit_23, _e15);
+                    let _e16 = self.v_free_way(at_70, hit_24, _e15);
                     free = (_e13 + _e16);
-                    let _e18 = k_18;
-                    k_18 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_19;
+                    k_19 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
@@ -9785,49 +9943,49 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_69: Entered,
-        hit_24: Hit,
+        at_71: Entered,
+        hit_25: Hit,
         light_10: Toward,
-        params_55: impl rt::Into<rt::Vec4<f32>>,
+        params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_69, hit_24, light_10, rt::into(params_55)))
+        rt::into(self.v_shadow_heuristic(at_71, hit_25, light_10, rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_69: Entered,
-        hit_24: Hit,
+        at_71: Entered,
+        hit_25: Hit,
         light_10: Toward,
-        params_55: rt::Vec4<f32>,
+        params_58: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_19: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_20: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_69, hit_24, light_10);
+        let _e4 = self.v_from_hit(at_71, hit_25, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let _e11 = self.v_way_out(_e4, light_10);
         'naga_break: loop {
             'naga_continue: {
-                let _e16 = k_19;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_55.x())) {
+                let _e16 = k_20;
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_58.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = k_19;
-                    let part_15 = (_e19 / params_55.x());
+                    let _e19 = k_20;
+                    let part_15 = (_e19 / params_58.x());
                     let _e22 = most_1;
                     let _e24 = self.v_path_gap(_e4, (part_15 * _e11));
                     most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_15)));
-                    let _e31 = k_19;
-                    k_19 = (_e31 + rt::Scalar(1f32));
+                    let _e31 = k_20;
+                    k_20 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
         let _e35 = most_1;
-        return (rt::Scalar(1f32) - (params_55.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_58.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
@@ -9852,27 +10010,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_23: impl rt::Into<rt::Vec2<f32>>,
+        uv_24: impl rt::Into<rt::Vec2<f32>>,
         layer_7: impl rt::Into<rt::Scalar<i32>>,
         level_23: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_23), rt::into(layer_7), rt::into(level_23)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_24), rt::into(layer_7), rt::into(level_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_texel_between(
         &self,
-        uv_23: rt::Vec2<f32>,
+        uv_24: rt::Vec2<f32>,
         layer_7: rt::Scalar<i32>,
         level_23: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_23);
-        let _e4 = self.v_texels_around(uv_23, _e3);
-        let k_30 = level_23.cast_elem_as_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_30);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_30);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_30);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_30);
+        let _e4 = self.v_texels_around(uv_24, _e3);
+        let k_31 = level_23.cast_elem_as_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_31);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_31);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_31);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_31);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -9908,42 +10066,42 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_70: Entered,
-        hit_25: Hit,
+        at_72: Entered,
+        hit_26: Hit,
         light_11: Toward,
-        params_56: impl rt::Into<rt::Vec4<f32>>,
+        params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_70, hit_25, light_11, rt::into(params_56)))
+        rt::into(self.v_shadow_horizon(at_72, hit_26, light_11, rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_70: Entered,
-        hit_25: Hit,
+        at_72: Entered,
+        hit_26: Hit,
         light_11: Toward,
-        params_56: rt::Vec4<f32>,
+        params_59: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_70, light_11.direction);
+        let _e5 = self.v_climb(at_72, light_11.direction);
         let map_1 = self.surface_settings.maps[3usize];
-        let along_31 = (_e5.xy() * map_1.tile_m);
-        let _e13 = self.v_turn_of(along_31);
-        let azimuth_4 = (_e13 * params_56.x());
+        let along_32 = (_e5.xy() * map_1.tile_m);
+        let _e13 = self.v_turn_of(along_32);
+        let azimuth_4 = (_e13 * params_59.x());
         let first_13 = azimuth_4.floor();
-        let count_6 = params_56.x().cast_elem_as_i32();
+        let count_6 = params_59.x().cast_elem_as_i32();
         let before_4 = (first_13.cast_elem_as_i32() % count_6);
         let part_16 = (azimuth_4 - first_13);
-        let _e24 = self.v_shadow_texel_between(hit_25.uv, before_4, rt::Scalar(at_70.level));
+        let _e24 = self.v_shadow_texel_between(hit_26.uv, before_4, rt::Scalar(at_72.level));
         let low_7 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_25.uv, ((before_4 + rt::Scalar(1i32)) % count_6), rt::Scalar(at_70.level));
+        let _e31 = self.v_shadow_texel_between(hit_26.uv, ((before_4 + rt::Scalar(1i32)) % count_6), rt::Scalar(at_72.level));
         let sine_1 = (low_7 + ((_e31.x() - low_7) * part_16));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
-        let far_10 = (squared_4 * along_31.dot(along_31)).sqrt();
-        let _e48 = self.v_from_hit(at_70, hit_25, light_11);
+        let far_10 = (squared_4 * along_32.dot(along_32)).sqrt();
+        let _e48 = self.v_from_hit(at_72, hit_26, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_9 = (_e49 * _e52);
         let horizon = far_10.max(near_9);
-        let up_2 = at_70.normal.dot(light_11.direction);
+        let up_2 = at_72.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_2.elementwise_gt(horizon));
         }
@@ -9957,61 +10115,61 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn open_part(
         &self,
-        at_71: Entered,
-        hit_26: Hit,
+        at_73: Entered,
+        hit_27: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_71, hit_26, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_73, hit_27, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_open_part(
         &self,
-        at_71: Entered,
-        hit_26: Hit,
+        at_73: Entered,
+        hit_27: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_26.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_71.level));
+        let _e9 = self.v_shadow_texel_between(hit_27.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_73.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_72: Entered,
-        hit_27: Hit,
+        at_74: Entered,
+        hit_28: Hit,
         light_12: Toward,
-        params_57: impl rt::Into<rt::Vec4<f32>>,
+        params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_72, hit_27, light_12, rt::into(params_57)))
+        rt::into(self.v_shadow_visibility(at_74, hit_28, light_12, rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_72: Entered,
-        hit_27: Hit,
+        at_74: Entered,
+        hit_28: Hit,
         light_12: Toward,
-        params_57: rt::Vec4<f32>,
+        params_60: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_72, light_12.direction);
+        let _e5 = self.v_climb(at_74, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_2 = self.surface_settings.maps[3usize];
-        let along_32 = (_e5.xy() * map_2.tile_m);
+        let along_33 = (_e5.xy() * map_2.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_15 = (_e5.z() * _e21);
-        let squared_5 = ((height_15 * height_15) / (along_32.dot(along_32) + (height_15 * height_15)));
-        let azimuths = params_57.x().cast_elem_as_i32();
-        let elevations_1 = params_57.y().cast_elem_as_i32();
-        let _e32 = self.v_turn_of(along_32);
-        let azimuth_5 = (_e32 * params_57.x());
-        let elevation_4 = ((squared_5 * params_57.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_57.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_57.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_20 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
-            let _e56 = self.v_open_part(at_72, hit_27, a_20, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
+        let squared_5 = ((height_15 * height_15) / (along_33.dot(along_33) + (height_15 * height_15)));
+        let azimuths = params_60.x().cast_elem_as_i32();
+        let elevations_1 = params_60.y().cast_elem_as_i32();
+        let _e32 = self.v_turn_of(along_33);
+        let azimuth_5 = (_e32 * params_60.x());
+        let elevation_4 = ((squared_5 * params_60.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_60.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_60.z().elementwise_lt(rt::Scalar(2f32))) {
+            let a_21 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
+            let _e56 = self.v_open_part(at_74, hit_28, a_21, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().cast_elem_as_i32() % azimuths);
@@ -10020,145 +10178,145 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_72, hit_27, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_72, hit_27, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_74, hit_28, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_74, hit_28, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_72, hit_27, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_74, hit_28, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_72, hit_27, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_74, hit_28, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_73: Entered,
-        hit_28: Hit,
+        at_75: Entered,
+        hit_29: Hit,
         light_13: Toward,
-        params_58: impl rt::Into<rt::Vec4<f32>>,
+        params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_73, hit_28, light_13, rt::into(params_58)))
+        rt::into(self.v_shadow_map(at_75, hit_29, light_13, rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_map(
         &self,
-        at_73: Entered,
-        hit_28: Hit,
+        at_75: Entered,
+        hit_29: Hit,
         light_13: Toward,
-        params_58: rt::Vec4<f32>,
+        params_61: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_73, hit_28.uv, rt::Scalar(light_13.number), light_13.direction, params_58.z(), params_58.w());
+        let _e9 = self.v_light_seen(at_75, hit_29.uv, rt::Scalar(light_13.number), light_13.direction, params_61.z(), params_61.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_74: Entered,
-        hit_29: Hit,
+        at_76: Entered,
+        hit_30: Hit,
         light_14: Toward,
-        params_59: impl rt::Into<rt::Vec4<f32>>,
+        params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_74, hit_29, light_14, rt::into(params_59)))
+        rt::into(self.v_shadow_scene(at_76, hit_30, light_14, rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_scene(
         &self,
-        at_74: Entered,
-        hit_29: Hit,
+        at_76: Entered,
+        hit_30: Hit,
         light_14: Toward,
-        params_59: rt::Vec4<f32>,
+        params_62: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_75: Entered, hit_30: Hit, light_15: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_75, hit_30, light_15))
+    pub(crate) fn shadow_stage(&self, at_77: Entered, hit_31: Hit, light_15: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_77, hit_31, light_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_75: Entered, hit_30: Hit, light_15: Toward) -> rt::Scalar<f32> {
-        let _e7 = rt::Scalar(self.surface_settings.choices[5usize].number);
+    fn v_shadow_stage(&self, at_77: Entered, hit_31: Hit, light_15: Toward) -> rt::Scalar<f32> {
+        let _e7 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
-                let _e12 = self.surface_settings.choices[5usize].params;
-                let _e13 = self.v_shadow_ray(at_75, hit_30, light_15, _e12);
+                let _e12 = self.surface_settings.choices[6usize].params;
+                let _e13 = self.v_shadow_ray(at_77, hit_31, light_15, _e12);
                 return _e13;
             }
             1u32 => {
-                let _e18 = self.surface_settings.choices[5usize].params;
-                let _e19 = self.v_shadow_none(at_75, hit_30, light_15, _e18);
+                let _e18 = self.surface_settings.choices[6usize].params;
+                let _e19 = self.v_shadow_none(at_77, hit_31, light_15, _e18);
                 return _e19;
             }
             2u32 => {
-                let _e24 = self.surface_settings.choices[5usize].params;
-                let _e25 = self.v_shadow_entry(at_75, hit_30, light_15, _e24);
+                let _e24 = self.surface_settings.choices[6usize].params;
+                let _e25 = self.v_shadow_entry(at_77, hit_31, light_15, _e24);
                 return _e25;
             }
             3u32 => {
-                let _e30 = self.surface_settings.choices[5usize].params;
-                let _e31 = self.v_shadow_soft(at_75, hit_30, light_15, _e30);
+                let _e30 = self.surface_settings.choices[6usize].params;
+                let _e31 = self.v_shadow_soft(at_77, hit_31, light_15, _e30);
                 return _e31;
             }
             4u32 => {
-                let _e36 = self.surface_settings.choices[5usize].params;
-                let _e37 = self.v_shadow_heuristic(at_75, hit_30, light_15, _e36);
+                let _e36 = self.surface_settings.choices[6usize].params;
+                let _e37 = self.v_shadow_heuristic(at_77, hit_31, light_15, _e36);
                 return _e37;
             }
             5u32 => {
-                let _e42 = self.surface_settings.choices[5usize].params;
-                let _e43 = self.v_shadow_horizon(at_75, hit_30, light_15, _e42);
+                let _e42 = self.surface_settings.choices[6usize].params;
+                let _e43 = self.v_shadow_horizon(at_77, hit_31, light_15, _e42);
                 return _e43;
             }
             6u32 => {
-                let _e48 = self.surface_settings.choices[5usize].params;
-                let _e49 = self.v_shadow_visibility(at_75, hit_30, light_15, _e48);
+                let _e48 = self.surface_settings.choices[6usize].params;
+                let _e49 = self.v_shadow_visibility(at_77, hit_31, light_15, _e48);
                 return _e49;
             }
             7u32 => {
-                let _e54 = self.surface_settings.choices[5usize].params;
-                let _e55 = self.v_shadow_map(at_75, hit_30, light_15, _e54);
+                let _e54 = self.surface_settings.choices[6usize].params;
+                let _e55 = self.v_shadow_map(at_77, hit_31, light_15, _e54);
                 return _e55;
             }
             _ => {
-                let _e60 = self.surface_settings.choices[5usize].params;
-                let _e61 = self.v_shadow_scene(at_75, hit_30, light_15, _e60);
+                let _e60 = self.surface_settings.choices[6usize].params;
+                let _e61 = self.v_shadow_scene(at_77, hit_31, light_15, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_56: PixelIn, at_76: Entered, hit_31: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_56, at_76, hit_31))
+    pub(crate) fn mirrored_light(&self, pixel_60: PixelIn, at_78: Entered, hit_32: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_60, at_78, hit_32))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mirrored_light(&self, pixel_56: PixelIn, at_76: Entered, hit_31: Hit) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_31.found).elementwise_eq(rt::Scalar(0u32))) {
+    fn v_mirrored_light(&self, pixel_60: PixelIn, at_78: Entered, hit_32: Hit) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_32.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
-        let down_2 = pixel_56.direction.normalize();
-        let up_3 = (down_2 - (at_76.normal * (rt::Scalar(2f32) * down_2.dot(at_76.normal))));
-        let _e24 = self.v_shadow_stage(at_76, hit_31, <Toward>::new(up_3, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
+        let down_2 = pixel_60.direction.normalize();
+        let up_3 = (down_2 - (at_78.normal * (rt::Scalar(2f32) * down_2.dot(at_78.normal))));
+        let _e24 = self.v_shadow_stage(at_78, hit_32, <Toward>::new(up_3, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
         return _e24;
     }
-    pub(crate) fn pixel_direction(&self, pixel_57: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_direction(rt::into(pixel_57)))
+    pub(crate) fn pixel_direction(&self, pixel_61: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_direction(rt::into(pixel_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_direction(&self, pixel_57: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_direction(&self, pixel_61: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.corner;
         let _e7 = self.frame.right;
         let _e14 = self.frame.down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_57.x())) + (_e14.xyz() * pixel_57.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_61.x())) + (_e14.xyz() * pixel_61.y()));
     }
-    pub(crate) fn pixel_eye(&self, pixel_58: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_eye(rt::into(pixel_58)))
+    pub(crate) fn pixel_eye(&self, pixel_62: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_eye(rt::into(pixel_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_eye(&self, pixel_58: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_eye(&self, pixel_62: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.eye;
         let _e7 = self.frame.eye_right;
         let _e14 = self.frame.eye_down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_58.x())) + (_e14.xyz() * pixel_58.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_62.x())) + (_e14.xyz() * pixel_62.y()));
     }
     pub(crate) fn pixel_of(
         &self,
@@ -10188,237 +10346,237 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane_place(
         &self,
-        pixel_59: PixelIn,
-        at_77: Entered,
-        path_64: Path,
-        hit_32: Hit,
-        params_60: impl rt::Into<rt::Vec4<f32>>,
+        pixel_63: PixelIn,
+        at_79: Entered,
+        path_65: Path,
+        hit_33: Hit,
+        params_63: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_59, at_77, path_64, hit_32, rt::into(params_60)))
+        rt::into(self.v_surface_plane_place(pixel_63, at_79, path_65, hit_33, rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_place(
         &self,
-        pixel_59: PixelIn,
-        at_77: Entered,
-        path_64: Path,
-        hit_32: Hit,
-        params_60: rt::Vec4<f32>,
+        pixel_63: PixelIn,
+        at_79: Entered,
+        path_65: Path,
+        hit_33: Hit,
+        params_63: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_8 = (hit_32.uv - at_77.uv);
+        let aside_8 = (hit_33.uv - at_79.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_32.uv, rt::Scalar(at_77.level));
+        let _e16 = self.v_height_at(hit_33.uv, rt::Scalar(at_79.level));
         let height_16 = (_e10 + (_e13 * _e16));
-        placed = at_77;
-        placed.point = (((at_77.point + (at_77.tangent * aside_8.x())) + (at_77.bitangent * aside_8.y())) + (at_77.normal * height_16));
-        placed.uv = hit_32.uv;
+        placed = at_79;
+        placed.point = (((at_79.point + (at_79.tangent * aside_8.x())) + (at_79.bitangent * aside_8.y())) + (at_79.normal * height_16));
+        placed.uv = hit_33.uv;
         let _e35 = placed;
         return _e35;
     }
     pub(crate) fn placed_at(
         &self,
-        pixel_60: PixelIn,
-        at_78: Entered,
+        pixel_64: PixelIn,
+        at_80: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_8: impl rt::Into<rt::Vec3<f32>>,
-        uv_24: impl rt::Into<rt::Vec2<f32>>,
+        uv_25: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_60, at_78, rt::into(weights_4), rt::into(point_8), rt::into(uv_24)))
+        rt::into(self.v_placed_at(pixel_64, at_80, rt::into(weights_4), rt::into(point_8), rt::into(uv_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_at(
         &self,
-        pixel_60: PixelIn,
-        at_78: Entered,
+        pixel_64: PixelIn,
+        at_80: Entered,
         weights_4: rt::Vec3<f32>,
         point_8: rt::Vec3<f32>,
-        uv_24: rt::Vec2<f32>,
+        uv_25: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_60, weights_4, point_8, uv_24, at_78.facing);
+        let _e6 = self.v_frame_at(pixel_64, weights_4, point_8, uv_25, at_80.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_78.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_78.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_78.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_80.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_80.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_80.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_prism_place(
         &self,
-        pixel_61: PixelIn,
-        at_79: Entered,
-        path_65: Path,
-        hit_33: Hit,
-        params_61: impl rt::Into<rt::Vec4<f32>>,
+        pixel_65: PixelIn,
+        at_81: Entered,
+        path_66: Path,
+        hit_34: Hit,
+        params_64: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_61, at_79, path_65, hit_33, rt::into(params_61)))
+        rt::into(self.v_surface_prism_place(pixel_65, at_81, path_66, hit_34, rt::into(params_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_prism_place(
         &self,
-        pixel_61: PixelIn,
-        at_79: Entered,
-        path_65: Path,
-        hit_33: Hit,
-        params_61: rt::Vec4<f32>,
+        pixel_65: PixelIn,
+        at_81: Entered,
+        path_66: Path,
+        hit_34: Hit,
+        params_64: rt::Vec4<f32>,
     ) -> Entered {
-        let along_33 = pixel_61.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_61, along_33);
-        let _e8 = self.v_prism_of(pixel_61, along_33, _e7, params_61);
-        let s_4 = ((rt::Scalar(path_65.start) + rt::Scalar(hit_33.t)) - _e7);
-        let _e15 = self.v_point_of_way(pixel_61, _e8, (along_33 * s_4), rt::Scalar(hit_33.height));
+        let along_34 = pixel_65.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_65, along_34);
+        let _e8 = self.v_prism_of(pixel_65, along_34, _e7, params_64);
+        let s_4 = ((rt::Scalar(path_66.start) + rt::Scalar(hit_34.t)) - _e7);
+        let _e15 = self.v_point_of_way(pixel_65, _e8, (along_34 * s_4), rt::Scalar(hit_34.height));
         let weights_5 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_61, at_79, weights_5, (pixel_61.origin + (along_33 * (rt::Scalar(path_65.start) + rt::Scalar(hit_33.t)))), hit_33.uv);
+        let _e24 = self.v_placed_at(pixel_65, at_81, weights_5, (pixel_65.origin + (along_34 * (rt::Scalar(path_66.start) + rt::Scalar(hit_34.t)))), hit_34.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_80: Entered,
+        at_82: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_80, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_82, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_frame(
         &self,
-        at_80: Entered,
+        at_82: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_69: rt::Scalar<bool>;
+        let mut local_71: rt::Scalar<bool>;
 
-        placed_2 = at_80;
-        let _e5 = self.v_quadric_slope(at_80.quadric.xyz(), aside);
+        placed_2 = at_82;
+        let _e5 = self.v_quadric_slope(at_82.quadric.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_69 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_71 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_69 = rt::Scalar(false);
+            local_71 = rt::Scalar(false);
         }
-        let _e15 = local_69;
+        let _e15 = local_71;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_4 = at_80.metric;
+        let m_4 = at_82.metric;
         let area_5 = ((m_4.x() * m_4.z()) - (m_4.y() * m_4.y()));
         let along_t = (((_e5.x() * m_4.z()) - (_e5.y() * m_4.y())) / area_5);
         let along_b = (((_e5.y() * m_4.x()) - (_e5.x() * m_4.y())) / area_5);
-        placed_2.tangent = (at_80.tangent + (at_80.normal * _e5.x()));
-        placed_2.bitangent = (at_80.bitangent + (at_80.normal * _e5.y()));
-        placed_2.normal = ((at_80.normal - (at_80.tangent * along_t)) - (at_80.bitangent * along_b)).normalize();
+        placed_2.tangent = (at_82.tangent + (at_82.normal * _e5.x()));
+        placed_2.bitangent = (at_82.bitangent + (at_82.normal * _e5.y()));
+        placed_2.normal = ((at_82.normal - (at_82.tangent * along_t)) - (at_82.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
-        let tt_1 = _e63.dot(_e65);
+        let tt_2 = _e63.dot(_e65);
         let _e68 = placed_2.tangent;
         let _e70 = placed_2.bitangent;
-        let tb_1 = _e68.dot(_e70);
+        let tb_2 = _e68.dot(_e70);
         let _e73 = placed_2.bitangent;
         let _e75 = placed_2.bitangent;
-        let bb_1 = _e73.dot(_e75);
-        placed_2.metric = <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, m_4.w());
+        let bb_2 = _e73.dot(_e75);
+        placed_2.metric = <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, m_4.w());
         let _e80 = placed_2;
         return _e80;
     }
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
-        pixel_62: PixelIn,
-        at_81: Entered,
-        path_66: Path,
-        hit_34: Hit,
-        params_62: impl rt::Into<rt::Vec4<f32>>,
+        pixel_66: PixelIn,
+        at_83: Entered,
+        path_67: Path,
+        hit_35: Hit,
+        params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_62, at_81, path_66, hit_34, rt::into(params_62)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_66, at_83, path_67, hit_35, rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_place(
         &self,
-        pixel_62: PixelIn,
-        at_81: Entered,
-        path_66: Path,
-        hit_34: Hit,
-        params_62: rt::Vec4<f32>,
+        pixel_66: PixelIn,
+        at_83: Entered,
+        path_67: Path,
+        hit_35: Hit,
+        params_65: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_81, (hit_34.uv - at_81.uv));
+        let _e8 = self.v_quadric_frame(at_83, (hit_35.uv - at_83.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_62.origin + (pixel_62.direction.normalize() * (rt::Scalar(path_66.start) + rt::Scalar(hit_34.t))));
-        placed_3.uv = hit_34.uv;
+        placed_3.point = (pixel_66.origin + (pixel_66.direction.normalize() * (rt::Scalar(path_67.start) + rt::Scalar(hit_35.t))));
+        placed_3.uv = hit_35.uv;
         let _e21 = placed_3;
         return _e21;
     }
     pub(crate) fn surface_quadric_vertical_place(
         &self,
-        pixel_63: PixelIn,
-        at_82: Entered,
-        path_67: Path,
-        hit_35: Hit,
-        params_63: impl rt::Into<rt::Vec4<f32>>,
+        pixel_67: PixelIn,
+        at_84: Entered,
+        path_68: Path,
+        hit_36: Hit,
+        params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_63, at_82, path_67, hit_35, rt::into(params_63)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_67, at_84, path_68, hit_36, rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
-        pixel_63: PixelIn,
-        at_82: Entered,
-        path_67: Path,
-        hit_35: Hit,
-        params_63: rt::Vec4<f32>,
+        pixel_67: PixelIn,
+        at_84: Entered,
+        path_68: Path,
+        hit_36: Hit,
+        params_66: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_9 = (hit_35.uv - at_82.uv);
+        let aside_9 = (hit_36.uv - at_84.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_35.uv, rt::Scalar(at_82.level));
+        let _e16 = self.v_height_at(hit_36.uv, rt::Scalar(at_84.level));
         let height_17 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_82.quadric.xyz(), aside_9);
-        let lifted_2 = (((_e19 - at_82.quadric.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_82, aside_9);
+        let _e27 = self.v_quadric_at(at_84.quadric.xyz(), aside_9);
+        let lifted_2 = (((_e19 - at_84.quadric.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_84, aside_9);
         placed_4 = _e29;
-        placed_4.point = (((at_82.point + (at_82.tangent * aside_9.x())) + (at_82.bitangent * aside_9.y())) + (at_82.normal * (height_17 + lifted_2)));
-        placed_4.uv = hit_35.uv;
+        placed_4.point = (((at_84.point + (at_84.tangent * aside_9.x())) + (at_84.bitangent * aside_9.y())) + (at_84.normal * (height_17 + lifted_2)));
+        placed_4.uv = hit_36.uv;
         let _e47 = placed_4;
         return _e47;
     }
     pub(crate) fn surface_tetrahedra_place(
         &self,
-        pixel_64: PixelIn,
-        at_83: Entered,
-        path_68: Path,
-        hit_36: Hit,
-        params_64: impl rt::Into<rt::Vec4<f32>>,
+        pixel_68: PixelIn,
+        at_85: Entered,
+        path_69: Path,
+        hit_37: Hit,
+        params_67: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_64, at_83, path_68, hit_36, rt::into(params_64)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_68, at_85, path_69, hit_37, rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
-        pixel_64: PixelIn,
-        at_83: Entered,
-        path_68: Path,
-        hit_36: Hit,
-        params_64: rt::Vec4<f32>,
+        pixel_68: PixelIn,
+        at_85: Entered,
+        path_69: Path,
+        hit_37: Hit,
+        params_67: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
         let mut number_5: rt::Scalar<u32> = rt::Scalar(1u32);
 
-        let along_34 = pixel_64.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_64, along_34);
-        let t_37 = ((rt::Scalar(path_68.start) + rt::Scalar(hit_36.t)) - _e7);
-        let _e13 = self.v_tetrahedron(pixel_64, along_34, _e7, rt::Scalar(0u32));
+        let along_35 = pixel_68.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_68, along_35);
+        let t_37 = ((rt::Scalar(path_69.start) + rt::Scalar(hit_37.t)) - _e7);
+        let _e13 = self.v_tetrahedron(pixel_68, along_35, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
@@ -10432,7 +10590,7 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e30 = number_5;
-                    let _e31 = self.v_tetrahedron(pixel_64, along_34, _e7, _e30);
+                    let _e31 = self.v_tetrahedron(pixel_68, along_35, _e7, _e30);
                     let aside_10 = (_e31.inside.x() - t_37).max((t_37 - _e31.inside.y()));
                     let _e39 = beside_1;
                     if rt::Scalar::into_branch_condition(aside_10.elementwise_lt(_e39)) {
@@ -10447,68 +10605,95 @@ impl<'g> Resources<'g> {
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
         let weights_6 = (_e45 + (_e47 * t_37));
-        let point_17 = (pixel_64.origin + (along_34 * (rt::Scalar(path_68.start) + rt::Scalar(hit_36.t))));
-        let _e58 = self.v_placed_at(pixel_64, at_83, weights_6.xyz(), point_17, hit_36.uv);
+        let point_18 = (pixel_68.origin + (along_35 * (rt::Scalar(path_69.start) + rt::Scalar(hit_37.t))));
+        let _e58 = self.v_placed_at(pixel_68, at_85, weights_6.xyz(), point_18, hit_37.uv);
         return _e58;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_65: PixelIn, at_84: Entered, path_69: Path, hit_37: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_65, at_84, path_69, hit_37))
+    pub(crate) fn surface_facets_place(
+        &self,
+        pixel_69: PixelIn,
+        at_86: Entered,
+        path_70: Path,
+        hit_38: Hit,
+        params_68: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_facets_place(pixel_69, at_86, path_70, hit_38, rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_65: PixelIn, at_84: Entered, path_69: Path, hit_37: Hit) -> Entered {
-        let _e8 = rt::Scalar(self.surface_settings.choices[0usize].number);
+    #[inline(always)]
+    fn v_surface_facets_place(
+        &self,
+        pixel_69: PixelIn,
+        at_86: Entered,
+        path_70: Path,
+        hit_38: Hit,
+        params_68: rt::Vec4<f32>,
+    ) -> Entered {
+        return at_86;
+    }
+    pub(crate) fn surface_place_stage(&self, pixel_70: PixelIn, at_87: Entered, path_71: Path, hit_39: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_70, at_87, path_71, hit_39))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_place_stage(&self, pixel_70: PixelIn, at_87: Entered, path_71: Path, hit_39: Hit) -> Entered {
+        let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
-                let _e13 = self.surface_settings.choices[0usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_65, at_84, path_69, hit_37, _e13);
+                let _e13 = self.surface_settings.choices[1usize].params;
+                let _e14 = self.v_surface_plane_place(pixel_70, at_87, path_71, hit_39, _e13);
                 return _e14;
             }
             1u32 => {
-                let _e19 = self.surface_settings.choices[0usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_65, at_84, path_69, hit_37, _e19);
+                let _e19 = self.surface_settings.choices[1usize].params;
+                let _e20 = self.v_surface_prism_place(pixel_70, at_87, path_71, hit_39, _e19);
                 return _e20;
             }
             2u32 => {
-                let _e25 = self.surface_settings.choices[0usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_65, at_84, path_69, hit_37, _e25);
+                let _e25 = self.surface_settings.choices[1usize].params;
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_70, at_87, path_71, hit_39, _e25);
                 return _e26;
             }
             3u32 => {
-                let _e31 = self.surface_settings.choices[0usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_65, at_84, path_69, hit_37, _e31);
+                let _e31 = self.surface_settings.choices[1usize].params;
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_70, at_87, path_71, hit_39, _e31);
                 return _e32;
             }
-            _ => {
-                let _e37 = self.surface_settings.choices[0usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_65, at_84, path_69, hit_37, _e37);
+            4u32 => {
+                let _e37 = self.surface_settings.choices[1usize].params;
+                let _e38 = self.v_surface_tetrahedra_place(pixel_70, at_87, path_71, hit_39, _e37);
                 return _e38;
+            }
+            _ => {
+                let _e43 = self.surface_settings.choices[1usize].params;
+                let _e44 = self.v_surface_facets_place(pixel_70, at_87, path_71, hit_39, _e43);
+                return _e44;
             }
         }
     }
     pub(crate) fn place_hit(
         &self,
-        pixel_66: PixelIn,
-        at_85: Entered,
+        pixel_71: PixelIn,
+        at_88: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
-        hit_38: Hit,
+        hit_40: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_66, at_85, rt::into(segment), hit_38))
+        rt::into(self.v_place_hit(pixel_71, at_88, rt::into(segment), hit_40))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_place_hit(
         &self,
-        pixel_66: PixelIn,
-        at_85: Entered,
+        pixel_71: PixelIn,
+        at_88: Entered,
         segment: rt::Scalar<u32>,
-        hit_38: Hit,
+        hit_40: Hit,
     ) -> Entered {
         let mut placed_5: Entered;
 
-        let _e4 = self.v_segment_of(pixel_66, at_85, segment);
-        let _e5 = self.v_surface_place_stage(pixel_66, at_85, _e4, hit_38);
+        let _e4 = self.v_segment_of(pixel_71, at_88, segment);
+        let _e5 = self.v_surface_place_stage(pixel_71, at_88, _e4, hit_40);
         placed_5 = _e5;
-        let _e8 = self.v_depth_on_ray(pixel_66, _e4, hit_38);
+        let _e8 = self.v_depth_on_ray(pixel_71, _e4, hit_40);
         rt::Scalar(placed_5.depth) = _e8;
         let _e9 = placed_5;
         return _e9;
@@ -10539,54 +10724,54 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn point_of_light(
         &self,
-        at_86: Entered,
-        hit_39: Hit,
+        at_89: Entered,
+        hit_41: Hit,
         number_7: impl rt::Into<rt::Scalar<u32>>,
-        k_20: impl rt::Into<rt::Scalar<u32>>,
+        k_21: impl rt::Into<rt::Scalar<u32>>,
         count_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_86, hit_39, rt::into(number_7), rt::into(k_20), rt::into(count_3)))
+        rt::into(self.v_point_of_light(at_89, hit_41, rt::into(number_7), rt::into(k_21), rt::into(count_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_light(
         &self,
-        at_86: Entered,
-        hit_39: Hit,
+        at_89: Entered,
+        hit_41: Hit,
         number_7: rt::Scalar<u32>,
-        k_20: rt::Scalar<u32>,
+        k_21: rt::Scalar<u32>,
         count_3: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_7, at_86.point);
+        let _e6 = self.v_toward_light(number_7, at_89.point);
         if rt::Scalar::into_branch_condition(count_3.elementwise_gt(rt::Scalar(0u32))) {
-            let _e9 = self.v_seed_of(hit_39);
-            let _e10 = self.v_point_of_disc(_e6, _e9, k_20, count_3);
+            let _e9 = self.v_seed_of(hit_41);
+            let _e10 = self.v_point_of_disc(_e6, _e9, k_21, count_3);
             return _e10;
         }
         return _e6;
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_87: Entered,
-        hit_40: Hit,
+        at_90: Entered,
+        hit_42: Hit,
         number_8: impl rt::Into<rt::Scalar<u32>>,
-        k_21: impl rt::Into<rt::Scalar<u32>>,
+        k_22: impl rt::Into<rt::Scalar<u32>>,
         count_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_87, hit_40, rt::into(number_8), rt::into(k_21), rt::into(count_4)))
+        rt::into(self.v_ray_to_light(at_90, hit_42, rt::into(number_8), rt::into(k_22), rt::into(count_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ray_to_light(
         &self,
-        at_87: Entered,
-        hit_40: Hit,
+        at_90: Entered,
+        hit_42: Hit,
         number_8: rt::Scalar<u32>,
-        k_21: rt::Scalar<u32>,
+        k_22: rt::Scalar<u32>,
         count_4: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_87, hit_40, number_8, k_21, count_4);
-        let _e6 = self.v_light_ray(at_87, hit_40, _e5);
+        let _e5 = self.v_point_of_light(at_90, hit_42, number_8, k_22, count_4);
+        let _e6 = self.v_light_ray(at_90, hit_42, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
@@ -10615,16 +10800,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_88: Entered,
+        at_91: Entered,
         seen_2: SeenNormals,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_88, seen_2, rt::into(toward_2)))
+        rt::into(self.v_seen_cosine(at_91, seen_2, rt::into(toward_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_88: Entered,
+        at_91: Entered,
         seen_2: SeenNormals,
         toward_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -10633,7 +10818,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_2.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_2.normal.dot(toward_2).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_88, toward_2);
+        let _e10 = self.v_to_tangent_space(at_91, toward_2);
         let middle_15 = seen_2.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_15, seen_2.along.dot(_e10), seen_2.across.dot(_e10));
         let one_1 = (rt::Scalar(seen_2.middle_seen) * middle_15.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
@@ -10705,26 +10890,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_blinn_phong(
         &self,
-        normal_14: impl rt::Into<rt::Vec3<f32>>,
+        normal_15: impl rt::Into<rt::Vec3<f32>>,
         mean: impl rt::Into<rt::Scalar<f32>>,
         cosine_1: impl rt::Into<rt::Scalar<f32>>,
         view_13: impl rt::Into<rt::Vec3<f32>>,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
         color_7: impl rt::Into<rt::Vec3<f32>>,
-        params_65: impl rt::Into<rt::Vec4<f32>>,
+        params_69: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_14), rt::into(mean), rt::into(cosine_1), rt::into(view_13), rt::into(toward_3), rt::into(color_7), rt::into(params_65)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_15), rt::into(mean), rt::into(cosine_1), rt::into(view_13), rt::into(toward_3), rt::into(color_7), rt::into(params_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
         &self,
-        normal_14: rt::Vec3<f32>,
+        normal_15: rt::Vec3<f32>,
         mean: rt::Scalar<f32>,
         cosine_1: rt::Scalar<f32>,
         view_13: rt::Vec3<f32>,
         toward_3: rt::Vec3<f32>,
         color_7: rt::Vec3<f32>,
-        params_65: rt::Vec4<f32>,
+        params_69: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_1: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -10739,7 +10924,7 @@ impl<'g> Resources<'g> {
                 exponent_1 = wide_3.cast_elem_as_u32();
                 dimmed = ((wide_3 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_14.dot((toward_3 + view_13).normalize()).max(rt::Scalar(0f32));
+            let lobe = normal_15.dot((toward_3 + view_13).normalize()).max(rt::Scalar(0f32));
             let _e43 = self.surface_settings.specular;
             let _e45 = exponent_1;
             let _e46 = self.v_whole_power(lobe, _e45);
@@ -10751,84 +10936,84 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_stage(
         &self,
-        normal_15: impl rt::Into<rt::Vec3<f32>>,
+        normal_16: impl rt::Into<rt::Vec3<f32>>,
         mean_1: impl rt::Into<rt::Scalar<f32>>,
         cosine_2: impl rt::Into<rt::Scalar<f32>>,
         view_14: impl rt::Into<rt::Vec3<f32>>,
         toward_4: impl rt::Into<rt::Vec3<f32>>,
         color_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(normal_15), rt::into(mean_1), rt::into(cosine_2), rt::into(view_14), rt::into(toward_4), rt::into(color_8)))
+        rt::into(self.v_shade_stage(rt::into(normal_16), rt::into(mean_1), rt::into(cosine_2), rt::into(view_14), rt::into(toward_4), rt::into(color_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shade_stage(
         &self,
-        normal_15: rt::Vec3<f32>,
+        normal_16: rt::Vec3<f32>,
         mean_1: rt::Scalar<f32>,
         cosine_2: rt::Scalar<f32>,
         view_14: rt::Vec3<f32>,
         toward_4: rt::Vec3<f32>,
         color_8: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e10 = rt::Scalar(self.surface_settings.choices[4usize].number);
+        let _e10 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e10) {
             _ => {
-                let _e15 = self.surface_settings.choices[4usize].params;
-                let _e16 = self.v_shade_blinn_phong(normal_15, mean_1, cosine_2, view_14, toward_4, color_8, _e15);
+                let _e15 = self.surface_settings.choices[5usize].params;
+                let _e16 = self.v_shade_blinn_phong(normal_16, mean_1, cosine_2, view_14, toward_4, color_8, _e15);
                 return _e16;
             }
         }
     }
     pub(crate) fn reflected_light(
         &self,
-        at_89: Entered,
-        hit_41: Hit,
+        at_92: Entered,
+        hit_43: Hit,
         seen_3: SeenNormals,
         view_15: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_89, hit_41, seen_3, rt::into(view_15), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_92, hit_43, seen_3, rt::into(view_15), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_89: Entered,
-        hit_41: Hit,
+        at_92: Entered,
+        hit_43: Hit,
         seen_3: SeenNormals,
         view_15: rt::Vec3<f32>,
         color_9: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_16: rt::Vec3<f32>;
-        let mut k_22: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_23: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_89, hit_41, (seen_3.normal * rt::Scalar(seen_3.length)), view_15, diffuse);
+        let _e20 = self.v_ambient_stage(at_92, hit_43, (seen_3.normal * rt::Scalar(seen_3.length)), view_15, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_22;
+                let _e24 = k_23;
                 let _e27 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt(_e27)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e29 = k_22;
-                    let _e31 = self.v_toward_light(_e29, at_89.point);
-                    let _e33 = self.v_seen_cosine(at_89, seen_3, _e31.direction);
+                    let _e29 = k_23;
+                    let _e31 = self.v_toward_light(_e29, at_92.point);
+                    let _e33 = self.v_seen_cosine(at_92, seen_3, _e31.direction);
                     let _e37 = self.v_shade_stage(seen_3.normal, rt::Scalar(seen_3.length), _e33, view_15, _e31.direction, diffuse);
                     let _e38 = light_16;
-                    let _e41 = k_22;
+                    let _e41 = k_23;
                     let _e44 = self.frame.lights[rt::Scalar::into_array_index(_e41)].color;
-                    let _e48 = k_22;
+                    let _e48 = k_23;
                     light_16 = (_e38 + ((_e37 * _e44.xyz()) * (rt::Scalar(_e31.falloff) * visible[rt::Scalar::into_array_index(_e48)].x())));
-                    let _e54 = k_22;
-                    k_22 = (_e54 + rt::Scalar(1u32));
+                    let _e54 = k_23;
+                    k_23 = (_e54 + rt::Scalar(1u32));
                 }
             }
         }
@@ -10851,72 +11036,72 @@ impl<'g> Resources<'g> {
         let _e27 = self.frame.clip.y();
         return (_e23 + (_e27 / depth_6.max(rt::Scalar(0f32)))).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
     }
-    pub(crate) fn shade_hit(&self, pixel_67: PixelIn, at_90: Entered, hit_42: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_67, at_90, hit_42, visible_1))
+    pub(crate) fn shade_hit(&self, pixel_72: PixelIn, at_93: Entered, hit_44: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_72, at_93, hit_44, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_67: PixelIn, at_90: Entered, hit_42: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_42.found).elementwise_eq(rt::Scalar(0u32))) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_42.cost.x(), hit_42.cost.y(), hit_42.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
+    fn v_shade_hit(&self, pixel_72: PixelIn, at_93: Entered, hit_44: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_44.found).elementwise_eq(rt::Scalar(0u32))) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_44.cost.x(), hit_44.cost.y(), hit_44.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_42.uv, rt::Scalar(at_90.level));
-        let view_18 = (pixel_67.origin - at_90.point).normalize();
-        let _e50 = self.v_mesostructure_normals(at_90, hit_42.uv, view_18);
-        let _e53 = self.v_color_or_white(hit_42.uv, rt::Scalar(at_90.footprint));
-        let _e54 = self.v_reflected_light(at_90, hit_42, _e50, view_18, _e53, visible_1);
+        let _e44 = self.v_height_at(hit_44.uv, rt::Scalar(at_93.level));
+        let view_18 = (pixel_72.origin - at_93.point).normalize();
+        let _e50 = self.v_mesostructure_normals(at_93, hit_44.uv, view_18);
+        let _e53 = self.v_color_or_white(hit_44.uv, rt::Scalar(at_93.footprint));
+        let _e54 = self.v_reflected_light(at_93, hit_44, _e50, view_18, _e53, visible_1);
         let _e60 = self.frame.forward;
-        let depth_9 = (at_90.point - pixel_67.origin).dot(_e60.xyz());
+        let depth_9 = (at_93.point - pixel_72.origin).dot(_e60.xyz());
         let _e65 = self.v_height_size(rt::Scalar(0u32));
-        let _e71 = self.v_cell_of(((hit_42.uv * _e65) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e91 = self.v_z_of(rt::Scalar(at_90.depth));
+        let _e71 = self.v_cell_of(((hit_44.uv * _e65) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e91 = self.v_z_of(rt::Scalar(at_93.depth));
         let _e94 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e54, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_42.exhausted), hit_42.uv, _e44, at_90.point, _e50.normal, depth_9, rt::Scalar(hit_42.t), _e71.cast_elem_as_i32(), hit_42.cost.x(), hit_42.cost.y(), hit_42.cost.z(), visible_1[0usize].x(), rt::Scalar(at_90.level), _e91, _e94);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e54, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_44.exhausted), hit_44.uv, _e44, at_93.point, _e50.normal, depth_9, rt::Scalar(hit_44.t), _e71.cast_elem_as_i32(), hit_44.cost.x(), hit_44.cost.y(), hit_44.cost.z(), visible_1[0usize].x(), rt::Scalar(at_93.level), _e91, _e94);
     }
-    pub(crate) fn visible_lights(&self, at_91: Entered, hit_43: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_91, hit_43))
+    pub(crate) fn visible_lights(&self, at_94: Entered, hit_45: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_94, hit_45))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_91: Entered, hit_43: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_94: Entered, hit_45: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut k_23: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_24: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_43.found).elementwise_eq(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_45.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
             return _e7;
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_23;
+                let _e10 = k_24;
                 let _e13 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e10.elementwise_lt(_e13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_23;
-                    let _e17 = self.v_toward_light(_e15, at_91.point);
-                    let _e18 = self.v_shadow_stage(at_91, hit_43, _e17);
-                    let _e19 = k_23;
+                    let _e15 = k_24;
+                    let _e17 = self.v_toward_light(_e15, at_94.point);
+                    let _e18 = self.v_shadow_stage(at_94, hit_45, _e17);
+                    let _e19 = k_24;
                     visible_2[rt::Scalar::into_array_index(_e19)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e25 = k_23;
-                    k_23 = (_e25 + rt::Scalar(1u32));
+                    let _e25 = k_24;
+                    k_24 = (_e25 + rt::Scalar(1u32));
                 }
             }
         }
         let _e28 = visible_2;
         return _e28;
     }
-    pub(crate) fn shade_pixel(&self, pixel_68: PixelIn) -> PixelOut {
-        rt::into(self.v_shade_pixel(pixel_68))
+    pub(crate) fn shade_pixel(&self, pixel_73: PixelIn) -> PixelOut {
+        rt::into(self.v_shade_pixel(pixel_73))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shade_pixel(&self, pixel_68: PixelIn) -> PixelOut {
-        let _e1 = self.v_enter_relief(pixel_68);
-        let _e2 = self.v_first_hit(pixel_68, _e1);
-        let _e5 = self.v_place_hit(pixel_68, _e1, rt::Scalar(_e2.segment), _e2.hit);
+    fn v_shade_pixel(&self, pixel_73: PixelIn) -> PixelOut {
+        let _e1 = self.v_enter_relief(pixel_73);
+        let _e2 = self.v_first_hit(pixel_73, _e1);
+        let _e5 = self.v_place_hit(pixel_73, _e1, rt::Scalar(_e2.segment), _e2.hit);
         let _e8 = self.v_visible_lights(_e5, _e2.hit);
-        let _e9 = self.v_shade_hit(pixel_68, _e5, _e2.hit, _e8);
+        let _e9 = self.v_shade_hit(pixel_73, _e5, _e2.hit, _e8);
         return _e9;
     }
 }

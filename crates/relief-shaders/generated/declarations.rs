@@ -126,6 +126,11 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/under", head: r#"// Paths that begin under the surface, as they do where a ray comes into a shell from the inside of a mesh.
 "# },
+    Module { path: "surface/facets", head: r#"// Triangles without relief: a ray ends on the triangle that it meets.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 3: what is displaced vertex by vertex is drawn as any mesh is,
+// with normals that are interpolated over its triangles.
+"# },
     Module { path: "surface/plane", head: r#"// The flat base surface: one straight segment a ray.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 4, equations 7 and 11. The frame is interpolated over the
@@ -858,7 +863,7 @@ pub const DECLARATIONS: &[Declaration] = &[
         name: "STAGES",
         sampling: None,
         uses: &[],
-        text: r#"const STAGES = 8u;"#,
+        text: r#"const STAGES = 9u;"#,
     },
     Declaration {
         module: "constants",
@@ -2532,8 +2537,12 @@ const PLANE_REACH = 16.0;"#,
         name: "patch_normal",
         sampling: None,
         uses: &["Entered", "height_and_slope", "surface_settings"],
-        text: r#"// The unit normal of the surface's patch at a placed hit.
+        text: r#"// The unit normal of the surface's patch, or of the triangle, at a placed hit.
 fn patch_normal(at: Entered, uv: vec2f) -> vec3f {
+    if (surface_settings.has_vertex_normals == 1u) {
+        let facet = normalize(at.facing);
+        return facet * select(-1.0, 1.0, dot(facet, at.normal) >= 0.0);
+    }
     let known = height_and_slope(uv, at.level);
     let along_u = at.tangent + at.normal * (known.y * surface_settings.scale_m);
     let along_v = at.bitangent + at.normal * (known.z * surface_settings.scale_m);
@@ -4169,6 +4178,9 @@ fn seen_cosine(at: Entered, seen: SeenNormals, toward: vec3f) -> f32 {
         uses: &["Entered", "LEAST_WIDTH", "Normals", "SeenNormals", "finest_normal", "has_table", "levels_of", "normals_of_level", "one_seen", "seen_normals", "surface_settings", "table_of", "table_part", "with_table"],
         text: r#"// The normals within the footprint of a point that an eye in direction `view` sees.
 fn mesostructure_normals(at: Entered, uv: vec2f, view: vec3f) -> SeenNormals {
+    if (surface_settings.has_vertex_normals == 1u) {
+        return one_seen(at.normal);
+    }
     // At the side the traced level shows by itself which of its parts face the eye: only what is finer than
     // it is left to be weighed. A flat one shows nothing.
     let upright = dot(at.normal, view);
@@ -4502,6 +4514,8 @@ struct SurfaceSettings {
     has_holes: u32,
     // 1 where normals that are derived from heights are not taken across creases.
     has_creases: u32,
+    // 1 where normals are those of the triangles' vertices.
+    has_vertex_normals: u32,
     // 0 where the relief casts no shadows.
     has_shadows: u32,
     scale_m: f32,
@@ -5361,6 +5375,114 @@ fn path_from(path: Path, t: f32) -> Path {
     rest.exit = path.exit - t;
     rest.start = path.start + t;
     return rest;
+}"#,
+    },
+    Declaration {
+        module: "surface/facets",
+        name: "BESIDE_TILE",
+        sampling: None,
+        uses: &[],
+        text: r#"// How far beside a map that is there once, in tiles, rounding may lay what is at its edge.
+const BESIDE_TILE = 0.000001;"#,
+    },
+    Declaration {
+        module: "surface/facets",
+        name: "is_on_map",
+        sampling: None,
+        uses: &["BESIDE_TILE", "WRAP_CLAMP", "surface_settings"],
+        text: r#"// Whether the map is at a place.
+fn is_on_map(uv: vec2f) -> bool {
+    let beyond = max(abs(uv.x - 0.5), abs(uv.y - 0.5)) - 0.5;
+    return surface_settings.wrap != WRAP_CLAMP || beyond <= BESIDE_TILE;
+}"#,
+    },
+    Declaration {
+        module: "surface/facets",
+        name: "facet_distance",
+        sampling: None,
+        uses: &["PixelIn"],
+        text: r#"// Where on the ray its triangle is. A triangle that is seen from its edge has no place on its plane to speak
+// of: it is between its corners.
+fn facet_distance(pixel: PixelIn, normal: vec3f) -> f32 {
+    let a = pixel.a.position - pixel.origin;
+    let b = pixel.b.position - pixel.origin;
+    let c = pixel.c.position - pixel.origin;
+    let along = pixel.direction / dot(pixel.direction, pixel.direction);
+    let places = vec3f(dot(a, along), dot(b, along), dot(c, along));
+    let least = min(min(places.x, places.y), places.z);
+    let most = max(max(places.x, places.y), places.z);
+    let across = dot(normal, pixel.direction);
+    if (across == 0.0) {
+        return least;
+    }
+    return clamp(dot(normal, a) / across, least, most);
+}"#,
+    },
+    Declaration {
+        module: "surface/facets",
+        name: "surface_facets_enter",
+        sampling: None,
+        uses: &["Entered", "PixelIn", "facet_distance", "is_on_map", "plane_normal", "plane_weights", "surface_settings"],
+        text: r#"fn surface_facets_enter(pixel: PixelIn, params: vec4f) -> Entered {
+    let n = plane_normal(pixel);
+    let point = pixel.origin + pixel.direction * facet_distance(pixel, n);
+    // By rounding the point may lie beside a small triangle.
+    let inside = max(plane_weights(pixel, n, point), vec3f(0.0, 0.0, 0.0));
+    let w = inside / (inside.x + inside.y + inside.z);
+    let uv = pixel.a.uv * w.x + pixel.b.uv * w.y + pixel.c.uv * w.z;
+    let tangent = pixel.a.tangent * w.x + pixel.b.tangent * w.y + pixel.c.tangent * w.z;
+    let bitangent = pixel.a.bitangent * w.x + pixel.b.bitangent * w.y + pixel.c.bitangent * w.z;
+    let sum = (pixel.a.normal * w.x + pixel.b.normal * w.y + pixel.c.normal * w.z) * pixel.side;
+    let tt = dot(tangent, tangent);
+    let tb = dot(tangent, bitangent);
+    let bb = dot(bitangent, bitangent);
+    return Entered(
+        select(0u, 1u, dot(n, n) > 0.0 && is_on_map(uv)),
+        point,
+        uv,
+        tangent,
+        bitangent,
+        normalize(sum),
+        vec4f(tt, tb, bb, surface_settings.scale_m),
+        0u,
+        n,
+        vec2f(0.0, 0.0),
+        vec4f(0.0, 0.0, 0.0, 0.0),
+        0.0,
+        0.0,
+        0.0,
+    );
+}"#,
+    },
+    Declaration {
+        module: "surface/facets",
+        name: "surface_facets_segment",
+        sampling: None,
+        uses: &["Entered", "Path", "PixelIn", "RAY_VIEW", "facet_distance", "height_at", "plane_normal"],
+        text: r#"// A segment that begins at the triangle, of a length that nobody asks for.
+fn surface_facets_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
+    let start = facet_distance(pixel, plane_normal(pixel)) * length(pixel.direction);
+    let height = height_at(at.uv, at.level);
+    let duv = vec2f(0.0, 0.0);
+    return Path(at.uv, duv, vec3f(height, 0.0, 0.0), 1.0, 0.0, at.metric, RAY_VIEW, at.level, start, 1.0);
+}"#,
+    },
+    Declaration {
+        module: "surface/facets",
+        name: "surface_facets_polish",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn"],
+        text: r#"fn surface_facets_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Hit {
+    return hit;
+}"#,
+    },
+    Declaration {
+        module: "surface/facets",
+        name: "surface_facets_place",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn"],
+        text: r#"fn surface_facets_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
+    return at;
 }"#,
     },
     Declaration {

@@ -1,16 +1,18 @@
-//! Methods by name: a search, a refinement and the settings under which they were published.
+//! Methods by name: a geometry, a search, a refinement and the settings under which they were published.
 
 use relief_core::registry::{Publication, UnknownName};
 
-use crate::SURVEY;
+use crate::{SURVEY, geometry};
 
-/// A published pair of search and refinement.
+/// A published pair of search and refinement, or displaced triangles, of which nothing is searched.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Method {
     /// The name on the command line and in scenes.
     pub name: &'static str,
     /// What the literature calls it.
     pub summary: &'static str,
+    /// Name of the geometry: `none` where the relief is found pixel by pixel.
+    pub geometry: &'static str,
     /// Name of the search.
     pub search: &'static str,
     /// Name of the refinement.
@@ -32,7 +34,15 @@ const fn survey(
     section: &'static str,
     summary: &'static str,
 ) -> Method {
-    Method { name, summary, search, refine, settings, publication: Publication { paper: SURVEY, section } }
+    Method {
+        name,
+        summary,
+        geometry: geometry::NONE,
+        search,
+        refine,
+        settings,
+        publication: Publication { paper: SURVEY, section },
+    }
 }
 
 /// All methods.
@@ -159,6 +169,7 @@ pub const METHODS: &[Method] = &[
     Method {
         name: "relaxed",
         summary: "over relaxed cones that rest on their texel: few reads, rarely a hit passed",
+        geometry: geometry::NONE,
         search: "relaxed-cone-resting",
         refine: "patch",
         settings: DEFAULTS,
@@ -167,10 +178,32 @@ pub const METHODS: &[Method] = &[
     Method {
         name: "frustum",
         summary: "the same first hit by fewer reads, over quadrant frusta",
+        geometry: geometry::NONE,
         search: "frustum",
         refine: "patch",
         settings: DEFAULTS,
         publication: Publication { paper: "Relief", section: "" },
+    },
+    Method {
+        name: "vertex",
+        summary: "displaced triangles: the base with a vertex every texel, or every so many",
+        geometry: geometry::VERTEX,
+        search: "none",
+        refine: "none",
+        settings: DEFAULTS,
+        publication: Publication { paper: SURVEY, section: "3.1" },
+    },
+    Method {
+        name: "remesh",
+        summary: "displaced triangles: the base divided anew for each view, as finely as its pixels are",
+        geometry: geometry::REMESH,
+        search: "none",
+        refine: "none",
+        settings: DEFAULTS,
+        publication: Publication {
+            paper: "Gumhold and Hüttner 1999, Multiresolution Rendering With Displacement Mapping",
+            section: "3",
+        },
     },
 ];
 

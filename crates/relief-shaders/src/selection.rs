@@ -7,8 +7,10 @@ use relief_core::registry::{
 use relief_core::{FoundState, HeightMap};
 
 use crate::Method;
+use crate::geometry::{self, Geometry};
 use crate::stages::{
-    AMBIENT, DETAIL, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, SURFACE, Stage, entry_place, stage,
+    AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, SURFACE, Stage, entry_place,
+    stage,
 };
 use crate::surface::{PATHS, Paths};
 
@@ -199,6 +201,31 @@ impl Selection {
         self
     }
 
+    /// The same with a surface, a search and a shadow that go with the geometry.
+    fn with_stages_for_geometry(mut self) -> Self {
+        if self.geometry().is_none() {
+            if self.choices[SURFACE].number as usize == FACETS {
+                self.choices[SURFACE] = Choice::new(&STAGES[SURFACE], 0);
+            }
+            return self;
+        }
+        let chosen = [(SURFACE, FACETS), (SEARCH, NO_SEARCH), (REFINE, NO_REFINEMENT), (SHADOW, LIGHT_MAP)];
+        for (stage, number) in chosen {
+            self.choices[stage] = Choice::new(&STAGES[stage], number);
+        }
+        self.with_search_for_shadows()
+    }
+
+    /// Which displaced triangles are shown; none where the relief is found pixel by pixel on the base.
+    pub fn geometry(&self) -> Option<Geometry> {
+        let Choice { entry, params, .. } = &self.choices[GEOMETRY];
+        match entry.name {
+            geometry::VERTEX => Some(Geometry::Texels(params[0] as u32)),
+            geometry::REMESH => Some(Geometry::Pixels(params[0])),
+            _ => None,
+        }
+    }
+
     /// A method by name, with its settings.
     ///
     /// # Errors
@@ -215,6 +242,9 @@ impl Selection {
     /// When the method names a variant that does not exist.
     pub fn of(method: &Method) -> Result<Self, SelectionError> {
         let mut selection = Self::pair(method.search, method.refine)?;
+        if method.geometry != geometry::NONE {
+            selection.choose(STAGES[GEOMETRY].key, method.geometry)?;
+        }
         for &(key, value) in method.settings {
             selection.set(key, f64::from(value))?;
         }
@@ -223,7 +253,9 @@ impl Selection {
 
     /// Chooses a variant by its stage's key and its name, as in `choose("search", "linear")`, with default
     /// parameters. With a search or a shadow the search for shadows is chosen, too: that of the view, or
-    /// `cells` where that is of no use for shadows. Another `shadow-search` is chosen after these.
+    /// `cells` where that is of no use for shadows. Another `shadow-search` is chosen after these. With a
+    /// geometry of displaced triangles the surface `facets` is chosen, no search, and the shadow `map`, which
+    /// sees triangles; with the geometry `none` another surface than `facets`.
     ///
     /// # Errors
     ///
@@ -232,6 +264,9 @@ impl Selection {
         let (place, stage) = stage(key).ok_or_else(|| SelectionError::NoStage(key.to_owned()))?;
         let number = registry::find(stage.title, stage.entries, name)?;
         self.choices[place] = Choice::new(stage, number);
+        if place == GEOMETRY {
+            *self = self.with_stages_for_geometry();
+        }
         if place == SEARCH || place == SHADOW {
             *self = self.with_search_for_shadows();
         }
@@ -319,12 +354,15 @@ impl Selection {
     ///
     /// When one does not.
     fn check_surface(&self) -> Result<(), SelectionError> {
-        let Paths { rays, refused, .. } = self.paths();
+        let Paths { rays, has_relief, refused, .. } = self.paths();
         let surface = self.choices[SURFACE].entry.name;
         let error = |place: usize, reason| {
             let (Stage { title: stage, key, .. }, entry) = (&STAGES[place], self.choices[place].entry.name);
             Err(SelectionError::Surface { stage, key, entry, surface, reason })
         };
+        if self.geometry().is_some() && *has_relief {
+            return error(GEOMETRY, geometry::DISPLACED.to_owned());
+        }
         for (place, (stage, choice)) in STAGES.iter().zip(&self.choices).enumerate() {
             let of_stage = refused.iter().filter(|refused| refused.stage == stage.key);
             if let Some(refused) = of_stage.into_iter().find(|it| it.names.contain(choice.entry.name)) {
@@ -466,6 +504,15 @@ impl Selection {
 /// The number of the search `cells`.
 const CELLS: usize = entry_place(STAGES[SEARCH].entries, "cells");
 
+/// The number of the surface `facets`.
+const FACETS: usize = entry_place(STAGES[SURFACE].entries, "facets");
+
+/// The number of the search `none`.
+const NO_SEARCH: usize = entry_place(STAGES[SEARCH].entries, "none");
+
+/// The number of the refinement `none`.
+const NO_REFINEMENT: usize = entry_place(STAGES[REFINE].entries, "none");
+
 /// The number of the shadow `none`.
 const NO_SHADOW: usize = entry_place(STAGES[SHADOW].entries, "none");
 
@@ -551,6 +598,43 @@ mod tests {
             selection.choose("shadow-search", refused).expect("a search");
             assert!(selection.check().is_err(), "{refused}");
         }
+    }
+
+    #[test]
+    fn displaced_triangles_are_shown_by_one_surface_and_searched_by_nothing() {
+        let vertex = Selection::method("vertex").expect("a method");
+        assert_eq!((vertex.check(), vertex.geometry()), (Ok(()), Some(Geometry::Texels(1))));
+        assert_eq!((vertex.paths().has_relief, vertex.light_views()), (false, Some([2048, 1])));
+        let mut remesh = Selection::exact();
+        remesh.choose("geometry", "remesh").expect("a geometry");
+        remesh.set("geometry.pixels", 2.5).expect("a parameter");
+        assert_eq!((remesh.check(), remesh.geometry()), (Ok(()), Some(Geometry::Pixels(2.5))));
+        remesh.choose("geometry", "none").expect("a geometry");
+        assert_eq!((remesh.geometry(), remesh.paths().has_relief), (None, true));
+        let refused = [
+            ("surface", "prism", "geometry"),
+            ("search", "linear", "search"),
+            ("refine", "slope", "refine"),
+            ("detail", "fade", "detail"),
+            ("shadow", "ray", "shadow"),
+            ("shadow", "horizon", "shadow"),
+            ("ambient", "bent-normal", "ambient"),
+        ];
+        for (stage, name, expected) in refused {
+            let mut selection = vertex;
+            selection.choose(stage, name).expect("a listed name");
+            let found = selection.check();
+            let is_that = matches!(found, Err(SelectionError::Surface { key, .. }) if key == expected);
+            assert!(is_that, "{stage} {name}: {found:?}");
+        }
+        for (stage, name) in [("shadow", "none"), ("shadow", "scene"), ("detail", "footprint")] {
+            let mut selection = vertex;
+            selection.choose(stage, name).expect("a listed name");
+            assert_eq!(selection.check(), Ok(()), "{name}");
+        }
+        let mut unknown = Selection::default();
+        let error = unknown.choose("geometry", "vertx").expect_err("no such geometry").to_string();
+        assert!(error.contains("did you mean 'vertex'"), "{error}");
     }
 
     #[test]

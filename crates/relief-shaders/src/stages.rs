@@ -4,11 +4,12 @@
 use relief_core::registry::{Entry, RayClass};
 
 use crate::slots::MapSlot;
-use crate::{ambient, detail, refine, search, shade, shadow, surface};
+use crate::{ambient, detail, geometry, refine, search, shade, shadow, surface};
 
 /// A stage: a list of variants that do the same task, each in a way of its own.
 ///
-/// A variant is a pair of files in the stage's folder: the shader, and the registry entry beside it. The
+/// A variant is a pair of files in the stage's folder: the shader, and the registry entry beside it; of a
+/// stage that renderers run before any shader it is the entry alone. The
 /// shader's function is called by the folder and the variant's name, as in `search_linear`; where a stage has
 /// several functions, each by its own name after that, as in `surface_plane_enter`. It takes the stage's
 /// inputs, and after them the variant's parameters, a `vec4f`.
@@ -24,7 +25,7 @@ pub struct Stage {
     pub plural: &'static str,
     /// The variants; the place of each is its number in the shaders.
     pub entries: &'static [Entry],
-    /// The functions that each variant has.
+    /// The functions that each variant has; none where no shader runs it.
     pub calls: &'static [Call],
     /// Where its variants read baked maps, if they may read any.
     pub slot: Option<MapSlot>,
@@ -50,7 +51,17 @@ const fn only(inputs: &'static [(&'static str, &'static str)], returns: &'static
 }
 
 /// All stages, in the order in which a pixel goes through them.
-pub const STAGES: [Stage; 8] = [
+pub const STAGES: [Stage; 9] = [
+    Stage {
+        key: "geometry",
+        folder: "geometry",
+        title: "geometry",
+        plural: "geometries",
+        entries: geometry::ENTRIES,
+        calls: &[],
+        slot: None,
+        rays: &[],
+    },
     Stage {
         key: "surface",
         folder: "surface",
@@ -162,6 +173,9 @@ pub const STAGES: [Stage; 8] = [
         rays: &[],
     },
 ];
+
+/// Place of the stage `geometry` in [`STAGES`].
+pub const GEOMETRY: usize = place("geometry");
 
 /// Place of the stage `surface` in [`STAGES`].
 pub const SURFACE: usize = place("surface");

@@ -11,7 +11,7 @@ use relief_maps::Maps;
 use relief_render::scene::{BackendChoice, Scene, SceneSpec, SurfaceSpec, read_scene};
 use relief_render::{Rendered, render};
 use relief_shaders::cpu::PixelOut;
-use relief_shaders::{METHODS, ambient, shadow};
+use relief_shaders::{METHODS, Selection, ambient, shadow};
 use relief_tests::adapter::has_adapter;
 
 const SCENES: [&str; 3] = ["jacksboro.toml", "bricks.toml", "cobbles.toml"];
@@ -24,7 +24,7 @@ const SAME_T_M: f32 = 4e-6;
 /// Share of the covered pixels that must agree for a method that runs the same code on both backends.
 const SAME_CODE: f64 = 0.999;
 
-/// The same for `exact`.
+/// The same for `exact`, and for displaced triangles, of which many are about a pixel wide.
 const OTHER_CODE: f64 = 0.995;
 
 /// Colours that differ by less in every channel are the same.
@@ -36,7 +36,8 @@ fn scene(file: &str, method: &str, stages: &[(&str, &str)], backend: BackendChoi
     // Surroundings are seen through a surface, too.
     let transmission = stages.contains(&("ambient", "environment")).then_some(0.5);
     // What lights see need not be fine to be the same.
-    let looks_up = stages.contains(&("shadow", "map"));
+    let of_method = Selection::method(method).expect("a method").light_views().is_some();
+    let looks_up = of_method || stages.contains(&("shadow", "map"));
     let set = looks_up.then(|| ("shadow.size".to_owned(), 256.0)).into_iter().collect();
     let stages = stages.iter().map(|(key, name)| ((*key).to_owned(), (*name).to_owned())).collect();
     let method = Some(method.to_owned());
@@ -102,7 +103,8 @@ fn every_method_gives_the_same_picture_on_both_backends() {
             let map = map.surfaces()[0].height_map();
             let size = [map.width(), map.height()];
             let comparison = Comparison::new(&cpu.rendering.pixels, &gpu.rendering.pixels, size);
-            let wanted = if method.name == "exact" { OTHER_CODE } else { SAME_CODE };
+            let differs = method.name == "exact" || method.geometry != "none";
+            let wanted = if differs { OTHER_CODE } else { SAME_CODE };
             println!("{file} {}: {comparison:?} {:.5}", method.name, comparison.share());
             assert!(comparison.covered > 2000, "{file} {}: hardly anything is seen", method.name);
             assert!(comparison.share() >= wanted, "{file} {}: {comparison:?}", method.name);

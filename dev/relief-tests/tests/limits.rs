@@ -30,7 +30,14 @@ fn opened(limits: Limits) -> Option<Gpu> {
 
 /// Every method, and every other stage with one of them.
 fn selections() -> Vec<Selection> {
-    let methods = METHODS.iter().map(|method| Selection::of(method).expect("a method"));
+    // What lights see need not be fine.
+    let coarse = |mut selection: Selection| {
+        if selection.light_views().is_some() {
+            selection.set("shadow.size", 64.0).expect("a setting of this shadow");
+        }
+        selection
+    };
+    let methods = METHODS.iter().map(|method| coarse(Selection::of(method).expect("a method")));
     let stages = [("shadow", shadow::ENTRIES), ("ambient", ambient::ENTRIES), ("detail", detail::ENTRIES)];
     let others = stages.into_iter().flat_map(|(stage, entries)| {
         // Rays through the whole scene are traced by the CPU alone.
@@ -38,14 +45,12 @@ fn selections() -> Vec<Selection> {
         entries.map(move |entry| {
             let mut selection = Selection::method("cone").expect("a method");
             selection.choose(stage, entry.name).expect("a listed name");
-            if selection.light_views().is_some() {
-                selection.set("shadow.size", 64.0).expect("a setting of this shadow");
-            }
-            selection
+            coarse(selection)
         })
     });
-    // The method that every surface can be used with.
-    let surfaces = surface::ENTRIES.iter().map(|entry| {
+    // The method that every surface under a relief can be used with.
+    let under_relief = surface::ENTRIES.iter().zip(surface::PATHS).filter(|(_, paths)| paths.has_relief);
+    let surfaces = under_relief.map(|(entry, _)| {
         let mut selection = Selection::method("relief").expect("a method");
         selection.choose("surface", entry.name).expect("a listed name");
         selection

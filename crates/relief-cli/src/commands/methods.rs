@@ -31,7 +31,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         (false, true) => return Ok(writeln!(out, "{:#}", as_json())?),
         (false, false) => {}
     }
-    writeln!(out, "Methods: pairs of a search and a refinement, for --method\n{}\n", methods_table())?;
+    writeln!(
+        out,
+        "Methods: pairs of a search and a refinement, or displaced triangles, for --method\n{}\n",
+        methods_table()
+    )?;
     for stage in &STAGES {
         writeln!(out, "{}", heading(stage))?;
         let mut before = STAGES.iter().take_while(|other| other.key != stage.key);
@@ -69,10 +73,11 @@ fn table(header: &[&str]) -> Table {
 }
 
 fn methods_table() -> Table {
-    let mut table = table(&["method", "search", "refinement", "section", "what it is"]);
+    let mut table = table(&["method", "geometry", "search", "refinement", "section", "what it is"]);
     for method in METHODS {
         table.add_row([
             method.name,
+            method.geometry,
             method.search,
             method.refine,
             section(&method.publication),
@@ -178,7 +183,8 @@ fn as_json() -> Value {
             let settings: serde_json::Map<String, Value> =
                 method.settings.iter().map(|&(key, value)| (key.to_owned(), json!(value))).collect();
             json!({
-                "name": method.name, "search": method.search, "refine": method.refine,
+                "name": method.name, "geometry": method.geometry, "search": method.search,
+                "refine": method.refine,
                 "settings": settings, "summary": method.summary, "source": source(&method.publication),
             })
         })

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use clap::error::ErrorKind;
 use clap::{Arg, ArgMatches, Args, Command, Error, FromArgMatches};
-use relief_shaders::{AMBIENT, DETAIL, REFINE, SEARCH, SHADOW_SEARCH, STAGES, Stage};
+use relief_shaders::{AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Stage};
 
 use crate::values;
 
@@ -38,6 +38,8 @@ fn help(place: usize, stage: &Stage) -> String {
             let default = match place {
                 DETAIL => "footprint with several samples where the search can, else none",
                 AMBIENT => "constant; environment with --environment or --transmission",
+                GEOMETRY => "that of the method, else none",
+                SHADOW => "ray; map with a geometry",
                 _ => names[0],
             };
             let or_color = match place {

@@ -84,7 +84,7 @@ pub struct Ready<'a> {
     /// The same of shadows by rays through the whole scene.
     rays_through_scene: Option<u32>,
     lights: u32,
-    /// Whether the relief nowhere lies above its base.
+    /// Whether the relief nowhere lies above its base, or there is none.
     is_carved: bool,
     /// As in [`Frame`].
     near: f64,
@@ -118,7 +118,8 @@ impl<'a> Ready<'a> {
             points_of_lights: surface.selection.points_of_lights(),
             rays_through_scene: surface.selection.rays_through_scene(),
             lights: frame.light_count,
-            is_carved: surface.settings.bias_m + surface.settings.scale_m <= 0.0,
+            is_carved: !surface.selection.paths().has_relief
+                || surface.settings.bias_m + surface.settings.scale_m <= 0.0,
             near: frame.near.into(),
             shorter_m: SHORTER_BY_SCALE * surface.settings.scale_m
                 + SHORTER_BY_EXTENT * extent_m(&surface.triangles),

@@ -362,7 +362,7 @@ fn a_picture_that_stays_on_the_gpu_has_the_colours_that_are_read_back() {
     let (mut maps, mut preparer) = (Maps::in_memory(), crate::prepare::Preparer::default());
     let scene = scene(three_surfaces()).to_builder().size(300, 1000).build().expect("a proper scene");
     preparer.provide(&scene, &mut maps, &|_| false, &relief_maps::Watch::none()).expect("a bake");
-    let job = preparer.job(&scene);
+    let job = preparer.job(&scene, relief_maps::Watch::none().cancel).expect("a job");
     let mut renderer = GpuRenderer::new(gpu.clone());
     let expected = renderer.render(&job, Sampling::Exact, &|_| ()).expect("a picture");
     let picture = block_on(renderer.draw(&job, Sampling::Exact)).expect("a picture").clone();
@@ -426,7 +426,7 @@ fn the_cpu_keeps_its_hierarchies_as_long_as_they_are_needed() {
     let mut renderer = CpuRenderer::new();
     let mut jobs = || {
         preparer.provide(&scene, &mut maps, &|_| false, &relief_maps::Watch::none()).expect("a bake");
-        preparer.job(&scene)
+        preparer.job(&scene, relief_maps::Watch::none().cancel).expect("a job")
     };
     let first = renderer.render(&jobs(), &|_| ());
     let kept = format!("{:?}", renderer.kept());

@@ -1,6 +1,6 @@
 //! Scenes made by programs.
 
-use super::limits::{DEFAULT_SAMPLES, MAX_EXPOSURE, MAX_IMAGE_SIDE, MAX_SAMPLES};
+use super::limits::{DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, MAX_EXPOSURE, MAX_IMAGE_SIDE, MAX_SAMPLES};
 use super::view::{Fit, View, fitted};
 use super::{BackendChoice, Sampling, Scene, Surface, ValueError, error::ValueProblem};
 use crate::camera::{Camera, CameraError};
@@ -9,6 +9,7 @@ use crate::environment::Environment;
 use crate::light::{Light, LightError, MAX_LIGHTS, checked_colour};
 use crate::tone::Tone;
 use glam::{DVec3, Vec3};
+use relief_core::ByteSize;
 use relief_shaders::{STAGES, SelectionError};
 use std::sync::Arc;
 
@@ -45,6 +46,7 @@ pub struct SceneBuilder {
     tone: Tone,
     backend: BackendChoice,
     sampling: Sampling,
+    geometry_memory: ByteSize,
 }
 
 /// A camera, or how one is to be fitted.
@@ -85,6 +87,7 @@ impl SceneBuilder {
             tone: Tone::default(),
             backend: BackendChoice::default(),
             sampling: Sampling::default(),
+            geometry_memory: DEFAULT_MAX_MEMORY,
         }
     }
 
@@ -103,6 +106,7 @@ impl SceneBuilder {
             tone: scene.tone,
             backend: scene.backend,
             sampling: scene.sampling,
+            geometry_memory: scene.geometry_memory,
         }
     }
 
@@ -203,13 +207,21 @@ impl SceneBuilder {
         self
     }
 
+    /// The most memory that all displaced triangles may take, with what is built on them: a picture that
+    /// needs more is refused before it is taken. By default 4 GiB.
+    pub fn geometry_memory(mut self, memory: ByteSize) -> Self {
+        self.geometry_memory = memory;
+        self
+    }
+
     /// The scene.
     ///
     /// # Errors
     ///
     /// When there is no surface, the size, the samples or the exposure are out of range, there are too many
     /// lights, a colour is negative or not finite, or what a surface selects cannot trace view rays; when
-    /// surroundings are given that no surface sees, or a surface refracts light and sees none.
+    /// surroundings are given that no surface sees, or a surface refracts light and sees none; when normals
+    /// are chosen for a surface that has those of its vertices.
     pub fn build(self) -> Result<Scene, ValueError> {
         let [width, height] = self.size;
         if !(self.size.iter().all(|side| (1..=MAX_IMAGE_SIDE).contains(side))) {
@@ -234,6 +246,14 @@ impl SceneBuilder {
             (colour("ambient-color", self.ambient)?, colour("background", self.background)?);
         for surface in &self.surfaces {
             surface.selection().check().map_err(of_selection)?;
+            if !surface.selection().paths().has_relief {
+                if surface.normal_map().is_some() {
+                    return Err(ValueProblem::VertexNormals.of("normal"));
+                }
+                if surface.has_creases() {
+                    return Err(ValueProblem::VertexNormals.of("creases"));
+                }
+            }
             if surface.material().transmission() > 0.0 && !surface.selection().sees_environment() {
                 return Err(ValueProblem::Needs(SEEN).of("transmission"));
             }
@@ -279,6 +299,7 @@ impl SceneBuilder {
             tone: self.tone,
             backend: self.backend,
             sampling: self.sampling,
+            geometry_memory: self.geometry_memory,
         })
     }
 }

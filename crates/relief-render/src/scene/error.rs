@@ -192,6 +192,12 @@ pub enum ValueProblem {
         "is for a shadow that sends rays to the light, and the one that is chosen sends none: choose another"
     )]
     NoShadowRays,
+    /// Normals are chosen for pixels, and the surface has those of vertices.
+    #[error(
+        "is for normals of pixels, and the surface 'facets' has those of its triangles' vertices: leave it \
+         out, or choose a method that finds the relief pixel by pixel"
+    )]
+    VertexNormals,
     /// The camera is impossible.
     #[error(transparent)]
     Camera(#[from] CameraError),

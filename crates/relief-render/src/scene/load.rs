@@ -84,7 +84,7 @@ impl SceneSpec {
         if let Some(environment) = environment {
             builder = builder.environment(environment);
         }
-        Ok(builder.build()?)
+        Ok(builder.geometry_memory(ByteSize(maps.left())).build()?)
     }
 
     /// Every surface, with its number where there are several, and with what needs no file.

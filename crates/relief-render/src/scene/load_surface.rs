@@ -11,7 +11,7 @@ use crate::mesh::{Builtin, Mesh, Placement, UvProjection, square};
 use glam::{Vec2, Vec3};
 use relief_core::{ByteSize, HeightMap};
 use relief_io::{Convention, Fill, HeightOptions, MeshOptions, Picture, ReadError, ReadProblem};
-use relief_shaders::{AMBIENT, DETAIL, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection};
+use relief_shaders::{AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -103,6 +103,11 @@ impl Maps {
     /// Of a limit to all memory so much is left for maps.
     pub fn new(limit: ByteSize, left: u64) -> Self {
         Self { limit, left, heights: Vec::new(), colors: Vec::new(), meshes: Vec::new() }
+    }
+
+    /// The memory that is left.
+    pub fn left(&self) -> u64 {
+        self.left
     }
 
     fn height(&mut self, path: &Path, options: HeightOptions) -> Result<HeightMap, SceneError> {
@@ -396,6 +401,9 @@ impl SurfaceSpec {
     fn selection_in(&self, detail: Option<&str>, surrounded: bool) -> Result<Selection, ValueError> {
         let named = |stage: usize| self.stages.get(STAGES[stage].key).map(String::as_str);
         let selection = match (&self.method, named(SEARCH), named(REFINE)) {
+            (Some(_), None, None) if named(GEOMETRY).is_some() => {
+                return Err(ValueProblem::Excludes("geometry").of("method"));
+            }
             (method, None, None) => Selection::method(method.as_deref().unwrap_or(DEFAULT_METHOD)),
             (None, Some(search), Some(refine)) => Selection::pair(search, refine),
             (None, Some(_), None) => return Err(ValueProblem::Needs("refine").of("search")),

@@ -41,6 +41,7 @@ use crate::light::Light;
 use crate::picture::Look;
 use crate::tone::Tone;
 use glam::Vec3;
+use relief_core::ByteSize;
 pub use relief_core::mesh::UvProjection;
 pub use relief_shaders::wgsl::Sampling;
 use std::sync::Arc;
@@ -61,6 +62,7 @@ pub struct Scene {
     pub(crate) tone: Tone,
     pub(crate) backend: BackendChoice,
     pub(crate) sampling: Sampling,
+    pub(crate) geometry_memory: ByteSize,
 }
 
 impl Scene {
@@ -130,6 +132,11 @@ impl Scene {
     /// How textures are read.
     pub fn sampling(&self) -> Sampling {
         self.sampling
+    }
+
+    /// The most memory that all displaced triangles may take, with what is built on them.
+    pub fn geometry_memory(&self) -> ByteSize {
+        self.geometry_memory
     }
 }
 

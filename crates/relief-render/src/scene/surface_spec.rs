@@ -5,7 +5,7 @@ use super::keys::{numbers, parsed, settings};
 use relief_core::Wrap;
 use relief_core::mesh::UvProjection;
 use relief_io::{GreenSign, RawLayout};
-use relief_shaders::{AMBIENT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES};
+use relief_shaders::{AMBIENT, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -85,7 +85,8 @@ pub struct SurfaceSpec {
     pub size: Option<f64>,
     /// The method's name. By default `exact`.
     pub method: Option<String>,
-    /// Names of variants by their stages' keys. `search` and `refine` come together, in place of `method`.
+    /// Names of variants by their stages' keys. `search` and `refine` come together, in place of `method`, and
+    /// so does `geometry`.
     #[serde(skip)]
     pub stages: BTreeMap<String, String>,
     /// Settings of what is run, by names such as `search.steps`.
@@ -120,9 +121,9 @@ pub struct MaterialSpec {
 /// The ambient light of the surroundings.
 pub(super) const ENVIRONMENT: &str = relief_shaders::ambient::environment::ENTRY.name;
 
-/// Whether that is the key of one of the two stages that a method names.
+/// Whether that is the key of one of the stages that a method names.
 fn is_of_method(key: &str) -> bool {
-    [SEARCH, REFINE].iter().any(|stage| STAGES[*stage].key == key)
+    [GEOMETRY, SEARCH, REFINE].iter().any(|stage| STAGES[*stage].key == key)
 }
 
 impl SurfaceSpec {
@@ -236,6 +237,18 @@ impl SurfaceSpec {
             if is_of_method(key) {
                 self.method = None;
             }
+            self.set.retain(|name, _| !of(name, key));
+        }
+        // A geometry is said in place of a search and a refinement, and these in its place.
+        let [geometry, search, refine] = [GEOMETRY, SEARCH, REFINE].map(|stage| STAGES[stage].key);
+        let says = |key: &str| over.stages.contains_key(key);
+        let replaced = match (says(geometry), says(search) || says(refine)) {
+            (true, false) => &[search, refine][..],
+            (false, true) => &[geometry],
+            _ => &[],
+        };
+        for key in replaced {
+            self.stages.remove(*key);
             self.set.retain(|name, _| !of(name, key));
         }
         let [shadow, search] = [SHADOW, SHADOW_SEARCH].map(|stage| STAGES[stage].key);

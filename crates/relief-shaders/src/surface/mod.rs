@@ -5,6 +5,7 @@ use relief_core::registry::{Entry, Param, RayClass};
 
 use crate::SURVEY;
 
+mod facets;
 mod plane;
 mod prism;
 mod quadric_perpendicular;
@@ -12,12 +13,24 @@ mod quadric_vertical;
 mod tetrahedra;
 
 /// All of them.
-pub const ENTRIES: &[Entry] =
-    &[plane::ENTRY, prism::ENTRY, quadric_perpendicular::ENTRY, quadric_vertical::ENTRY, tetrahedra::ENTRY];
+pub const ENTRIES: &[Entry] = &[
+    plane::ENTRY,
+    prism::ENTRY,
+    quadric_perpendicular::ENTRY,
+    quadric_vertical::ENTRY,
+    tetrahedra::ENTRY,
+    facets::ENTRY,
+];
 
 /// What each of them makes of rays, in the same order.
-pub const PATHS: &[Paths] =
-    &[plane::PATHS, prism::PATHS, quadric_perpendicular::PATHS, quadric_vertical::PATHS, tetrahedra::PATHS];
+pub const PATHS: &[Paths] = &[
+    plane::PATHS,
+    prism::PATHS,
+    quadric_perpendicular::PATHS,
+    quadric_vertical::PATHS,
+    tetrahedra::PATHS,
+    facets::PATHS,
+];
 
 /// What is added to the order of a shell's corners where the shell overlaps itself.
 pub const FOLDED: u32 = 64;
@@ -29,6 +42,8 @@ pub struct Paths {
     pub rays: &'static [RayClass],
     /// Where its relief may be seen.
     pub proposal: Proposal,
+    /// Whether the height map's relief lies on the triangles; else they are all that there is to see.
+    pub has_relief: bool,
     /// The variants of other stages that make nothing of its segments.
     pub refused: &'static [Refused],
 }

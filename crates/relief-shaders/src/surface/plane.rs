@@ -20,4 +20,5 @@ pub const ENTRY: Entry = Entry {
 };
 
 /// What it makes of rays.
-pub const PATHS: Paths = Paths { rays: &[RayClass::View], proposal: Proposal::Polygons, refused: &[] };
+pub const PATHS: Paths =
+    Paths { rays: &[RayClass::View], proposal: Proposal::Polygons, has_relief: true, refused: &[] };

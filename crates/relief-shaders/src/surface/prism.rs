@@ -43,5 +43,6 @@ pub const ENTRY: Entry = Entry {
 pub const PATHS: Paths = Paths {
     rays: &[RayClass::View, RayClass::Bent, RayClass::Shadow],
     proposal: Proposal::Shells,
+    has_relief: true,
     refused: SEGMENTS_REFUSE,
 };

@@ -44,6 +44,7 @@ pub const ENTRY: Entry = Entry {
 pub const PATHS: Paths = Paths {
     rays: &[RayClass::Bent],
     proposal: Proposal::Polygons,
+    has_relief: true,
     refused: &[
         Refused {
             stage: "search",

@@ -30,5 +30,6 @@ pub const ENTRY: Entry = Entry {
 pub const PATHS: Paths = Paths {
     rays: &[RayClass::View, RayClass::Bent],
     proposal: Proposal::Polygons,
+    has_relief: true,
     refused: &[NO_ENTRY_OF_LIGHT],
 };

@@ -23,5 +23,9 @@ pub const ENTRY: Entry = Entry {
 };
 
 /// What it makes of rays.
-pub const PATHS: Paths =
-    Paths { rays: &[RayClass::View, RayClass::Shadow], proposal: Proposal::Shells, refused: SEGMENTS_REFUSE };
+pub const PATHS: Paths = Paths {
+    rays: &[RayClass::View, RayClass::Shadow],
+    proposal: Proposal::Shells,
+    has_relief: true,
+    refused: SEGMENTS_REFUSE,
+};

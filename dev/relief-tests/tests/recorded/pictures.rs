@@ -8,7 +8,7 @@ use relief_maps::Maps;
 use relief_render::picture::aov;
 use relief_render::render;
 use relief_render::scene::{BackendChoice, SceneSpec, SurfaceSpec, read_scene};
-use relief_shaders::{DETAIL, METHODS, STAGES};
+use relief_shaders::{DETAIL, METHODS, STAGES, Selection};
 
 use crate::hash::Bits;
 
@@ -37,7 +37,10 @@ pub fn all() -> BTreeMap<String, String> {
 fn hashes(scene: &str, method: &str, detail: &str, size: [u32; 2]) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(format!("{scene}.toml"));
     let stages = [(STAGES[DETAIL].key.to_owned(), detail.to_owned())].into();
-    let surface = SurfaceSpec { method: Some(method.to_owned()), stages, ..SurfaceSpec::default() };
+    // What lights see need not be fine.
+    let looks_up = Selection::method(method).expect("a method").light_views().is_some();
+    let set = looks_up.then(|| ("shadow.size".to_owned(), 256.0)).into_iter().collect();
+    let surface = SurfaceSpec { method: Some(method.to_owned()), stages, set, ..SurfaceSpec::default() };
     let over = SceneSpec {
         backend: Some(BackendChoice::Cpu),
         size: Some(size),

@@ -13,6 +13,7 @@ pub fn modules() -> impl Iterator<Item = (String, String)> {
     STAGES
         .iter()
         .enumerate()
+        .filter(|(_, stage)| !stage.calls.is_empty())
         .map(|(place, stage)| (format!("dispatch/{}", stage.key.replace('-', "_")), module(place, stage)))
 }
 

@@ -145,7 +145,7 @@ fn a_prepass_leaves_the_depths_of_the_pictures_to_the_bit() {
         let scene = scene(surface, depth_buffer, projection);
         let rendered = Renderer::on_gpu(gpu.clone(), Sampling::Exact);
         let rendered = { rendered }.render(&scene, &mut Maps::in_memory(), &|_, _| ()).expect("a picture");
-        let job = Preparer::default().job(&scene);
+        let job = Preparer::default().job(&scene, relief_maps::Watch::none().cancel).expect("a job");
         let before = depths(&gpu, &job, depth_buffer.clip);
         let planes = depth_buffer.near_m.zip(depth_buffer.far_m);
         let mut covered = 0;

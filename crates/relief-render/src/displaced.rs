@@ -1,0 +1,269 @@
+//! Displaced triangles: the meshes that geometries make of base meshes and height maps.
+
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use relief_core::HeightMap;
+use relief_core::mesh::{Mesh, Vertex};
+use relief_mesh::{MeshSettings, Mesher, MesherError, Stream, StreamError, View, Watch};
+use relief_shaders::cpu::{Corner, Shell};
+use relief_shaders::geometry::Geometry;
+
+use crate::raycast::RayCaster;
+use crate::renderer::RenderError;
+use crate::scene::{Scene, Surface};
+use crate::triangles::Triangles;
+
+/// Memory that a vertex takes: as the shaders have it, on its way to a GPU, and as what lights see is laid
+/// around it.
+const BYTES_PER_VERTEX: u64 = 2 * size_of::<Corner>() as u64 + 24;
+
+/// Memory that a triangle takes: as the shaders have it, and in the hierarchy for rays.
+const BYTES_PER_TRIANGLE: u64 = 48 + RayCaster::BYTES_PER_TRIANGLE;
+
+/// The least distance of vertices that a view asks for, in texels: between those of a patch of four texels
+/// there is nothing to be found but a smooth bend.
+const FINEST_TEXELS: f64 = 0.25;
+
+/// Why a surface has no displaced triangles.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum GeometryError {
+    /// They cannot be made.
+    #[error("its displaced triangles cannot be made: {0}; a larger 'geometry.{setting}' makes fewer", setting = .1)]
+    Mesh(MesherError, &'static str),
+    /// They take more memory than is allowed.
+    #[error(
+        "its {triangles} displaced triangles need {} MiB of memory, {} MiB are left for them: choose a larger \
+         'geometry.{setting}', or allow more memory",
+        needed.div_ceil(1 << 20), left >> 20
+    )]
+    Memory {
+        /// How many there are.
+        triangles: u64,
+        /// Bytes that they take, with what is built on them.
+        needed: u64,
+        /// Bytes that may be used and that others leave for them.
+        left: u64,
+        /// The setting that makes them fewer.
+        setting: &'static str,
+    },
+    /// A vertex lies too far away.
+    #[error("a vertex is displaced beyond what 32-bit numbers hold: choose a smaller displacement or mesh")]
+    NotFinite,
+}
+
+/// What displaced triangles are made of.
+#[derive(Clone, Debug)]
+struct DisplacedOf {
+    mesh: Arc<Mesh>,
+    map: Arc<HeightMap>,
+    cut: Cut,
+}
+
+/// How the base is divided.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Cut {
+    Texels(u32),
+    /// By the voxels of a view; of so many levels of the height map.
+    Seen(View, u32),
+}
+
+impl DisplacedOf {
+    /// What those of a surface are made of; none where it has none.
+    fn of(surface: &Surface, scene: &Scene) -> Option<Self> {
+        let (map, selection) = (surface.height_map(), surface.selection());
+        let cut = match selection.geometry()? {
+            Geometry::Texels(texels) => Cut::Texels(texels),
+            Geometry::Pixels(pixels) => {
+                let view = View::new(*scene.camera(), scene.size());
+                let view = View { pixels: pixels.into(), ..view };
+                Cut::Seen(no_finer(view, surface), selection.levels_of(map))
+            }
+        };
+        Some(Self { mesh: Arc::clone(surface.mesh()), map: Arc::clone(map), cut })
+    }
+
+    fn is(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.mesh, &other.mesh) && Arc::ptr_eq(&self.map, &other.map) && self.cut == other.cut
+    }
+
+    /// The setting that makes them fewer.
+    fn setting(&self) -> &'static str {
+        match self.cut {
+            Cut::Texels(_) => "texels",
+            Cut::Seen(..) => "pixels",
+        }
+    }
+
+    /// Counts them, and makes nothing yet.
+    fn counted(&self, watch: &Watch) -> Result<Mesher, MesherError> {
+        let Self { mesh, map, cut } = self;
+        match *cut {
+            Cut::Texels(texels) => {
+                let settings = MeshSettings { texels, ..MeshSettings::default() };
+                Mesher::watched(mesh, map, &settings, watch)
+            }
+            Cut::Seen(view, levels) => {
+                let coarser: Vec<HeightMap> = (1..levels).map(|level| map.level(level)).collect();
+                Mesher::with_levels(mesh, map, &coarser, &MeshSettings::seen_by(view), watch)
+            }
+        }
+    }
+}
+
+/// The view with voxels that are nowhere smaller than a part of a texel.
+fn no_finer(view: View, surface: &Surface) -> View {
+    let (map, [u, v]) = (surface.height_map(), surface.metric().tile_m);
+    let texel_m = (u / f64::from(map.width())).min(v / f64::from(map.height()));
+    let [voxel_m, least_m] =
+        [view.pixels * 2.0 * view.camera.half_height() / f64::from(view.size[1]), FINEST_TEXELS * texel_m];
+    if !(least_m.is_finite() && least_m > 0.0) {
+        return view;
+    }
+    if view.camera.is_orthographic() {
+        View { pixels: view.pixels * (least_m / voxel_m).max(1.0), ..view }
+    } else {
+        // Of what is nearer voxels are as large as they are there.
+        View { near_m: view.near_m.max(least_m / voxel_m), ..view }
+    }
+}
+
+/// Displaced triangles, and the memory that they take.
+#[derive(Debug)]
+struct Known {
+    of: DisplacedOf,
+    triangles: Arc<Triangles>,
+    bytes: u64,
+}
+
+/// The displaced triangles of a scene's surfaces, kept from one picture to the next.
+#[derive(Debug, Default)]
+pub struct Displaced {
+    known: Vec<Known>,
+}
+
+impl Displaced {
+    /// Those of each surface, none where it has none: those made before, where these are of the same mesh,
+    /// map and, if it matters, view. Others are dropped before any are made.
+    pub fn of_scene(
+        &mut self,
+        scene: &Scene,
+        cancel: &AtomicBool,
+    ) -> Result<Vec<Option<Arc<Triangles>>>, RenderError> {
+        let asked: Vec<Option<DisplacedOf>> =
+            scene.surfaces().iter().map(|surface| DisplacedOf::of(surface, scene)).collect();
+        self.known.retain(|known| asked.iter().flatten().any(|of| of.is(&known.of)));
+        let each = asked.into_iter().enumerate().map(|(surface, of)| {
+            let Some(of) = of else { return Ok(None) };
+            if let Some(known) = self.known.iter().find(|known| known.of.is(&of)) {
+                return Ok(Some(Arc::clone(&known.triangles)));
+            }
+            let taken = self.known.iter().map(|known| known.bytes).sum::<u64>();
+            let left = scene.geometry_memory().0.saturating_sub(taken);
+            let (triangles, bytes) = made(&of, left, cancel).map_err(|why| match why {
+                Some(source) => RenderError::Geometry { surface, source },
+                None => RenderError::Stopped,
+            })?;
+            self.known.push(Known { of, triangles: Arc::clone(&triangles), bytes });
+            Ok(Some(triangles))
+        });
+        each.collect()
+    }
+}
+
+/// Displaced triangles and the memory that they take; the error is none where it was cancelled.
+fn made(
+    of: &DisplacedOf,
+    left: u64,
+    cancel: &AtomicBool,
+) -> Result<(Arc<Triangles>, u64), Option<GeometryError>> {
+    let watch = Watch { tell: &|_| {}, cancel };
+    let mesher = of.counted(&watch).map_err(|error| match error {
+        MesherError::Cancelled => None,
+        error => Some(GeometryError::Mesh(error, of.setting())),
+    })?;
+    let bytes = mesher.vertices() * BYTES_PER_VERTEX + mesher.triangles() * BYTES_PER_TRIANGLE;
+    let needed = bytes.saturating_add(mesher.bytes());
+    if needed > left {
+        return Err(Some(GeometryError::Memory {
+            triangles: mesher.triangles(),
+            needed,
+            left,
+            setting: of.setting(),
+        }));
+    }
+    let mut corners: Vec<Corner> = Vec::with_capacity(mesher.vertices() as usize);
+    let mut faces: Vec<[u32; 3]> = Vec::with_capacity(mesher.triangles() as usize);
+    let how = Stream { size: 1.0, check: false, grid: None, cache_order: false, watch };
+    let streamed = mesher.stream(&how, |block| {
+        corners.extend(block.vertices.iter().map(corner));
+        faces.extend_from_slice(&block.triangles);
+        Ok::<(), std::convert::Infallible>(())
+    });
+    match streamed {
+        Ok(_) => {}
+        Err(StreamError::Cancelled) => return Err(None),
+        Err(_) => return Err(Some(GeometryError::NotFinite)),
+    }
+    let faces = faces.into_iter().zip(std::iter::repeat(Shell::whole()));
+    Ok((Arc::new(Triangles::new(corners, faces)), bytes))
+}
+
+/// A vertex as the shaders have it.
+pub fn corner(vertex: &Vertex) -> Corner {
+    Corner::new(
+        vertex.position.to_array(),
+        vertex.normal.to_array(),
+        vertex.tangent.to_array(),
+        vertex.bitangent.to_array(),
+        vertex.uv.to_array(),
+        [0.0; 3],
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+    use relief_core::Wrap;
+    use relief_core::camera::Camera;
+    use relief_core::mesh::torus;
+    use relief_shaders::Selection;
+
+    use super::*;
+
+    #[test]
+    fn triangles_are_made_again_where_what_they_are_made_of_is_another() {
+        let map = HeightMap::from_fn(32, 32, Wrap::Repeat, |i, j| ((i ^ j) & 4) as f32 / 4.0);
+        let map = Arc::new(map.expect("a map").with_displacement(0.02, 0.0).expect("lengths"));
+        let mesh = Arc::new(torus(12, 6).expect("a mesh"));
+        let of = |method: &str| {
+            let selection = Selection::method(method).expect("a method");
+            Surface::new(Arc::clone(&mesh), Arc::clone(&map)).with_selection(selection)
+        };
+        let surfaces = vec![of("vertex"), of("remesh"), of("exact"), of("vertex")];
+        let camera = |x: f64| Camera::new(DVec3::new(x, 1.0, 1.0), DVec3::ZERO, 40.0).expect("a camera");
+        let scene = Scene::builder(of("exact")).surfaces(surfaces).size(90, 60).camera(camera(0.5));
+        let mut scene = scene.build().expect("a scene");
+        let (mut displaced, never) = (Displaced::default(), AtomicBool::new(false));
+        let mut made = |scene: &Scene| displaced.of_scene(scene, &never).expect("triangles");
+        let is_same = |a: &Option<Arc<Triangles>>, b: &Option<Arc<Triangles>>| {
+            a.as_ref().zip(b.as_ref()).is_some_and(|(a, b)| Arc::ptr_eq(a, b))
+        };
+        let first = made(&scene);
+        assert!(first[2].is_none() && is_same(&first[0], &first[3]));
+        let again = made(&scene);
+        assert!(is_same(&first[0], &again[0]) && is_same(&first[1], &again[1]));
+        scene.set_camera(camera(0.6));
+        let moved = made(&scene);
+        assert!(is_same(&first[0], &moved[0]) && !is_same(&first[1], &moved[1]));
+        let other = scene.to_builder().size(120, 60).build().expect("a scene");
+        assert!(!is_same(&moved[1], &made(&other)[1]));
+        // Another displacement is another map, and what was cancelled is not there.
+        let map = HeightMap::with_displacement((*map).clone(), 0.03, 0.0).expect("lengths");
+        let surface = of("vertex").with_height_map(map);
+        let other = scene.to_builder().surfaces(vec![surface]).build().expect("a scene");
+        assert!(!is_same(&first[0], &made(&other)[0]));
+        let stopped = displaced.of_scene(&scene, &AtomicBool::new(true));
+        assert!(matches!(stopped, Err(RenderError::Stopped)));
+    }
+}

@@ -1,0 +1,39 @@
+//! Geometry: which triangles a picture shows of a surface. A new one is a `.rs` file here and its name in the
+//! list below; what makes its triangles is the renderer's. No shader belongs to it: triangles that are
+//! displaced are shaded by the surface `facets`.
+
+use relief_core::registry::{Entry, Param};
+
+mod none;
+mod remesh;
+mod vertex;
+
+/// All of them.
+pub const ENTRIES: &[Entry] = &[none::ENTRY, vertex::ENTRY, remesh::ENTRY];
+
+/// The one that shows the base.
+pub(crate) const NONE: &str = none::ENTRY.name;
+
+/// The one with a vertex every so many texels.
+pub(crate) const VERTEX: &str = vertex::ENTRY.name;
+
+/// The one that is divided by the picture's pixels.
+pub(crate) const REMESH: &str = remesh::ENTRY.name;
+
+/// Why another surface than `facets` cannot show it.
+pub(crate) const DISPLACED: &str =
+    "its triangles are displaced already, and only the surface 'facets' shows them as they are";
+
+/// Which displaced triangles a selection shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Geometry {
+    /// The base with a vertex every so many texels of the height map.
+    Texels(u32),
+    /// The base divided by voxels that are so many pixels of the picture wide.
+    Pixels(f32),
+}
+
+/// How many texels or pixels lie between vertices.
+const fn spacing(name: &'static str, summary: &'static str, least: f32, integer: bool) -> Param {
+    Param { name, summary, unit: name, min: least, max: 4_096.0, default: 1.0, integer }
+}

@@ -1,0 +1,16 @@
+//! Registry entry of the geometry `none`.
+
+use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+
+/// The base mesh, under a relief that is found pixel by pixel.
+pub const ENTRY: Entry = Entry {
+    name: "none",
+    summary: "the base mesh as it is: the relief is found pixel by pixel",
+    publication: Publication { paper: "Relief", section: "" },
+    maps: &[],
+    params: &[],
+    states: &[],
+    guarantee: Guarantees::all(Guarantee::Exact),
+    weakened: &[],
+    argument: "Nothing is made of the mesh.",
+};
