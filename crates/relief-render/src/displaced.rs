@@ -29,12 +29,12 @@ const FINEST_TEXELS: f64 = 0.25;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum GeometryError {
     /// They cannot be made.
-    #[error("its displaced triangles cannot be made: {0}; a larger 'geometry.{setting}' makes fewer", setting = .1)]
+    #[error("its displaced triangles cannot be made: {0}; a larger 'geometry.{1}' makes fewer")]
     Mesh(MesherError, &'static str),
     /// They take more memory than is allowed.
     #[error(
-        "its {triangles} displaced triangles need {} MiB of memory, {} MiB are left for them: choose a larger \
-         'geometry.{setting}', or allow more memory",
+        "its {triangles} displaced triangles need {} MiB of memory, {} MiB are left for them: choose a \
+         larger 'geometry.{setting}', or allow more memory",
         needed.div_ceil(1 << 20), left >> 20
     )]
     Memory {

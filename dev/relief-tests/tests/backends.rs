@@ -11,6 +11,7 @@ use relief_maps::Maps;
 use relief_render::scene::{BackendChoice, Scene, SceneSpec, SurfaceSpec, read_scene};
 use relief_render::{Rendered, render};
 use relief_shaders::cpu::PixelOut;
+use relief_shaders::geometry::Geometry;
 use relief_shaders::{METHODS, Selection, ambient, shadow};
 use relief_tests::adapter::has_adapter;
 
@@ -36,9 +37,13 @@ fn scene(file: &str, method: &str, stages: &[(&str, &str)], backend: BackendChoi
     // Surroundings are seen through a surface, too.
     let transmission = stages.contains(&("ambient", "environment")).then_some(0.5);
     // What lights see need not be fine to be the same.
-    let of_method = Selection::method(method).expect("a method").light_views().is_some();
-    let looks_up = of_method || stages.contains(&("shadow", "map"));
-    let set = looks_up.then(|| ("shadow.size".to_owned(), 256.0)).into_iter().collect();
+    let of_method = Selection::method(method).expect("a method");
+    let looks_up = of_method.light_views().is_some() || stages.contains(&("shadow", "map"));
+    // Nor are a GPU's buffers as large as a vertex every texel of many tiles asks for.
+    let is_diced = matches!(of_method.geometry(), Some(Geometry::Texels(_)));
+    let set = [(looks_up, "shadow.size", 256.0), (is_diced, "geometry.texels", 2.0)];
+    let set = set.iter().filter(|(is_set, ..)| *is_set).map(|(_, key, value)| ((*key).to_owned(), *value));
+    let set = set.collect();
     let stages = stages.iter().map(|(key, name)| ((*key).to_owned(), (*name).to_owned())).collect();
     let method = Some(method.to_owned());
     let surface = SurfaceSpec { method, stages, set, transmission, ..SurfaceSpec::default() };

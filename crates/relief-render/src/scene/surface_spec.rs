@@ -85,8 +85,8 @@ pub struct SurfaceSpec {
     pub size: Option<f64>,
     /// The method's name. By default `exact`.
     pub method: Option<String>,
-    /// Names of variants by their stages' keys. `search` and `refine` come together, in place of `method`, and
-    /// so does `geometry`.
+    /// Names of variants by their stages' keys. `search` and `refine` come together, in place of `method`,
+    /// and so does `geometry`.
     #[serde(skip)]
     pub stages: BTreeMap<String, String>,
     /// Settings of what is run, by names such as `search.steps`.

@@ -12,8 +12,9 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "Vertices lie on the displaced surface, with its normals. Between them it is replaced by triangles: \
-        at one texel by two for the bilinear patch of four texels on a plane, elsewhere across patches.",
+    argument: "Vertices lie on the displaced surface, with its normals. Between them it is replaced by \
+        triangles: at one texel by two for the bilinear patch of four texels on a plane, elsewhere across \
+        patches.",
 };
 
 const PARAMS: &[Param] = &[super::spacing("texels", "texels of the height map between vertices", 1.0, true)];

@@ -14,7 +14,8 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees { view: Guarantee::Exact, bent: Guarantee::Impossible, shadow: Guarantee::Exact },
     weakened: &[],
-    argument: "A ray ends where it meets the plane of its triangle, to the rounding of f32, and nowhere else.",
+    argument: "A ray ends where it meets the plane of its triangle, to the rounding of f32, and nowhere \
+        else.",
 };
 
 /// What it makes of rays.
@@ -33,8 +34,8 @@ pub const PATHS: Paths = Paths {
         Refused {
             stage: "shadow",
             names: Names::AllBut(&["none", "map", "scene"]),
-            reason: "it looks for what is in a light's way in a relief, and none lies on the triangles there; \
-                'map' and 'scene' see triangles",
+            reason: "it looks for what is in a light's way in a relief, and none lies on the triangles \
+                there; 'map' and 'scene' see triangles",
         },
         Refused {
             stage: "ambient",
