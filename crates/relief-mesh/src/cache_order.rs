@@ -147,8 +147,8 @@ fn fans(triangles: &[[u32; 3]], vertices: usize) -> (Vec<u32>, u32) {
     (order, cache.now)
 }
 
-/// How many vertices a cache has to fetch for a triangle, on the mean (the average cache miss ratio): the cache
-/// holds the last so many that it fetched. 0.5 is about the least for large meshes, 3 the most.
+/// How many vertices a cache has to fetch for a triangle, on the mean (the average cache miss ratio): the
+/// cache holds the last so many that it fetched. 0.5 is about the least for large meshes, 3 the most.
 ///
 /// ```
 /// use relief_mesh::cache_misses;

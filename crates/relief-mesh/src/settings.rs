@@ -60,9 +60,9 @@ impl Part {
 
 impl MeshSettings {
     /// A coarser level of detail of the same mesh: points are `2^level` times as far apart, in texels or in
-    /// pixels, and the tolerance is as many times as large. Each level has about a quarter of the triangles of
-    /// the one before where points are as far apart as they are told to be; with a tolerance it is what the
-    /// relief makes of it, from a half where it is smooth to a quarter where it is rough.
+    /// pixels, and the tolerance is as many times as large. Each level has about a quarter of the triangles
+    /// of the one before where points are as far apart as they are told to be; with a tolerance it is what
+    /// the relief makes of it, from a half where it is smooth to a quarter where it is rough.
     #[must_use]
     pub fn coarser(&self, level: u32) -> Self {
         let factor = 2.0_f64.powi(level.min(1000) as i32);

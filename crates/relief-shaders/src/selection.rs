@@ -1,11 +1,14 @@
 //! A variant chosen for every stage, with its settings.
 
+mod error;
+
+use relief_core::HeightMap;
 use relief_core::mesh::QuadricCoefficients;
 use relief_core::registry::{
-    self, Entry, Guarantee, Guarantees, MAX_PARAMS, MapLevels, MapSetting, Param, RayClass, UnknownName,
+    self, Entry, Guarantee, Guarantees, MAX_PARAMS, MapLevels, MapSetting, Param, RayClass,
 };
-use relief_core::{FoundState, HeightMap};
 
+pub use self::error::SelectionError;
 use crate::Method;
 use crate::geometry::{self, Geometry};
 use crate::stages::{
@@ -30,121 +33,6 @@ pub struct Choice {
 pub struct Selection {
     /// The choices, in the order of [`STAGES`].
     pub choices: [Choice; STAGES.len()],
-}
-
-/// Why a selection cannot be made.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum SelectionError {
-    /// No stage has that key.
-    #[error("no stage has the key '{0}'; the keys are {keys}", keys = STAGES.map(|stage| stage.key).join(", "))]
-    NoStage(String),
-    /// No variant has that name.
-    #[error(transparent)]
-    Unknown(#[from] UnknownName),
-    /// A setting's key has another form.
-    #[error("the setting '{0}' must begin with {begin}, as in search.steps=64", begin = beginnings())]
-    Key(String),
-    /// The variant has no such parameter.
-    #[error("the {stage} '{entry}' has no parameter '{name}'{}", known(.entries))]
-    NoParam {
-        /// The stage's title.
-        stage: &'static str,
-        /// The chosen variant.
-        entry: &'static str,
-        /// What was asked for.
-        name: String,
-        /// What there is.
-        entries: Vec<&'static str>,
-    },
-    /// The value is not accepted.
-    #[error("{key} is {value}: it must be {} from {min} to {max}", if *integer { "a whole number" } else { "a number" })]
-    Value {
-        /// The setting.
-        key: String,
-        /// The value given.
-        value: f64,
-        /// Least accepted value.
-        min: f32,
-        /// Greatest accepted value.
-        max: f32,
-        /// Whether only whole numbers are accepted.
-        integer: bool,
-    },
-    /// The variant cannot be used for the rays that its stage is given.
-    #[error("the {stage} '{entry}' is impossible for {rays} rays: choose another")]
-    Impossible {
-        /// The stage's title.
-        stage: &'static str,
-        /// The stage's key.
-        key: &'static str,
-        /// The chosen variant.
-        entry: &'static str,
-        /// The rays.
-        rays: &'static str,
-    },
-    /// A surface's segments are of no use to another stage's variant.
-    #[error("the {stage} '{entry}' cannot be used with the surface '{surface}': {reason}")]
-    Surface {
-        /// The other stage's title.
-        stage: &'static str,
-        /// The other stage's key.
-        key: &'static str,
-        /// What is chosen for it.
-        entry: &'static str,
-        /// The chosen surface.
-        surface: &'static str,
-        /// Why.
-        reason: String,
-    },
-    /// A variant's baked map knows the finest level of detail alone.
-    #[error(
-        "the {stage} '{entry}' cannot be used with the detail '{detail}': the levels of its map are not \
-            levels of detail; choose another, or the detail '{none}'", none = crate::detail::NONE
-    )]
-    OneLevel {
-        /// The title of the stage that reads the map.
-        stage: &'static str,
-        /// The key of that stage.
-        key: &'static str,
-        /// What is chosen for it.
-        entry: &'static str,
-        /// The chosen detail.
-        detail: &'static str,
-    },
-    /// A variant makes nothing of what the search before it gives.
-    #[error(
-        "the {} '{}' makes nothing of what the {} '{}' gives: it takes {}, not {}",
-        title(.taker.0), .taker.1, title(.giver.0), .giver.1, named(.takes), named(.gives)
-    )]
-    Pair {
-        /// The key of the search's stage, and its name.
-        giver: (&'static str, &'static str),
-        /// The key of the stage that is to go on from there, and what is chosen for it.
-        taker: (&'static str, &'static str),
-        /// How the search ends.
-        gives: &'static [FoundState],
-        /// What the other takes.
-        takes: &'static [FoundState],
-    },
-}
-
-/// What messages call a variant of the stage of that key.
-fn title(key: &str) -> &str {
-    stage(key).map_or(key, |(_, stage)| stage.title)
-}
-
-fn named(states: &[FoundState]) -> String {
-    states.iter().map(|state| state.description()).collect::<Vec<_>>().join(" or ")
-}
-
-/// How settings may begin: the keys of the stages of which a variant has parameters.
-fn beginnings() -> String {
-    let settable = STAGES.iter().filter(|stage| stage.entries.iter().any(|entry| !entry.params.is_empty()));
-    settable.map(|stage| format!("'{}.'", stage.key)).collect::<Vec<_>>().join(" or ")
-}
-
-fn known(names: &[&str]) -> String {
-    if names.is_empty() { "; it has none".to_owned() } else { format!("; it has {}", names.join(", ")) }
 }
 
 impl Choice {
@@ -544,127 +432,4 @@ fn checked(key: &str, param: &Param, value: f64) -> Result<f32, SelectionError> 
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::METHODS;
-
-    #[test]
-    fn every_method_is_a_valid_selection() {
-        for method in METHODS {
-            let selection = Selection::of(method).expect("listed names");
-            assert_eq!(selection.check(), Ok(()), "{}", method.name);
-        }
-        assert!(Selection::method("exact").is_ok_and(|selection| selection.is_exact()));
-        let exact = Selection::exact();
-        assert_eq!((exact.search().name, exact.refine().name), ("cells", "patch"));
-    }
-
-    #[test]
-    fn a_pair_promises_what_the_weaker_of_the_two_does() {
-        let exact = Selection::method("cone").expect("a method");
-        let sampled = Selection::pair("linear", "patch").expect("listed names");
-        let stepped = Selection::pair("cone", "binary").expect("listed names");
-        for rays in RayClass::ALL {
-            assert_eq!(exact.guarantee(rays), Guarantee::Exact);
-            assert_eq!(sampled.guarantee(rays), Guarantee::Approximate);
-            assert_eq!(stepped.guarantee(rays), Guarantee::Approximate);
-        }
-    }
-
-    #[test]
-    fn a_shadow_takes_the_search_of_the_view_where_that_can_and_cells_else() {
-        let with_shadow = |method: &str| {
-            let mut selection = Selection::method(method).expect("a method");
-            selection.choose("shadow", "ray").expect("a shadow");
-            selection
-        };
-        for (method, search) in
-            [("cone", "cone"), ("relief", "linear"), ("relaxed", "cells"), ("parallax", "cells")]
-        {
-            let selection = with_shadow(method);
-            assert_eq!(selection.choices[SHADOW_SEARCH].entry.name, search, "{method}");
-            assert_eq!(selection.check(), Ok(()), "{method}");
-        }
-        // The map is needed in both slots, and in none without a shadow.
-        let slots =
-            |selection: &Selection| selection.map_needs().iter().map(|need| need.slot).collect::<Vec<_>>();
-        let mut selection = with_shadow("cone");
-        assert_eq!(slots(&selection), [crate::MapSlot::Search, crate::MapSlot::ShadowSearch]);
-        assert!(with_shadow("exact").has_exact_shadows() && !selection.has_exact_shadows());
-        selection.choose("shadow", "none").expect("a shadow");
-        assert_eq!(slots(&selection), [crate::MapSlot::Search]);
-        for refused in ["none", "relaxed-cone"] {
-            let mut selection = with_shadow("exact");
-            selection.choose("shadow-search", refused).expect("a search");
-            assert!(selection.check().is_err(), "{refused}");
-        }
-    }
-
-    #[test]
-    fn displaced_triangles_are_shown_by_one_surface_and_searched_by_nothing() {
-        let vertex = Selection::method("vertex").expect("a method");
-        assert_eq!((vertex.check(), vertex.geometry()), (Ok(()), Some(Geometry::Texels(1))));
-        assert_eq!((vertex.paths().has_relief, vertex.light_views()), (false, Some([2048, 1])));
-        let mut remesh = Selection::exact();
-        remesh.choose("geometry", "remesh").expect("a geometry");
-        remesh.set("geometry.pixels", 2.5).expect("a parameter");
-        assert_eq!((remesh.check(), remesh.geometry()), (Ok(()), Some(Geometry::Pixels(2.5))));
-        remesh.choose("geometry", "none").expect("a geometry");
-        assert_eq!((remesh.geometry(), remesh.paths().has_relief), (None, true));
-        let refused = [
-            ("surface", "prism", "geometry"),
-            ("search", "linear", "search"),
-            ("refine", "slope", "refine"),
-            ("detail", "fade", "detail"),
-            ("shadow", "ray", "shadow"),
-            ("shadow", "horizon", "shadow"),
-            ("ambient", "bent-normal", "ambient"),
-        ];
-        for (stage, name, expected) in refused {
-            let mut selection = vertex;
-            selection.choose(stage, name).expect("a listed name");
-            let found = selection.check();
-            let is_that = matches!(found, Err(SelectionError::Surface { key, .. }) if key == expected);
-            assert!(is_that, "{stage} {name}: {found:?}");
-        }
-        for (stage, name) in [("shadow", "none"), ("shadow", "scene"), ("detail", "footprint")] {
-            let mut selection = vertex;
-            selection.choose(stage, name).expect("a listed name");
-            assert_eq!(selection.check(), Ok(()), "{name}");
-        }
-        let mut unknown = Selection::default();
-        let error = unknown.choose("geometry", "vertx").expect_err("no such geometry").to_string();
-        assert!(error.contains("did you mean 'vertex'"), "{error}");
-    }
-
-    #[test]
-    fn settings_reach_their_place_and_nothing_else_is_accepted() {
-        let mut selection = Selection::method("relief").expect("a method");
-        selection.set("search.grazing", 4.0).expect("a parameter");
-        assert_eq!(selection.choices[SEARCH].params, [32.0, 4.0, 0.0, 0.0]);
-        assert!(matches!(selection.set("steps", 4.0), Err(SelectionError::Key(_))));
-        assert!(matches!(selection.set("nothing.steps", 4.0), Err(SelectionError::Key(_))));
-        assert!(matches!(selection.set("shade.steps", 4.0), Err(SelectionError::NoParam { .. })));
-        assert!(matches!(selection.set("search.stepz", 4.0), Err(SelectionError::NoParam { .. })));
-        for bad in [0.0, 1.5, f64::NAN, f64::INFINITY, -3.0] {
-            assert!(matches!(selection.set("search.steps", bad), Err(SelectionError::Value { .. })), "{bad}");
-        }
-        assert_eq!(selection.choices[SEARCH].params[0], 32.0);
-        assert!(matches!(selection.choose("nothing", "none"), Err(SelectionError::NoStage(_))));
-        assert!(matches!(selection.choose("refine", "bianry"), Err(SelectionError::Unknown(_))));
-    }
-
-    #[test]
-    fn a_variant_that_is_impossible_for_its_stages_rays_is_refused() {
-        let mut selection = Selection::default();
-        assert_eq!(selection.check(), Ok(()));
-        let refused = Box::leak(Box::new(Entry {
-            guarantee: Guarantees { view: Guarantee::Impossible, ..Guarantees::all(Guarantee::Exact) },
-            ..*selection.search()
-        }));
-        selection.choices[SEARCH].entry = refused;
-        let expected =
-            SelectionError::Impossible { stage: "search", key: "search", entry: "none", rays: "view" };
-        assert_eq!(selection.check(), Err(expected));
-    }
-}
+mod tests;

@@ -1,4 +1,5 @@
-//! Heights between two meshes where there are several layers, holes, borders of charts, or nothing to look at.
+//! Heights between two meshes where there are several layers, holes, borders of charts, or nothing to look
+//! at.
 
 use glam::{Vec2, Vec3};
 use relief_bake::Progress;

@@ -15,7 +15,7 @@ use relief_core::{ByteSize, Wrap};
 use relief_io::{DEFAULT_MAX_BYTES, HeightNote};
 use serde_json::{Value, json};
 
-use self::described::Described;
+use self::described::{Described, SURVEYED};
 use self::output::{Content, Format, Output};
 use crate::failure::Failure;
 use crate::interrupt::cancelled;
@@ -218,6 +218,7 @@ impl Relief {
             wrap: how.wrap,
             note,
             origin: vec![("settings", format!("damping={damping} steepest={steepest}"))],
+            published: Some(SURVEYED),
             guarantee: Some(guarantee),
             more,
         };

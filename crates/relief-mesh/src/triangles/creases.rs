@@ -18,10 +18,6 @@ const FEWEST_STEPS: u32 = 16;
 /// The most steps a texel.
 const FINEST: u32 = 1 << 9;
 
-/// Steps a texel for a change of slope of one tolerance a texel: a crease then takes a quarter of the
-/// tolerance.
-const STEPS_PER_CHANGE: f64 = 1.0;
-
 /// The part of a change of slope that remains over a step that is as fine as can be, with something left for
 /// all else.
 const LEFT: f64 = 0.6 / FINEST as f64;
@@ -69,7 +65,8 @@ impl Creases {
         let first = [0, 1].map(|axis| from[axis].min(to[axis]).floor() as i64);
         let last = [0, 1].map(|axis| from[axis].max(to[axis]).floor() as i64);
         let change = f64::from(self.changes.bound(first, last).0 * MOST_CHANGE);
-        let per_texel = (STEPS_PER_CHANGE * change / self.tolerance).clamp(STEPS.into(), FINEST.into());
+        // A crease then takes a quarter of the tolerance.
+        let per_texel = (change / self.tolerance).clamp(STEPS.into(), FINEST.into());
         let length = (to[0] - from[0]).hypot(to[1] - from[1]);
         let steps = (length * per_texel).ceil().max(f64::from(FEWEST_STEPS)) as u64;
         steps.checked_next_power_of_two().unwrap_or(u64::MAX)

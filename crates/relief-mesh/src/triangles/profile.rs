@@ -7,7 +7,7 @@ use super::creases::Creases;
 use super::edges::Division;
 use crate::MeshSettings;
 use crate::edge::{Along, Knot, LONGEST};
-use crate::interior::{Extremes, PAIR, along};
+use crate::interior::{Gap, PAIR, along};
 use crate::surface::{Relief, twist_of};
 
 /// The part of the tolerance that the points of sides are chosen by.
@@ -160,11 +160,11 @@ impl Side<'_> {
             self.profiles.iter().find_map(|profile| {
                 let heights = [from, to].map(|step| self.height(profile, step));
                 let places = [from, to].map(|step| profile.place(self.part(step)));
-                let found: Extremes = along(places, heights, |place| {
+                let found = along(places, heights, |place| {
                     let cell = place.map(|at| at.floor() as i64);
                     (cell, self.relief.map().cell(cell[0], cell[1]).map(f64::from))
                 });
-                let (gap, at) = found.worst();
+                let Gap { height: gap, place: at } = found.worst()?;
                 let turn = profile.turn * self.part(to - from);
                 let bent = BENT_BESIDE * PAIR * (heights[1] - heights[0]).abs() * turn;
                 let off = 2.0 * gap.abs();

@@ -12,6 +12,7 @@ use relief_render::scene::{MeshChoice, Surface};
 use serde_json::json;
 
 use super::check_memory;
+use super::described::Described;
 use super::output::{Content, Format, Output};
 use crate::commands::maps::HeightArguments;
 use crate::commands::staged::Staged;
@@ -197,23 +198,17 @@ impl Made {
     }
 
     fn content(&self, map: &HeightMap, output: &Output, mesh: &MeshChoice) -> Result<Content, Failure> {
-        let [width, height] = [map.width(), map.height()];
-        let entries = vec![
-            ("wrap", map.wrap().name().to_owned()),
-            ("mesh", mesh.to_string()),
-            ("source", map.heights_hash().to_string()),
-            ("convention", "height 1 is highest; row 0 is on top, v grows downward".to_owned()),
-            ("units", "lengths in metres; heights in fractions of the scale, above the bias".to_owned()),
-            ("generator", concat!("relief ", env!("CARGO_PKG_VERSION")).to_owned()),
-            ("channels", "height".to_owned()),
-            ("ranges", "0,1".to_owned()),
-            ("rounding", "nearest".to_owned()),
-            ("stored_as", output.stored_as().to_owned()),
-            ("size", format!("{width} {height} 1")),
-        ];
-        let metadata = self.note.metadata(entries).map_err(|problem| Failure::Work(problem.to_string()))?;
-        let planes = vec![self.texels.clone()];
-        Ok(Content { size: [width, height], names: &["height"], planes, bits: 16, metadata })
+        let described = Described {
+            size: [map.width(), map.height()],
+            texels: self.texels.clone(),
+            wrap: map.wrap(),
+            note: self.note,
+            origin: vec![("mesh", mesh.to_string()), ("source", map.heights_hash().to_string())],
+            published: None,
+            guarantee: None,
+            more: Vec::new(),
+        };
+        described.content(output)
     }
 
     fn print(&self, out: &mut impl Write) -> io::Result<()> {

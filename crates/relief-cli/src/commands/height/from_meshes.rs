@@ -20,7 +20,7 @@ use relief_render::scene::MeshChoice;
 use serde_json::json;
 
 use super::check_memory;
-use super::described::Described;
+use super::described::{Described, SURVEYED};
 use super::output::{Content, Format, Output};
 use crate::commands::staged::Staged;
 use crate::failure::Failure;
@@ -293,6 +293,7 @@ impl Arguments {
                     format!("cage={} layer={} two_sided={}", heights.cage_m, self.layer, self.two_sided),
                 ),
             ],
+            published: Some(SURVEYED),
             guarantee: None,
             more: Vec::new(),
         };
@@ -311,7 +312,7 @@ impl Arguments {
             ("detailed_mesh", self.high.to_string()),
             ("size", format!("{width} {height} 1")),
             ("note.space", "tangent, +y up in the picture".to_owned()),
-            ("published", "Szirmay-Kalos and Umenhoffer 2008 2.2".to_owned()),
+            ("published", SURVEYED.to_owned()),
             ("generator", concat!("relief ", env!("CARGO_PKG_VERSION")).to_owned()),
         ];
         let entries = entries.map(|(name, value)| (format!("relief.{name}"), value));

@@ -9,8 +9,8 @@ pub const NONE: u32 = u32::MAX;
 /// Largest coordinate: what the tests compare then fits 64 bits, with the plain metric.
 pub const MOST: i32 = 1 << 13;
 
-/// What circles are: the square of the length of a step `x, y` is `m[0] x² + m[1] x y + m[2] y²`, which must be
-/// greater than 0 for every step, or flips have no end.
+/// What circles are: the square of the length of a step `x, y` is `m[0] x² + m[1] x y + m[2] y²`, which must
+/// be greater than 0 for every step, or flips have no end.
 pub type Metric = [i64; 3];
 
 /// Circles that are round on the lattice.

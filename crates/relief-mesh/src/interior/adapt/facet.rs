@@ -11,7 +11,7 @@
 use glam::DVec3;
 
 use super::delaunay::{Delaunay, MOST_BENT, MOST_METRIC, Metric};
-use super::ground::{Corner, Gap, Gaps, Ground};
+use super::ground::{Corner, Gap, Gaps, Ground, vertex_between};
 use super::window::{STEPS, Window, bilinear};
 use crate::Judge;
 
@@ -176,7 +176,7 @@ impl Ground for Facet {
     }
 
     fn within(&self, corners: [Corner; 3]) -> Gaps {
-        let mut gaps = Gaps::NONE;
+        let mut gaps = Gaps::none();
         self.each_centre(corners, |_, gap, place| gaps.take(gap, place));
         gaps
     }
@@ -185,11 +185,11 @@ impl Ground for Facet {
         let places = [from, to].map(|at| self.place(at));
         let [from, to] = [from, to].map(|at| at.map(f64::from));
         let place = |t: f64| [0, 1].map(|axis| from[axis] + t * (to[axis] - from[axis]));
-        let Extremes { above, below } = along(places, [start, end], |place| {
+        let Gaps { above, below } = along(places, [start, end], |place| {
             let cell = self.window.cell_at(place);
             (cell.map(i64::from), self.window.cell(cell))
         });
-        let [above, below] = [above, below].map(|(height, t)| Gap { height, place: place(t) });
+        let [above, below] = [above, below].map(|gap| Gap { height: gap.height, place: place(gap.place) });
         Gaps { above, below }
     }
 
@@ -209,9 +209,9 @@ fn pairs([a, b, c]: [f64; 3]) -> f64 {
     if most >= rest {
         return PAIR * most;
     }
-    // Twice the products less the squares: less than 0 where the longest side is beyond the others.
-    let between = 2.0 * (a * b + b * c + c * a) - (a * a + b * b + c * c);
-    a * b * c / between
+    // Sixteen times the square of that triangle's area.
+    let area = 2.0 * (a * b + b * c + c * a) - (a * a + b * b + c * c);
+    a * b * c / area
 }
 
 /// The squares of lengths in the map, as a metric of the lattice; of the lattice itself where the triangle
@@ -234,10 +234,10 @@ pub fn along(
     [from, to]: [[f64; 2]; 2],
     [start, end]: [f64; 2],
     cell_at: impl Fn([f64; 2]) -> ([i64; 2], [f64; 4]),
-) -> Extremes {
+) -> Gaps<f64> {
     let run = [to[0] - from[0], to[1] - from[1]];
     let place = |t: f64| [from[0] + t * run[0], from[1] + t * run[1]];
-    let mut extremes = Extremes { above: (f64::NEG_INFINITY, 0.0), below: (f64::INFINITY, 0.0) };
+    let mut gaps = Gaps::none();
     // The next line between cells across each axis.
     let mut line =
         [0, 1].map(|axis| if run[axis] > 0.0 { from[axis].floor() + 1.0 } else { from[axis].ceil() - 1.0 });
@@ -256,19 +256,15 @@ pub fn along(
             bilinear(heights, [0, 1].map(|axis| at[axis] - cell[axis] as f64)) - (start + (end - start) * t)
         };
         let (gap, next_gap) = (gap_at(t), gap_at(until));
-        extremes.take(gap, t);
-        extremes.take(next_gap, until);
-        // Over the segment the distance is `gap + b s + a s²`, `s` from 0 to 1.
+        gaps.take(gap, || t);
+        gaps.take(next_gap, || until);
         let share = until - t;
         let twist = heights[0] - heights[1] - heights[2] + heights[3];
-        let a = twist * run[0] * run[1] * share * share;
-        let b = next_gap - gap - a;
-        if b * a < 0.0 && b.abs() < 2.0 * a.abs() {
-            let s = -0.5 * b / a;
-            extremes.take(gap + 0.5 * b * s, t + s * share);
+        if let Some((gap, s)) = vertex_between(gap, next_gap, twist * run[0] * run[1] * share * share) {
+            gaps.take(gap, || t + s * share);
         }
         if is_last {
-            return extremes;
+            return gaps;
         }
         for axis in 0..2 {
             if next[axis] == nearest {
@@ -276,29 +272,6 @@ pub fn along(
             }
         }
         t = until;
-    }
-}
-
-/// What [`along`] finds: distances, and where they are.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Extremes {
-    pub above: (f64, f64),
-    pub below: (f64, f64),
-}
-
-impl Extremes {
-    fn take(&mut self, gap: f64, t: f64) {
-        if gap > self.above.0 {
-            self.above = (gap, t);
-        }
-        if gap < self.below.0 {
-            self.below = (gap, t);
-        }
-    }
-
-    /// The farther one.
-    pub fn worst(&self) -> (f64, f64) {
-        if self.above.0 >= -self.below.0 { self.above } else { self.below }
     }
 }
 
@@ -336,7 +309,7 @@ mod tests {
                 most.take(gaps.above.height, || gaps.above.place);
                 most.take(gaps.below.height, || gaps.below.place);
             }
-            let mut found = Gaps::NONE;
+            let mut found = Gaps::none();
             let gap = |at: [f64; 2], of: [f64; 3]| {
                 let [wa, wb, wc] = facet.weights(at);
                 let place = [0, 1].map(|k| wa * places[0][k] + wb * places[1][k] + wc * places[2][k]);

@@ -6,28 +6,29 @@ use crate::Judge;
 /// A distance of the surface from a triangle, along the direction of displacement: greater than 0 where the
 /// surface is above.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gap {
+pub struct Gap<P = [f64; 2]> {
     pub height: f64,
-    /// Where, in steps of the lattice.
-    pub place: [f64; 2],
+    /// Where: in steps of the lattice, or how far along something.
+    pub place: P,
 }
 
 /// The greatest and the least distance of the surface from something.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gaps {
-    pub above: Gap,
-    pub below: Gap,
+pub struct Gaps<P = [f64; 2]> {
+    pub above: Gap<P>,
+    pub below: Gap<P>,
 }
 
-impl Gaps {
+impl<P: Copy + Default> Gaps<P> {
     /// Of nothing.
-    pub const NONE: Self = Self {
-        above: Gap { height: f64::NEG_INFINITY, place: [0.0; 2] },
-        below: Gap { height: f64::INFINITY, place: [0.0; 2] },
-    };
+    pub fn none() -> Self {
+        let [above, below] = [f64::NEG_INFINITY, f64::INFINITY];
+        let [above, below] = [above, below].map(|height| Gap { height, place: P::default() });
+        Self { above, below }
+    }
 
     /// Takes one more distance.
-    pub fn take(&mut self, height: f64, place: impl Fn() -> [f64; 2]) {
+    pub fn take(&mut self, height: f64, place: impl Fn() -> P) {
         if height > self.above.height {
             self.above = Gap { height, place: place() };
         }
@@ -37,16 +38,26 @@ impl Gaps {
     }
 
     /// Both, as they are of a triangle that is bent.
-    pub fn bent(self, bend: f64) -> [Gap; 2] {
+    pub fn bent(self, bend: f64) -> [Gap<P>; 2] {
         let Self { above, below } = self;
         [Gap { height: above.height + bend, ..above }, Gap { height: below.height - bend, ..below }]
     }
 
     /// The farther one, if there is any.
-    pub fn worst(&self) -> Option<Gap> {
+    pub fn worst(&self) -> Option<Gap<P>> {
         let gap = if self.above.height >= -self.below.height { self.above } else { self.below };
         gap.height.is_finite().then_some(gap)
     }
+}
+
+/// The vertex of the distance `gap + b s + a s²` over a segment that ends at `next`, if it lies between the
+/// ends: the distance there, and `s`, from 0 to 1.
+pub fn vertex_between(gap: f64, next: f64, a: f64) -> Option<(f64, f64)> {
+    let b = next - gap - a;
+    (b * a < 0.0 && b.abs() < 2.0 * a.abs()).then(|| {
+        let s = -0.5 * b / a;
+        (gap + 0.5 * b * s, s)
+    })
 }
 
 /// A corner of a triangle: where, and how high.

@@ -6,7 +6,7 @@
 //! edges cross lines between cells, and at the vertices of the quadratics along the edges.
 
 use super::delaunay::Delaunay;
-use super::ground::{Corner, Gap, Gaps, Ground};
+use super::ground::{Corner, Gap, Gaps, Ground, vertex_between};
 use super::window::{STEPS, Window, bilinear};
 use crate::Judge;
 
@@ -68,7 +68,8 @@ fn within(window: &Window, corners: [Corner; 3]) -> Gaps {
         }
     });
     let [above, below] = best.map(|best| best.and_then(|best| best.gap(window)));
-    Gaps { above: above.unwrap_or(Gaps::NONE.above), below: below.unwrap_or(Gaps::NONE.below) }
+    let none = Gaps::none();
+    Gaps { above: above.unwrap_or(none.above), below: below.unwrap_or(none.below) }
 }
 
 /// The farthest distance at the corners of cells within a triangle, and on its edges: as fast as can be, in
@@ -267,7 +268,7 @@ impl Best {
 
 /// Distances along an edge, its ends among them.
 fn along(window: &Window, [a, b]: [Corner; 2]) -> Gaps {
-    let mut gaps = Gaps::NONE;
+    let mut gaps = Gaps::none();
     let ((from, start), (to, end)) = (a, b);
     let run = [to[0] - from[0], to[1] - from[1]];
     let length = run.map(i32::abs);
@@ -302,14 +303,10 @@ fn along(window: &Window, [a, b]: [Corner; 2]) -> Gaps {
         let until = if is_last { 1.0 } else { nearest as f64 * scale };
         let next = gap_at(heights, cell, until);
         gaps.take(next, || place(until));
-        // Over the segment the distance is `gap + b s + a s²`, `s` from 0 to 1.
         let share = until - t;
         let twist = heights[0] - heights[1] - heights[2] + heights[3];
-        let a = twist * steps[0] * steps[1] * share * share;
-        let b = next - gap - a;
-        if b * a < 0.0 && b.abs() < 2.0 * a.abs() {
-            let s = -0.5 * b / a;
-            gaps.take(gap + 0.5 * b * s, || place(t + s * share));
+        if let Some((gap, s)) = vertex_between(gap, next, twist * steps[0] * steps[1] * share * share) {
+            gaps.take(gap, || place(t + s * share));
         }
         if is_last {
             return gaps;

@@ -18,7 +18,7 @@ use relief_core::registry::Publication;
 
 use super::{Fill, Fills, Interior};
 use crate::{Fit, Judge, Spacing};
-pub use facet::{Extremes, Facet, PAIR, along};
+pub use facet::{Facet, PAIR, along};
 pub use ground::{Gap, Ground};
 use refine::Refined;
 pub use refine::Seen;

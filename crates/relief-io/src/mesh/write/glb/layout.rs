@@ -177,7 +177,8 @@ impl GlbLayout {
         format!(r#"{{"asset":{{"version":"2.0","generator":"relief {version}"}},"#)
             + &self.extensions()
             + &format!(r#""scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{}],"#, self.nodes())
-            + r#""materials":[{"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.5,0.5,1],"metallicFactor":0}}],"#
+            + r#""materials":[{"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.5,0.5,1],"#
+            + r#""metallicFactor":0}}],"#
             + &format!(r#""meshes":[{}],"#, meshes.join(","))
             + &format!(r#""buffers":[{{"byteLength":{}}}],"#, self.buffer())
             + &format!(r#""bufferViews":[{}],"accessors":[{}]}}"#, views.join(","), accessors.join(","))

@@ -1,0 +1,121 @@
+//! Why there is no such selection.
+
+use relief_core::FoundState;
+use relief_core::registry::UnknownName;
+
+use crate::stages::{STAGES, stage};
+
+/// Why a selection cannot be made.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SelectionError {
+    /// No stage has that key.
+    #[error("no stage has the key '{0}'; the keys are {keys}", keys = STAGES.map(|stage| stage.key).join(", "))]
+    NoStage(String),
+    /// No variant has that name.
+    #[error(transparent)]
+    Unknown(#[from] UnknownName),
+    /// A setting's key has another form.
+    #[error("the setting '{0}' must begin with {begin}, as in search.steps=64", begin = beginnings())]
+    Key(String),
+    /// The variant has no such parameter.
+    #[error("the {stage} '{entry}' has no parameter '{name}'{}", known(.entries))]
+    NoParam {
+        /// The stage's title.
+        stage: &'static str,
+        /// The chosen variant.
+        entry: &'static str,
+        /// What was asked for.
+        name: String,
+        /// What there is.
+        entries: Vec<&'static str>,
+    },
+    /// The value is not accepted.
+    #[error("{key} is {value}: it must be {} from {min} to {max}", if *integer { "a whole number" } else { "a number" })]
+    Value {
+        /// The setting.
+        key: String,
+        /// The value given.
+        value: f64,
+        /// Least accepted value.
+        min: f32,
+        /// Greatest accepted value.
+        max: f32,
+        /// Whether only whole numbers are accepted.
+        integer: bool,
+    },
+    /// The variant cannot be used for the rays that its stage is given.
+    #[error("the {stage} '{entry}' is impossible for {rays} rays: choose another")]
+    Impossible {
+        /// The stage's title.
+        stage: &'static str,
+        /// The stage's key.
+        key: &'static str,
+        /// The chosen variant.
+        entry: &'static str,
+        /// The rays.
+        rays: &'static str,
+    },
+    /// A surface's segments are of no use to another stage's variant.
+    #[error("the {stage} '{entry}' cannot be used with the surface '{surface}': {reason}")]
+    Surface {
+        /// The other stage's title.
+        stage: &'static str,
+        /// The other stage's key.
+        key: &'static str,
+        /// What is chosen for it.
+        entry: &'static str,
+        /// The chosen surface.
+        surface: &'static str,
+        /// Why.
+        reason: String,
+    },
+    /// A variant's baked map knows the finest level of detail alone.
+    #[error(
+        "the {stage} '{entry}' cannot be used with the detail '{detail}': the levels of its map are not \
+            levels of detail; choose another, or the detail '{none}'", none = crate::detail::NONE
+    )]
+    OneLevel {
+        /// The title of the stage that reads the map.
+        stage: &'static str,
+        /// The key of that stage.
+        key: &'static str,
+        /// What is chosen for it.
+        entry: &'static str,
+        /// The chosen detail.
+        detail: &'static str,
+    },
+    /// A variant makes nothing of what the search before it gives.
+    #[error(
+        "the {} '{}' makes nothing of what the {} '{}' gives: it takes {}, not {}",
+        title(.taker.0), .taker.1, title(.giver.0), .giver.1, named(.takes), named(.gives)
+    )]
+    Pair {
+        /// The key of the search's stage, and its name.
+        giver: (&'static str, &'static str),
+        /// The key of the stage that is to go on from there, and what is chosen for it.
+        taker: (&'static str, &'static str),
+        /// How the search ends.
+        gives: &'static [FoundState],
+        /// What the other takes.
+        takes: &'static [FoundState],
+    },
+}
+
+/// What messages call a variant of the stage of that key.
+fn title(key: &str) -> &str {
+    stage(key).map_or(key, |(_, stage)| stage.title)
+}
+
+fn named(states: &[FoundState]) -> String {
+    states.iter().map(|state| state.description()).collect::<Vec<_>>().join(" or ")
+}
+
+/// How settings may begin: the keys of the stages of which a variant has parameters.
+fn beginnings() -> String {
+    let settable = STAGES.iter().filter(|stage| stage.entries.iter().any(|entry| !entry.params.is_empty()));
+    settable.map(|stage| format!("'{}.'", stage.key)).collect::<Vec<_>>().join(" or ")
+}
+
+fn known(names: &[&str]) -> String {
+    if names.is_empty() { "; it has none".to_owned() } else { format!("; it has {}", names.join(", ")) }
+}

@@ -1,0 +1,121 @@
+use super::*;
+use crate::METHODS;
+
+#[test]
+fn every_method_is_a_valid_selection() {
+    for method in METHODS {
+        let selection = Selection::of(method).expect("listed names");
+        assert_eq!(selection.check(), Ok(()), "{}", method.name);
+    }
+    assert!(Selection::method("exact").is_ok_and(|selection| selection.is_exact()));
+    let exact = Selection::exact();
+    assert_eq!((exact.search().name, exact.refine().name), ("cells", "patch"));
+}
+
+#[test]
+fn a_pair_promises_what_the_weaker_of_the_two_does() {
+    let exact = Selection::method("cone").expect("a method");
+    let sampled = Selection::pair("linear", "patch").expect("listed names");
+    let stepped = Selection::pair("cone", "binary").expect("listed names");
+    for rays in RayClass::ALL {
+        assert_eq!(exact.guarantee(rays), Guarantee::Exact);
+        assert_eq!(sampled.guarantee(rays), Guarantee::Approximate);
+        assert_eq!(stepped.guarantee(rays), Guarantee::Approximate);
+    }
+}
+
+#[test]
+fn a_shadow_takes_the_search_of_the_view_where_that_can_and_cells_else() {
+    let with_shadow = |method: &str| {
+        let mut selection = Selection::method(method).expect("a method");
+        selection.choose("shadow", "ray").expect("a shadow");
+        selection
+    };
+    for (method, search) in
+        [("cone", "cone"), ("relief", "linear"), ("relaxed", "cells"), ("parallax", "cells")]
+    {
+        let selection = with_shadow(method);
+        assert_eq!(selection.choices[SHADOW_SEARCH].entry.name, search, "{method}");
+        assert_eq!(selection.check(), Ok(()), "{method}");
+    }
+    // The map is needed in both slots, and in none without a shadow.
+    let slots =
+        |selection: &Selection| selection.map_needs().iter().map(|need| need.slot).collect::<Vec<_>>();
+    let mut selection = with_shadow("cone");
+    assert_eq!(slots(&selection), [crate::MapSlot::Search, crate::MapSlot::ShadowSearch]);
+    assert!(with_shadow("exact").has_exact_shadows() && !selection.has_exact_shadows());
+    selection.choose("shadow", "none").expect("a shadow");
+    assert_eq!(slots(&selection), [crate::MapSlot::Search]);
+    for refused in ["none", "relaxed-cone"] {
+        let mut selection = with_shadow("exact");
+        selection.choose("shadow-search", refused).expect("a search");
+        assert!(selection.check().is_err(), "{refused}");
+    }
+}
+
+#[test]
+fn displaced_triangles_are_shown_by_one_surface_and_searched_by_nothing() {
+    let vertex = Selection::method("vertex").expect("a method");
+    assert_eq!((vertex.check(), vertex.geometry()), (Ok(()), Some(Geometry::Texels(1))));
+    assert_eq!((vertex.paths().has_relief, vertex.light_views()), (false, Some([2048, 1])));
+    let mut remesh = Selection::exact();
+    remesh.choose("geometry", "remesh").expect("a geometry");
+    remesh.set("geometry.pixels", 2.5).expect("a parameter");
+    assert_eq!((remesh.check(), remesh.geometry()), (Ok(()), Some(Geometry::Pixels(2.5))));
+    remesh.choose("geometry", "none").expect("a geometry");
+    assert_eq!((remesh.geometry(), remesh.paths().has_relief), (None, true));
+    let refused = [
+        ("surface", "prism", "geometry"),
+        ("search", "linear", "search"),
+        ("refine", "slope", "refine"),
+        ("detail", "fade", "detail"),
+        ("shadow", "ray", "shadow"),
+        ("shadow", "horizon", "shadow"),
+        ("ambient", "bent-normal", "ambient"),
+    ];
+    for (stage, name, expected) in refused {
+        let mut selection = vertex;
+        selection.choose(stage, name).expect("a listed name");
+        let found = selection.check();
+        let is_that = matches!(found, Err(SelectionError::Surface { key, .. }) if key == expected);
+        assert!(is_that, "{stage} {name}: {found:?}");
+    }
+    for (stage, name) in [("shadow", "none"), ("shadow", "scene"), ("detail", "footprint")] {
+        let mut selection = vertex;
+        selection.choose(stage, name).expect("a listed name");
+        assert_eq!(selection.check(), Ok(()), "{name}");
+    }
+    let mut unknown = Selection::default();
+    let error = unknown.choose("geometry", "vertx").expect_err("no such geometry").to_string();
+    assert!(error.contains("did you mean 'vertex'"), "{error}");
+}
+
+#[test]
+fn settings_reach_their_place_and_nothing_else_is_accepted() {
+    let mut selection = Selection::method("relief").expect("a method");
+    selection.set("search.grazing", 4.0).expect("a parameter");
+    assert_eq!(selection.choices[SEARCH].params, [32.0, 4.0, 0.0, 0.0]);
+    assert!(matches!(selection.set("steps", 4.0), Err(SelectionError::Key(_))));
+    assert!(matches!(selection.set("nothing.steps", 4.0), Err(SelectionError::Key(_))));
+    assert!(matches!(selection.set("shade.steps", 4.0), Err(SelectionError::NoParam { .. })));
+    assert!(matches!(selection.set("search.stepz", 4.0), Err(SelectionError::NoParam { .. })));
+    for bad in [0.0, 1.5, f64::NAN, f64::INFINITY, -3.0] {
+        assert!(matches!(selection.set("search.steps", bad), Err(SelectionError::Value { .. })), "{bad}");
+    }
+    assert_eq!(selection.choices[SEARCH].params[0], 32.0);
+    assert!(matches!(selection.choose("nothing", "none"), Err(SelectionError::NoStage(_))));
+    assert!(matches!(selection.choose("refine", "bianry"), Err(SelectionError::Unknown(_))));
+}
+
+#[test]
+fn a_variant_that_is_impossible_for_its_stages_rays_is_refused() {
+    let mut selection = Selection::default();
+    assert_eq!(selection.check(), Ok(()));
+    let refused = Box::leak(Box::new(Entry {
+        guarantee: Guarantees { view: Guarantee::Impossible, ..Guarantees::all(Guarantee::Exact) },
+        ..*selection.search()
+    }));
+    selection.choices[SEARCH].entry = refused;
+    let expected = SelectionError::Impossible { stage: "search", key: "search", entry: "none", rays: "view" };
+    assert_eq!(selection.check(), Err(expected));
+}
