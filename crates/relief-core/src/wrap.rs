@@ -59,6 +59,18 @@ impl Wrap {
         };
         wrapped as u32
     }
+
+    /// The texel indices that stand for `index` and the one after it. `size` must not be 0.
+    #[inline]
+    pub const fn pair(self, index: i64, size: u32) -> [u32; 2] {
+        let first = self.index(index, size);
+        let second = match self {
+            Wrap::Repeat if first + 1 == size => 0,
+            Wrap::Repeat => first + 1,
+            Wrap::Clamp | Wrap::Mirror => self.index(index + 1, size),
+        };
+        [first, second]
+    }
 }
 
 impl fmt::Display for Wrap {

@@ -27,10 +27,11 @@ fn counts(mesh: &Mesh) -> MeshCounts {
 fn blocks(mesh: &Mesh) -> Vec<MeshBlock> {
     let vertices = mesh.vertices().chunks(37);
     let of_vertices = vertices.map(|part| MeshBlock { vertices: part.to_vec(), ..MeshBlock::default() });
-    let position = |corner: u32| mesh.vertices()[corner as usize].position;
+    let points: Vec<Vec3> = mesh.vertices().iter().map(|vertex| vertex.position).collect();
     let of_triangles = mesh.triangles().chunks(50).map(|part| MeshBlock {
         triangles: part.to_vec(),
-        points: part.iter().map(|corners| corners.map(position)).collect(),
+        points: points.clone(),
+        corners: part.to_vec(),
         ..MeshBlock::default()
     });
     of_vertices.chain(of_triangles).collect()

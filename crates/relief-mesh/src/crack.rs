@@ -77,15 +77,21 @@ pub struct CrackPart {
 impl CrackTest {
     /// What there is of cracks in a whole mesh.
     pub fn of_mesh(mesh: &Mesh) -> Cracks {
-        let vertices = mesh.vertices();
-        let positions = |corners: &[u32; 3]| corners.map(|corner| vertices[corner as usize].position);
-        Self::of_triangles(mesh.triangles().iter().map(positions))
+        let positions: Vec<Vec3> = mesh.vertices().iter().map(|vertex| vertex.position).collect();
+        Self::of_part(CrackPart::of(&positions, mesh.triangles()))
     }
 
     /// What there is of cracks in triangles, by the positions of their corners.
     pub fn of_triangles(triangles: impl IntoIterator<Item = [Vec3; 3]>) -> Cracks {
+        let positions: Vec<Vec3> = triangles.into_iter().flatten().collect();
+        let corners: Vec<[u32; 3]> =
+            (0..positions.len() as u32 / 3).map(|at| [3 * at, 3 * at + 1, 3 * at + 2]).collect();
+        Self::of_part(CrackPart::of(&positions, &corners))
+    }
+
+    fn of_part(part: CrackPart) -> Cracks {
         let mut test = Self::default();
-        test.add(CrackPart::of(triangles));
+        test.add(part);
         test.finish()
     }
 
@@ -115,16 +121,18 @@ impl CrackTest {
 }
 
 impl CrackPart {
-    /// Looks at a part.
-    pub fn of(triangles: impl IntoIterator<Item = [Vec3; 3]>) -> Self {
-        let triangles = triangles.into_iter();
-        let mut places = Places::with_capacity(triangles.size_hint().0);
-        let (mut sets, mut around) = (Sets::default(), Vec::with_capacity(3 * triangles.size_hint().0));
+    /// Looks at a part: triangles by the places of their corners' positions in a list. Two places may hold
+    /// one position.
+    pub fn of(positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
+        let mut places = Places::with_capacity(positions.len());
+        let numbers: Vec<u32> =
+            positions.iter().map(|position| places.number(point::bits(*position))).collect();
+        let (mut sets, mut around) = (Sets::default(), Vec::with_capacity(3 * triangles.len()));
         for corners in triangles {
             let triangle = sets.add(1);
-            let corners = corners.map(|corner| places.number(point::bits(corner)));
-            for k in 0..3 {
-                let (from, to) = (corners[k], corners[(k + 1) % 3]);
+            let [a, b, c] = *corners;
+            let [a, b, c] = [numbers[a as usize], numbers[b as usize], numbers[c as usize]];
+            for (from, to) in [(a, b), (b, c), (c, a)] {
                 if from != to {
                     let way = u32::from(from > to);
                     around.push(Side { ends: [from.min(to), from.max(to)], triangle, way });
@@ -167,9 +175,7 @@ struct Places {
 }
 
 impl Places {
-    /// Room for those of so many triangles: a closed surface has half as many.
-    fn with_capacity(triangles: usize) -> Self {
-        let places = triangles / 2 + triangles / 16;
+    fn with_capacity(places: usize) -> Self {
         let numbers = Map::with_capacity_and_hasher(places, Default::default());
         Self { numbers, bits: Vec::with_capacity(places) }
     }
@@ -332,7 +338,10 @@ mod tests {
             for size in [1, 3, 50] {
                 let mut test = CrackTest::default();
                 for part in all.chunks(size) {
-                    test.add(CrackPart::of(part.iter().copied()));
+                    let positions: Vec<Vec3> = part.as_flattened().to_vec();
+                    let corners: Vec<[u32; 3]> =
+                        (0..part.len() as u32).map(|at| [0, 1, 2].map(|corner| 3 * at + corner)).collect();
+                    test.add(CrackPart::of(&positions, &corners));
                 }
                 assert_eq!(test.finish(), whole, "{size}");
             }

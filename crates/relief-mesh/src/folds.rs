@@ -57,10 +57,12 @@ impl Folds {
 }
 
 /// Whether a triangle may be folded over where directions are sums of these.
-pub fn may_be_folded(corners: [Vec3; 3], directions: [DVec3; 3]) -> bool {
-    let [a, b, c] = corners.map(|corner| corner.as_dvec3());
-    let normal = (b - a).cross(c - a);
-    directions.iter().any(|direction| normal.dot(*direction) < 0.0)
+#[inline(always)]
+pub fn may_be_folded([a, b, c]: [Vec3; 3], directions: &[DVec3; 3]) -> bool {
+    let a = a.as_dvec3();
+    let normal = (b.as_dvec3() - a).cross(c.as_dvec3() - a);
+    let [along_a, along_b, along_c] = directions;
+    normal.dot(*along_a).min(normal.dot(*along_b)).min(normal.dot(*along_c)) < 0.0
 }
 
 /// Whether a triangle is folded over, by the directions in which its corners were displaced.

@@ -30,7 +30,7 @@ use crate::{
 /// Bytes of a vertex and a triangle of a block, whichever takes more, while it is made and looked at.
 const BYTES_IN_A_BLOCK: u64 = 480;
 
-/// Blocks that a thread has at hand.
+/// Blocks that a thread makes while as many are taken.
 const BLOCKS_PER_THREAD: usize = 2;
 
 /// A displaced mesh that is known to the last vertex, and not made yet.
@@ -234,7 +234,7 @@ impl Mesher {
             plan.solid(solid)?;
         }
         let Plan { blocks, vertices, triangles, largest } = plan;
-        let at_hand = rayon::current_num_threads() * BLOCKS_PER_THREAD;
+        let at_hand = 2 * rayon::current_num_threads() * BLOCKS_PER_THREAD;
         let of_normals =
             if settings.shading == Shading::Mesh { vertices * smooth::BYTES_PER_VERTEX } else { 0 };
         let of_tiles = match &base {
@@ -302,7 +302,7 @@ impl Mesher {
             let mut sums = Normals::new(self.vertices);
             let plain = Stream { check: false, grid: None, cache_order: false, ..*how };
             self.each_block(&plain, None, &|part| (how.watch.tell)(part / 2.0), |made| {
-                sums.add(&made.block.points, &made.smooth);
+                sums.add(made.block.positions(), &made.smooth);
                 Ok(())
             })?;
             normals = Some(sums);
@@ -311,13 +311,13 @@ impl Mesher {
         let (mut bounds_m, mut folds, mut rounded) = (EMPTY, Folds::default(), Rounded::default());
         let tell = |part: f32| (how.watch.tell)(1.0 - (1.0 - part) / rounds);
         self.each_block(how, normals.as_ref(), &tell, |made| {
-            if let (Some(test), Some(part)) = (&mut test, made.part) {
+            if let (Some(test), Some(part)) = (&mut test, made.part.take()) {
                 test.add(part);
             }
             let [least, greatest] = made.bounds_m;
             bounds_m = [bounds_m[0].min(least), bounds_m[1].max(greatest)];
-            for found in made.folds {
-                folds.add(FoldedBase { middle_m: found.middle_m * how.size, ..found });
+            for found in &made.folds {
+                folds.add(FoldedBase { middle_m: found.middle_m * how.size, ..*found });
             }
             rounded = rounded.with(made.rounded);
             sink(&made.block).map_err(StreamError::Sink)
@@ -374,22 +374,43 @@ impl Mesher {
         how: &Stream,
         normals: Option<&Normals>,
         tell: &dyn Fn(f32),
-        mut take: impl FnMut(Made) -> Result<(), StreamError<E>>,
+        mut take: impl FnMut(&mut Made) -> Result<(), StreamError<E>>,
     ) -> Result<(), StreamError<E>> {
-        let at_hand = rayon::current_num_threads() * BLOCKS_PER_THREAD;
-        let mut done = 0;
-        for group in self.blocks.chunks(at_hand) {
+        let each = rayon::current_num_threads() * BLOCKS_PER_THREAD;
+        let mut groups = self.blocks.chunks(each);
+        let (mut done, mut ready) = (0, Vec::new());
+        let mut spare: Vec<MeshBlock> = Vec::new();
+        loop {
             if how.watch.cancel.load(Ordering::Relaxed) {
                 return Err(StreamError::Cancelled);
             }
-            let made: Vec<Option<Made>> =
-                group.par_iter().map(|work| self.made(work, how, normals)).collect();
-            for made in made {
-                take(made.ok_or(StreamError::NotFinite)?)?;
-            }
-            done += group.len();
+            let group = groups.next().unwrap_or_default();
+            let mut next: Vec<Option<Made>> = Vec::new();
+            spare.resize_with(group.len().max(spare.len()), MeshBlock::default);
+            let into = spare.split_off(spare.len() - group.len());
+            // While the next ones are made, those that are ready are taken.
+            let taken: Result<(), StreamError<E>> = rayon::in_place_scope(|scope| {
+                if !group.is_empty() {
+                    scope.spawn(|_| {
+                        let each = group.par_iter().zip(into);
+                        let made = each.map(|(work, block)| self.made(work, how, normals, block));
+                        made.collect_into_vec(&mut next);
+                    });
+                }
+                ready.drain(..).try_for_each(|made: Option<Made>| {
+                    let mut made = made.ok_or(StreamError::NotFinite)?;
+                    take(&mut made)?;
+                    done += 1;
+                    spare.push(made.block);
+                    Ok(())
+                })
+            });
+            taken?;
             tell(done as f32 / self.blocks.len() as f32);
+            if group.is_empty() {
+                return Ok(());
+            }
+            ready = next;
         }
-        Ok(())
     }
 }

@@ -15,8 +15,8 @@ impl Normals {
     }
 
     /// Adds triangles, by their corners' positions and smooth numbers.
-    pub fn add(&mut self, points: &[[Vec3; 3]], smooth: &[[u32; 3]]) {
-        for (points, corners) in points.iter().zip(smooth) {
+    pub fn add(&mut self, positions: impl Iterator<Item = [Vec3; 3]>, smooth: &[[u32; 3]]) {
+        for (points, corners) in positions.zip(smooth) {
             let sides = [0, 1, 2].map(|k| points[(k + 1) % 3].as_dvec3() - points[k].as_dvec3());
             let Some(normal) = sides[0].cross(sides[1]).try_normalize() else { continue };
             for k in 0..3 {

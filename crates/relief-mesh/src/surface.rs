@@ -34,6 +34,22 @@ impl Placed {
     }
 }
 
+/// What displaces a point: the map as it is seen there.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen {
+    /// Metres of displacement.
+    pub metres: f64,
+    /// The derivatives of the height by `u` and `v`.
+    pub slope: [f64; 2],
+}
+
+impl Seen {
+    /// The same where the point lies at a height of the map.
+    pub fn at_height(self, relief: &Relief, height: f64) -> Self {
+        Self { metres: relief.metres(height), ..self }
+    }
+}
+
 /// The base's frame at a point, to shade it by: numbers of its corners, interpolated.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
@@ -47,15 +63,15 @@ pub struct Frame {
 
 impl Frame {
     /// The frame at the barycentric weights of a triangle.
-    pub fn weighted(corners: [Self; 3], weights: [f64; 3]) -> Self {
-        let sum = |of: &dyn Fn(&Self) -> DVec3| {
-            let [a, b, c] = [0, 1, 2].map(|k| of(&corners[k]) * weights[k]);
-            a + b + c
-        };
+    #[inline(always)]
+    pub fn weighted([a, b, c]: &[Self; 3], weights: [f64; 3]) -> Self {
+        let sum = |a: DVec3, b: DVec3, c: DVec3| a * weights[0] + b * weights[1] + c * weights[2];
+        let of_tangents = |axis: usize| sum(a.tangents[axis], b.tangents[axis], c.tangents[axis]);
+        let of_turns = |axis: usize| sum(a.turns[axis], b.turns[axis], c.turns[axis]);
         Self {
-            normal: sum(&|frame| frame.normal),
-            tangents: [0, 1].map(|axis| sum(&|frame| frame.tangents[axis])),
-            turns: [0, 1].map(|axis| sum(&|frame| frame.turns[axis])),
+            normal: sum(a.normal, b.normal, c.normal),
+            tangents: [of_tangents(0), of_tangents(1)],
+            turns: [of_turns(0), of_turns(1)],
         }
     }
 }
@@ -72,6 +88,13 @@ pub fn twist_of(cell: [f32; 4]) -> f64 {
 /// The place of texture coordinates in a map, counted in texels from the centre of the first one.
 fn place_in(map: &HeightMap, uv: DVec2) -> [f64; 2] {
     [uv.x * f64::from(map.width()) - 0.5, uv.y * f64::from(map.height()) - 0.5]
+}
+
+/// The height at a place, counted from the centre of the first texel, and its derivatives by `u` and `v`.
+#[inline(always)]
+fn per_tile(map: &HeightMap, [x, y]: [f64; 2]) -> (f64, [f64; 2]) {
+    let (height, [across, down]) = map.height_and_slope_at_place(x, y);
+    (height, [across * f64::from(map.width()), down * f64::from(map.height())])
 }
 
 impl Relief {
@@ -159,71 +182,88 @@ impl Relief {
         (-1..i64::from(map.height())).into_par_iter().map(of_row).reduce(|| 0.0, f64::max)
     }
 
-    /// A point as it lies at a height of the map.
-    pub fn at_height(&self, placed: &Placed, height: f64) -> Placed {
-        let own = self.metres(self.height_at_uv(placed.base.uv));
-        Placed { lift_m: self.metres(height) - own, level: 0.0, ..*placed }
-    }
-
     /// The displacement by a height, in metres.
     pub fn metres(&self, height: f64) -> f64 {
         self.map.displacement_m(height)
     }
 
     fn metres_at(&self, placed: &Placed) -> f64 {
-        let height = self.mixed(placed.level, |map| {
+        let [height] = self.mixed(placed.level, |map| {
             let [x, y] = place_in(map, placed.base.uv);
-            [map.height_at_place(x, y); 2]
+            [map.height_at_place(x, y)]
         });
-        self.metres(height[0]) + placed.lift_m
+        self.metres(height) + placed.lift_m
     }
 
-    /// The derivatives of the height by `u` and `v`.
-    fn slope(&self, placed: &Placed) -> [f64; 2] {
-        self.mixed(placed.level, |map| {
-            let [x, y] = place_in(map, placed.base.uv);
-            let [across, down] = map.slope_at_place(x, y);
-            [across * f64::from(map.width()), down * f64::from(map.height())]
-        })
+    /// What displaces a point.
+    #[inline(always)]
+    pub fn seen(&self, placed: &Placed) -> Seen {
+        let [height, along, down] = self.mixed(placed.level, |map| {
+            let (height, [along, down]) = per_tile(map, place_in(map, placed.base.uv));
+            [height, along, down]
+        });
+        Seen { metres: self.metres(height) + placed.lift_m, slope: [along, down] }
+    }
+
+    /// What displaces the place of a map without coarser levels where `i + ½` is the centre of texel `i`.
+    #[inline(always)]
+    pub fn seen_at(&self, [x, y]: [f64; 2]) -> Seen {
+        let (height, slope) = per_tile(&self.map, [x - 0.5, y - 0.5]);
+        Seen { metres: self.metres(height), slope }
     }
 
     /// What two levels say, mixed.
-    fn mixed(&self, level: f64, of: impl Fn(&HeightMap) -> [f64; 2]) -> [f64; 2] {
+    #[inline(always)]
+    fn mixed<const N: usize>(&self, level: f64, of: impl Fn(&HeightMap) -> [f64; N]) -> [f64; N] {
+        if self.coarser.is_empty() {
+            return of(&self.map);
+        }
         let at = |level: usize| level.checked_sub(1).map_or(&self.map, |coarser| &self.coarser[coarser]);
         let level = level.clamp(0.0, self.coarser.len() as f64);
         let part = level.fract();
-        let fine = of(at(level as usize));
+        let mut mixed = of(at(level as usize));
         if part == 0.0 {
-            return fine;
+            return mixed;
         }
         let coarse = of(at(level as usize + 1));
-        [0, 1].map(|k| fine[k] + (coarse[k] - fine[k]) * part)
+        for k in 0..N {
+            mixed[k] += (coarse[k] - mixed[k]) * part;
+        }
+        mixed
     }
 
-    /// The vertex at a position whose base point and frame those are: its normal is that of the displaced
-    /// surface, its tangents are the derivatives of the position by `u` and `v`.
+    /// The vertex that a base point becomes, displaced by what is seen there, in that frame.
+    #[inline(always)]
+    pub fn vertex_of(&self, base: &BasePoint, seen: Seen, frame: &Frame) -> Vertex {
+        self.shaded(self.displaced_by(base, seen.metres), base, seen, frame)
+    }
+
+    /// The vertex at a position that another side of a seam says, whose own base point and frame those are.
+    pub fn vertex_at(&self, position: DVec3, placed: &Placed, frame: &Frame) -> Vertex {
+        self.shaded(position, &placed.base, self.seen(placed), frame)
+    }
+
+    /// The vertex at a position: its normal is that of the displaced surface, its tangents are the derivatives
+    /// of the position by `u` and `v`.
     ///
     /// With the displacement `D` along `M` they are `T + D_u M + D M_u`, and the same for `v`: equation 9 of
     /// Szirmay-Kalos and Umenhoffer 2008 without its last simplification, that `M` does not turn; the shading
     /// `derivative` has that, too. `T` is the base's derivative in the plane at right angles to its normal,
     /// so that where there is no relief the normal is the base's.
-    pub fn vertex(&self, position: DVec3, placed: &Placed, frame: &Frame) -> Vertex {
+    #[inline(always)]
+    fn shaded(&self, position: DVec3, base: &BasePoint, seen: Seen, frame: &Frame) -> Vertex {
         let up = frame.normal.normalize_or_zero();
-        let base = &placed.base;
-        let (slope, scale_m) = (self.slope(placed), self.map.scale_m());
-        let metres = if self.shading == Shading::Derivative { 0.0 } else { self.metres_at(placed) };
-        let length = base.normal.length();
+        let scale_m = self.map.scale_m();
+        let metres = if self.shading == Shading::Derivative { 0.0 } else { seen.metres };
+        let length = if self.directions == Directions::Unit { base.normal.length() } else { 0.0 };
         let derivative = |axis: usize| {
             let flat = frame.tangents[axis] - up * up.dot(frame.tangents[axis]);
-            let rise = scale_m * slope[axis];
-            let (direction, turn) = match self.directions {
-                Directions::Unit if length > 0.0 => {
-                    let direction = base.normal / length;
-                    let turn = frame.turns[axis];
-                    (direction, (turn - direction * direction.dot(turn)) / length)
-                }
-                _ => (base.normal, frame.turns[axis]),
-            };
+            let rise = scale_m * seen.slope[axis];
+            let (mut direction, mut turn) = (base.normal, frame.turns[axis]);
+            if length > 0.0 {
+                direction /= length;
+                turn = (turn - direction * direction.dot(turn)) / length;
+            }
             flat + rise * direction + metres * turn
         };
         let [along, down] = [derivative(0), derivative(1)];

@@ -175,8 +175,8 @@ fn integers_are_read_as_the_lattice_and_open_no_crack() {
                 for (a, b) in before.vertices.iter().zip(&after.vertices) {
                     farthest = farthest.max(a.position.as_dvec3().distance(b.position.as_dvec3()));
                 }
-                for (a, b) in before.points.iter().zip(&after.points) {
-                    lost += u64::from(has_area(*a) && !has_area(*b));
+                for (a, b) in before.positions().zip(after.positions()) {
+                    lost += u64::from(has_area(a) && !has_area(b));
                 }
             }
             assert_eq!((found.greatest_m, found.without_area), (farthest, lost), "{at} {bits}");
@@ -220,7 +220,7 @@ fn parts_on_one_lattice_meet() {
     let grids = PositionGrid::around(&boxes, 10).expect("finite");
     let triangles = |part: usize| {
         let (blocks, streamed) = rounded(&parts[part], Some(grids[part]));
-        let points: Vec<[Vec3; 3]> = blocks.iter().flat_map(|block| block.points.iter().copied()).collect();
+        let points: Vec<[Vec3; 3]> = blocks.iter().flat_map(|block| block.positions()).collect();
         (points, streamed.cracks.expect("looked at").open)
     };
     let ((left, open_left), (right, open_right)) = (triangles(0), triangles(1));
@@ -366,8 +366,8 @@ fn triangles_in_cache_order_are_the_same_ones_and_find_more_corners() {
         for (a, b) in plain.iter().zip(&ordered) {
             assert_eq!(a.vertices, b.vertices, "{name}");
             let sorted = |block: &MeshBlock| {
-                let bits = |points: &[Vec3; 3]| points.map(|point| point.to_array().map(f32::to_bits));
-                let points = block.points.iter().map(bits);
+                let bits = |points: [Vec3; 3]| points.map(|point| point.to_array().map(f32::to_bits));
+                let points = block.positions().map(bits);
                 let mut all: Vec<_> = block.triangles.iter().copied().zip(points).collect();
                 all.sort_unstable();
                 all

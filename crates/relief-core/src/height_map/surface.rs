@@ -15,9 +15,8 @@ impl HeightMap {
     /// `(i, j + 1)` and `(i + 1, j + 1)`.
     #[inline]
     pub fn cell(&self, i: i64, j: i64) -> [f32; 4] {
-        let (i0, i1) = (self.wrap.index(i, self.width) as usize, self.wrap.index(i + 1, self.width) as usize);
-        let j0 = self.wrap.index(j, self.height) as usize * self.width as usize;
-        let j1 = self.wrap.index(j + 1, self.height) as usize * self.width as usize;
+        let [i0, i1] = self.wrap.pair(i, self.width).map(|column| column as usize);
+        let [j0, j1] = self.wrap.pair(j, self.height).map(|row| row as usize * self.width as usize);
         let texels = self.texels();
         [texels[j0 + i0], texels[j0 + i1], texels[j1 + i0], texels[j1 + i1]]
     }
@@ -31,25 +30,32 @@ impl HeightMap {
     /// texels, so that `(0, 0)` is the centre of the first one.
     pub fn height_at_place(&self, x: f64, y: f64) -> f64 {
         let (i, j) = (x.floor(), y.floor());
-        let [h00, h10, h01, h11] = self.cell(i as i64, j as i64).map(f64::from);
-        let (fx, fy) = (x - i, y - j);
-        let top = h00 + (h10 - h00) * fx;
-        let bottom = h01 + (h11 - h01) * fx;
-        top + (bottom - top) * fy
+        bilinear(self.cell(i as i64, j as i64).map(f64::from), [x - i, y - j])
+    }
+
+    /// Both [`height_at_place`](Self::height_at_place) and [`slope_at_place`](Self::slope_at_place), the same
+    /// bits, in less time than one after the other.
+    #[inline]
+    pub fn height_and_slope_at_place(&self, x: f64, y: f64) -> (f64, [f64; 2]) {
+        let (i, j) = (x.floor(), y.floor());
+        let cell = self.cell(i as i64, j as i64).map(f64::from);
+        let parts = [x - i, y - j];
+        let is_on_line = |part: f64| part.min(1.0 - part) <= ON_A_LINE;
+        let slope =
+            if parts.into_iter().any(is_on_line) { self.slope_at_place(x, y) } else { slope(cell, parts) };
+        (bilinear(cell, parts), slope)
     }
 
     /// The derivatives of the bilinear surface along `x` and `y` at such a place, in heights for each texel.
     /// On a line between dual cells, to 2⁻¹² of a texel, where the surface has a crease, the derivative
     /// across is the mean of both sides'. So at the centre of a texel it is the central difference.
     pub fn slope_at_place(&self, x: f64, y: f64) -> [f64; 2] {
-        const ON_A_LINE: f64 = 1.0 / 4096.0;
         let on_line = |at: f64| {
             let line = at.round();
             ((at - line).abs() <= ON_A_LINE).then_some(line as i64)
         };
         let in_cell = |at: f64| (at.floor() as i64, at - at.floor());
         let texel = |i: i64, j: i64| f64::from(self.texel(i, j));
-        let mix = |[a, b]: [f64; 2], part: f64| a + (b - a) * part;
         match (on_line(x), on_line(y)) {
             (Some(i), Some(j)) => {
                 [texel(i + 1, j) - texel(i - 1, j), texel(i, j + 1) - texel(i, j - 1)].map(|rise| 0.5 * rise)
@@ -66,8 +72,7 @@ impl HeightMap {
             }
             (None, None) => {
                 let ((i, fx), (j, fy)) = (in_cell(x), in_cell(y));
-                let [h00, h10, h01, h11] = self.cell(i, j).map(f64::from);
-                [mix([h10 - h00, h11 - h01], fy), mix([h01 - h00, h11 - h10], fx)]
+                slope(self.cell(i, j).map(f64::from), [fx, fy])
             }
         }
     }
@@ -77,4 +82,23 @@ impl HeightMap {
     pub fn displacement_m(&self, texel: f64) -> f64 {
         self.bias_m + self.scale_m * texel
     }
+}
+
+/// How near to a line between dual cells a place is on it, in texels.
+const ON_A_LINE: f64 = 1.0 / 4096.0;
+
+fn mix([a, b]: [f64; 2], part: f64) -> f64 {
+    a + (b - a) * part
+}
+
+/// The height at a place within a cell, by parts of its sides.
+#[inline]
+fn bilinear([h00, h10, h01, h11]: [f64; 4], [fx, fy]: [f64; 2]) -> f64 {
+    mix([mix([h00, h10], fx), mix([h01, h11], fx)], fy)
+}
+
+/// The derivatives of the height at such a place.
+#[inline]
+fn slope([h00, h10, h01, h11]: [f64; 4], [fx, fy]: [f64; 2]) -> [f64; 2] {
+    [mix([h10 - h00, h11 - h01], fy), mix([h01 - h00, h11 - h10], fx)]
 }

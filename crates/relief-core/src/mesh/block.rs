@@ -14,6 +14,15 @@ pub struct MeshBlock {
     /// The corners of the triangles that follow those of the part before, by the vertices' numbers,
     /// counter-clockwise seen from the front.
     pub triangles: Vec<[u32; 3]>,
-    /// The positions of these triangles' corners, in metres, the same bits as those of the vertices.
-    pub points: Vec<[Vec3; 3]>,
+    /// Positions of these triangles' corners, in metres, the same bits as those of the vertices.
+    pub points: Vec<Vec3>,
+    /// The same triangles by the places of their corners' positions in `points`.
+    pub corners: Vec<[u32; 3]>,
+}
+
+impl MeshBlock {
+    /// The positions of the triangles' corners, triangle by triangle.
+    pub fn positions(&self) -> impl ExactSizeIterator<Item = [Vec3; 3]> {
+        self.corners.iter().map(|corners| corners.map(|corner| self.points[corner as usize]))
+    }
 }

@@ -12,8 +12,8 @@ use crate::patch::{Patch, PatchPoint};
 use crate::plan::Work;
 use crate::plane::{Adapted, Faces, Grid, Tile};
 use crate::smooth::Normals;
-use crate::triangles::{self, Numbered, Triangles};
-use crate::{Rounded, Stream};
+use crate::triangles::{self, Inside, Numbered, Triangles};
+use crate::{Rounded, Shading, Stream};
 
 /// A block that was made.
 pub struct Made {
@@ -28,10 +28,16 @@ pub struct Made {
 }
 
 impl Mesher {
-    /// A block; none where a position is not finite.
-    pub fn made(&self, work: &Work, how: &Stream, normals: Option<&Normals>) -> Option<Made> {
-        let local = how.cache_order.then(Vec::new);
-        let mut making = Making { normals, local, ..Making::default() };
+    /// A block, in the memory of one that is not needed any more; none where a position is not finite.
+    pub fn made(
+        &self,
+        work: &Work,
+        how: &Stream,
+        normals: Option<&Normals>,
+        block: MeshBlock,
+    ) -> Option<Made> {
+        let smooth = (self.shading == Shading::Mesh && normals.is_none()).then(Vec::new);
+        let mut making = Making { block: emptied(block), normals, smooth, ..Making::default() };
         match (&self.base, work) {
             (Base::Triangles(base, pattern), Work::Patches { from, to, first_inner, first_vertex }) => {
                 self.patches(base, pattern, [*from, *to], [*first_inner, *first_vertex], &mut making);
@@ -83,16 +89,22 @@ impl Mesher {
             // The plan of one base has no work of the other.
             _ => {}
         }
-        making.order();
+        if how.cache_order {
+            making.order();
+        }
         let Making { mut block, smooth, folds, .. } = making;
         scale(&mut block, how.size);
         let rounded = how.grid.map(|grid| round(&mut block, &grid)).unwrap_or_default();
-        let positions = block.vertices.iter().map(|vertex| vertex.position);
-        let bounds_m = positions.clone().fold(EMPTY, |[low, high], at| [low.min(at), high.max(at)]);
-        if !positions.clone().all(|position| position.is_finite()) {
+        let (mut bounds_m, mut is_finite) = (EMPTY, true);
+        for Vertex { position, .. } in &block.vertices {
+            bounds_m = [bounds_m[0].min(*position), bounds_m[1].max(*position)];
+            is_finite &= position.is_finite();
+        }
+        if !is_finite {
             return None;
         }
-        let part = how.check.then(|| CrackPart::of(block.points.iter().copied()));
+        let part = how.check.then(|| CrackPart::of(&block.points, &block.corners));
+        let smooth = smooth.unwrap_or_default();
         Some(Made { block, part, smooth, bounds_m, folds, rounded })
     }
 
@@ -118,6 +130,7 @@ impl Mesher {
             cut.clear();
             points.clear();
             (pattern.cut)(&shape, begin..end, first_inner, &mut cut);
+            let inside = Inside::new(base, patch);
             let mut own = 0;
             for point in &cut.points {
                 points.push(match *point {
@@ -126,10 +139,10 @@ impl Mesher {
                         let number_of = first_vertex.wrapping_add(number).wrapping_sub(first_inner);
                         let numbered = Numbered::both(number_of);
                         if number < first_inner {
-                            (numbered, base.inner(&self.relief, patch, weights))
+                            (numbered, inside.position(&self.relief, weights))
                         } else {
                             own += 1;
-                            let vertex = base.inner_vertex(&self.relief, patch, weights);
+                            let vertex = inside.vertex(&self.relief, weights);
                             (numbered, making.vertex(vertex, numbered))
                         }
                     }
@@ -155,9 +168,10 @@ impl Mesher {
         }
         let of_corners = base.directions(patch);
         let is_folded = |corners: &&[u32; 3]| {
-            let positions = corners.map(|corner| points[corner as usize].1);
+            let [a, b, c] = **corners;
+            let positions = [points[a as usize].1, points[b as usize].1, points[c as usize].1];
             // Directions between are sums of the corners'.
-            folds::may_be_folded(positions, of_corners) && {
+            folds::may_be_folded(positions, &of_corners) && {
                 let direction = |corner: u32| base.direction(patch, &cut.points[corner as usize]);
                 folds::is_folded(positions, corners.map(|corner| self.relief.direction(direction(corner))))
             }
@@ -179,14 +193,15 @@ impl Mesher {
     }
 
     fn filled_patch(&self, filled: &triangles::Adapted, patch: u32, making: &mut Making) {
-        let cut = filled.cut(patch);
+        let (cut, inside) = (filled.cut(patch), Inside::new(filled.base(), patch));
         let mut points = Vec::with_capacity(cut.points.len());
         for point in &cut.points {
             points.push(match *point {
                 PatchPoint::Border { side, at } => filled.base().border(&self.relief, patch, side, at),
-                PatchPoint::Inner { number, .. } => {
+                PatchPoint::Inner { number, weights } => {
                     let numbered = Numbered::both(filled.first_of_patch(patch) + number);
-                    let vertex = filled.inner_vertex(&self.relief, patch, number);
+                    let height = filled.inner_height(patch, number);
+                    let vertex = inside.vertex_at(&self.relief, weights, height);
                     (numbered, making.vertex(vertex, numbered))
                 }
             });
@@ -221,13 +236,10 @@ impl Mesher {
 #[derive(Default)]
 struct Making<'a> {
     block: MeshBlock,
-    smooth: Vec<[u32; 3]>,
+    /// The smooth numbers of the triangles' corners, if normals are to be made of these triangles.
+    smooth: Option<Vec<[u32; 3]>>,
     normals: Option<&'a Normals>,
     folds: Vec<FoldedBase>,
-    /// The triangles by their places in the points that they were made of, if they are to be ordered.
-    local: Option<Vec<[u32; 3]>>,
-    /// How many of these points there are.
-    points: u32,
 }
 
 impl Making<'_> {
@@ -251,29 +263,40 @@ impl Making<'_> {
     }
 
     fn triangles(&mut self, triangles: &[[u32; 3]], points: &[(Numbered, Vec3)], is_turned: bool) {
-        if let Some(local) = &mut self.local {
-            local.extend(triangles.iter().map(|corners| corners.map(|corner| self.points + corner)));
-            self.points += points.len() as u32;
+        let first = self.block.points.len() as u32;
+        self.block.points.extend(points.iter().map(|(_, position)| position));
+        let turned = |corners: &[u32; 3]| {
+            let [a, b, c] = *corners;
+            if is_turned { [a, c, b] } else { [a, b, c] }
+        };
+        let triangles = triangles.iter().map(turned);
+        let numbered = |corner: u32| points[corner as usize].0;
+        if let Some(smooth) = &mut self.smooth {
+            let of = |[a, b, c]: [u32; 3]| [numbered(a).smooth, numbered(b).smooth, numbered(c).smooth];
+            smooth.extend(triangles.clone().map(of));
         }
-        for corners in triangles {
-            let mut corners = corners.map(|corner| points[corner as usize]);
-            if is_turned {
-                corners.swap(1, 2);
-            }
-            self.block.triangles.push(corners.map(|(numbered, _)| numbered.number));
-            self.block.points.push(corners.map(|(_, position)| position));
-            self.smooth.push(corners.map(|(numbered, _)| numbered.smooth));
-        }
+        let numbers = |[a, b, c]: [u32; 3]| [numbered(a).number, numbered(b).number, numbered(c).number];
+        self.block.triangles.extend(triangles.clone().map(numbers));
+        self.block.corners.extend(triangles.map(|[a, b, c]| [first + a, first + b, first + c]));
     }
 
-    /// Puts the triangles in order, if they are to be.
+    /// Puts the triangles in an order for caches.
     fn order(&mut self) {
-        let Some(local) = self.local.take() else { return };
-        let Some(order) = cache_order(&local, self.points as usize) else { return };
+        let Some(order) = cache_order(&self.block.corners, self.block.points.len()) else { return };
         self.block.triangles = ordered(&self.block.triangles, &order);
-        self.block.points = ordered(&self.block.points, &order);
-        self.smooth = ordered(&self.smooth, &order);
+        self.block.corners = ordered(&self.block.corners, &order);
+        if let Some(smooth) = &mut self.smooth {
+            *smooth = ordered(smooth, &order);
+        }
     }
+}
+
+fn emptied(mut block: MeshBlock) -> MeshBlock {
+    block.vertices.clear();
+    block.triangles.clear();
+    block.points.clear();
+    block.corners.clear();
+    block
 }
 
 fn ordered<T: Copy>(list: &[T], order: &[u32]) -> Vec<T> {
@@ -291,7 +314,7 @@ fn scale(block: &mut MeshBlock, size: f64) {
         vertex.tangent = scaled(vertex.tangent);
         vertex.bitangent = scaled(vertex.bitangent);
     }
-    for point in block.points.as_flattened_mut() {
+    for point in &mut block.points {
         *point = scaled(*point);
     }
 }
@@ -305,15 +328,17 @@ fn round(block: &mut MeshBlock, grid: &PositionGrid) -> Rounded {
         rounded.greatest_m = rounded.greatest_m.max(moved_m);
         vertex.position = position;
     }
-    for corners in &mut block.points {
-        let had_area = has_area(corners);
-        *corners = corners.map(|corner| grid.snapped(corner));
-        rounded.without_area += u64::from(had_area && !has_area(corners));
+    let had_area: Vec<bool> = block.positions().map(has_area).collect();
+    for point in &mut block.points {
+        *point = grid.snapped(*point);
     }
+    let has_area = block.positions().map(has_area);
+    rounded.without_area =
+        had_area.into_iter().zip(has_area).filter(|(had, has)| *had && !has).count() as u64;
     rounded
 }
 
-fn has_area(corners: &[Vec3; 3]) -> bool {
+fn has_area(corners: [Vec3; 3]) -> bool {
     let [a, b, c] = corners.map(|corner| corner.as_dvec3());
     (b - a).cross(c - a) != DVec3::ZERO
 }

@@ -232,13 +232,13 @@ impl Adapted {
     /// The vertex at a corner of tiles.
     pub fn corner_vertex(&self, relief: &Relief, number: u32) -> Vertex {
         let (place, height) = self.corner(relief, number as usize);
-        self.rectangle.vertex(relief, place, f64::from(height) + self.raise)
+        self.rectangle.vertex_at(relief, place, f64::from(height) + self.raise)
     }
 
     /// A vertex along a side.
     pub fn side_vertex(&self, relief: &Relief, side: u32, at: u32) -> Vertex {
         let (step, height) = self.sides[side as usize][at as usize];
-        self.rectangle.vertex(relief, self.place_on(side as usize, step), f64::from(height) + self.raise)
+        self.rectangle.vertex_at(relief, self.place_on(side as usize, step), f64::from(height) + self.raise)
     }
 
     /// A vertex within a tile.
@@ -247,7 +247,7 @@ impl Adapted {
         let at = self.border_count(tile as usize) + at as usize;
         let spans = self.spans_of(tile as usize);
         let place = [0, 1].map(|axis| spans[axis].place(i32::from(filled.points[at][axis])));
-        self.rectangle.vertex(relief, place, f64::from(filled.heights[at]) + self.raise)
+        self.rectangle.vertex_at(relief, place, f64::from(filled.heights[at]) + self.raise)
     }
 
     /// The border of a tile, in the order of its points: numbers and positions.

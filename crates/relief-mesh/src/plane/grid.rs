@@ -132,8 +132,7 @@ impl Grid {
 
     /// The vertex where two lines meet.
     pub fn vertex(&self, relief: &Relief, lines: [usize; 2]) -> Vertex {
-        let place = self.place(lines);
-        self.rectangle.vertex(relief, place, relief.height(place))
+        self.rectangle.vertex(relief, self.place(lines))
     }
 }
 

@@ -13,7 +13,7 @@ pub use grid::{Grid, Tile};
 pub use solid::{BorderPoint, Faces, Solid};
 
 use crate::error::MOST;
-use crate::surface::{Frame, Placed, Relief};
+use crate::surface::{Frame, Relief, Seen};
 use crate::{MesherError, Part, point};
 
 /// Texels of a tile along a side.
@@ -181,12 +181,19 @@ impl Rectangle {
         self.displaced(relief, place, relief.metres(height))
     }
 
+    /// The vertex of a place on the relief.
+    pub fn vertex(&self, relief: &Relief, place: [f64; 2]) -> Vertex {
+        self.vertex_of(relief, place, relief.seen_at(place))
+    }
+
     /// The vertex of a place at a height of the map.
-    pub fn vertex(&self, relief: &Relief, place: [f64; 2], height: f64) -> Vertex {
-        let base = self.base(relief, place);
-        let position = relief.displaced_by(&base, relief.metres(height));
+    pub fn vertex_at(&self, relief: &Relief, place: [f64; 2], height: f64) -> Vertex {
+        self.vertex_of(relief, place, relief.seen_at(place).at_height(relief, height))
+    }
+
+    fn vertex_of(&self, relief: &Relief, place: [f64; 2], seen: Seen) -> Vertex {
         let frame = Frame { normal: self.normal, tangents: self.tangents, turns: [DVec3::ZERO; 2] };
-        relief.vertex(position, &Placed::new(base), &frame)
+        relief.vertex_of(&self.base(relief, place), seen, &frame)
     }
 }
 

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use rayon::prelude::*;
-use relief_core::mesh::{Mesh, Vertex};
+use relief_core::mesh::Mesh;
 
 use super::{Triangles, counted};
 use crate::error::MOST;
@@ -173,10 +173,10 @@ impl Adapted {
         (self.base.border_count() + u64::from(self.first[patch as usize][0])) as u32
     }
 
-    /// A vertex within a patch.
-    pub fn inner_vertex(&self, relief: &Relief, patch: u32, at: u32) -> Vertex {
-        let (lattice, height) = self.inner[(self.first[patch as usize][0] + at) as usize];
-        self.base.inner_vertex_at(relief, patch, self.base.weights(patch, lattice), f64::from(height))
+    /// The height of the map that a vertex within a patch lies at.
+    pub fn inner_height(&self, patch: u32, at: u32) -> f64 {
+        let (_, height) = self.inner[(self.first[patch as usize][0] + at) as usize];
+        f64::from(height)
     }
 
     /// Bytes that are held.

@@ -6,6 +6,7 @@ mod creases;
 mod cubic;
 mod edges;
 mod halves;
+mod inside;
 mod profile;
 
 use glam::{DVec3, Vec3};
@@ -15,6 +16,7 @@ pub use self::adapted::Adapted;
 use self::corners::Corners;
 use self::creases::Creases;
 use self::edges::{Division, Edges};
+pub use self::inside::Inside;
 use crate::edge::Divides;
 use crate::error::MOST;
 use crate::patch::{Patch, PatchPoint};
@@ -172,12 +174,8 @@ impl Triangles {
         if self.footprints.is_empty() {
             return 0.0;
         }
-        let (mut depth, mut texels) = (0.0, 0.0);
-        for (vertex, weight) in corners.into_iter().zip(weights) {
-            depth += weight / self.share(vertex);
-            texels += weight * self.footprints[vertex as usize];
-        }
-        log2((texels * depth).max(1.0))
+        let depths = corners.map(|vertex| 1.0 / self.share(vertex));
+        level(depths, corners.map(|vertex| self.footprints[vertex as usize]), weights)
     }
 
     /// A corner as the displacement sees it: in a welded mesh all sides see the same.
@@ -232,7 +230,7 @@ impl Triangles {
         let vertex = self.corners.used[number as usize];
         let seen = self.at_corner(vertex);
         let own = Placed { base: self.corners.base(vertex), ..seen };
-        relief.vertex(relief.displaced(&seen), &own, &self.corners.frame(vertex))
+        relief.vertex_at(relief.displaced(&seen), &own, &self.corners.frame(vertex))
     }
 
     /// How a corner of the base is numbered, by its number among these.
@@ -252,10 +250,10 @@ impl Triangles {
         let part = weights[1] / (weights[0] + weights[1]);
         let [a, b] = self.edges.ends(edge);
         let frames = [a, b, a].map(|end| self.corners.frame(end));
-        let frame = Frame::weighted(frames, [1.0 - part, part, 0.0]);
+        let frame = Frame::weighted(&frames, [1.0 - part, part, 0.0]);
         let [a, b] = [a, b].map(|end| self.corners.base(end));
         let base = BasePoint { uv: point::between(a.uv, b.uv, weights), ..seen.base };
-        relief.vertex(relief.displaced(&seen), &Placed { base, ..seen }, &frame)
+        relief.vertex_at(relief.displaced(&seen), &Placed { base, ..seen }, &frame)
     }
 
     /// The edge that a side of a patch is, and whether both run the same way.
@@ -302,7 +300,7 @@ impl Triangles {
                 let (edge, at) = self.on_side(patch, side, at);
                 self.on_edge(edge, at).base.normal
             }
-            PatchPoint::Inner { weights, .. } => self.inside(patch, weights).0.base.normal,
+            PatchPoint::Inner { weights, .. } => Inside::new(self, patch).direction(weights),
         }
     }
 
@@ -316,55 +314,17 @@ impl Triangles {
         let [a, b, c] = self.triangles[patch as usize].map(|vertex| self.corners.base(vertex).position);
         (a + b + c) / 3.0
     }
+}
 
-    /// An inner point, and its weights.
-    fn inside(&self, patch: u32, [b, c]: [f64; 2]) -> (Placed, [f64; 3]) {
-        let corners = self.triangles[patch as usize];
-        let mut weights = [1.0 - b - c, b, c];
-        if !self.voxels.is_empty() {
-            let of_corners = [0, 1, 2].map(|k| weights[k] * self.share(corners[k]));
-            let sum = of_corners[0] + of_corners[1] + of_corners[2];
-            weights = of_corners.map(|of| of / sum);
-        }
-        let mut base = BasePoint::weighted(corners.map(|vertex| self.corners.base(vertex)), weights);
-        let sides = self.edges.sides(patch);
-        if self.base == BaseSurface::Pn {
-            let bent = [0, 1, 2].map(|k| {
-                let [first, second] = self.bent(sides[k]);
-                let is_forth = self.edges.ends(sides[k])[0] == corners[k];
-                if is_forth { [first, second] } else { [second, first] }
-            });
-            base.position =
-                cubic::inside(corners.map(|vertex| self.corners.base(vertex).position), bent, weights);
-        }
-        let lifts = [0, 1, 2].map(|k| self.lift(self.seen(sides[k])) * weights[k] * weights[(k + 1) % 3]);
-        let lift_m = lifts[0] + lifts[1] + lifts[2];
-        (Placed { base, lift_m, level: self.level(corners, weights) }, weights)
+/// The level whose texels are as wide as a voxel, where corners lie at those depths in the picture and have so
+/// many texels in a voxel where the depth is 1.
+fn level<const N: usize>(depths: [f64; N], texels: [f64; N], weights: [f64; N]) -> f64 {
+    let (mut depth, mut sum) = (0.0, 0.0);
+    for k in 0..N {
+        depth += weights[k] * depths[k];
+        sum += weights[k] * texels[k];
     }
-
-    /// The position of an inner point.
-    pub fn inner(&self, relief: &Relief, patch: u32, weights: [f64; 2]) -> Vec3 {
-        let (placed, _) = self.inside(patch, weights);
-        point::stored(relief.displaced(&placed))
-    }
-
-    /// The vertex at an inner point that lies at a height of the map.
-    fn inner_vertex_at(&self, relief: &Relief, patch: u32, weights: [f64; 2], height: f64) -> Vertex {
-        let (placed, weights) = self.inside(patch, weights);
-        self.vertex_inside(relief, patch, &relief.at_height(&placed, height), weights)
-    }
-
-    /// The vertex at an inner point.
-    pub fn inner_vertex(&self, relief: &Relief, patch: u32, weights: [f64; 2]) -> Vertex {
-        let (placed, weights) = self.inside(patch, weights);
-        self.vertex_inside(relief, patch, &placed, weights)
-    }
-
-    fn vertex_inside(&self, relief: &Relief, patch: u32, placed: &Placed, weights: [f64; 3]) -> Vertex {
-        let corners = self.triangles[patch as usize];
-        let frame = Frame::weighted(corners.map(|vertex| self.corners.frame(vertex)), weights);
-        relief.vertex(relief.displaced(placed), placed, &frame)
-    }
+    log2((sum * depth).max(1.0))
 }
 
 /// The length of the longest direction of displacement of the triangles around each vertex.

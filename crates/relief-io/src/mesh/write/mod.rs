@@ -94,10 +94,9 @@ fn check_counts(MeshCounts { vertices, triangles }: MeshCounts) -> Result<(), Wr
 /// let mesh = cube(2)?;
 /// let [vertices, triangles] = [mesh.vertices().len(), mesh.triangles().len()].map(|count| count as u64);
 /// let counts = MeshCounts { vertices, triangles };
-/// let position = |corner: u32| mesh.vertices()[corner as usize].position;
-/// let points = mesh.triangles().iter().map(|corners| corners.map(position)).collect();
 /// let (vertices, triangles) = (mesh.vertices().to_vec(), mesh.triangles().to_vec());
-/// let block = MeshBlock { vertices, triangles, points };
+/// let points = vertices.iter().map(|vertex| vertex.position).collect();
+/// let block = MeshBlock { vertices, corners: triangles.clone(), triangles, points };
 /// write_mesh(&path, MeshFormat::Ply, counts, |sink| sink(&block))?;
 /// assert_eq!(read_mesh(path.as_path(), &MeshOptions::default())?.mesh.triangles().len(), 48);
 /// # Ok(())

@@ -30,8 +30,8 @@ pub fn begin(counts: MeshCounts, regions: &mut Regions<'_, '_>) -> io::Result<()
 }
 
 pub fn block(block: &MeshBlock, regions: &mut Regions<'_, '_>) -> io::Result<()> {
-    let mut bytes = Vec::with_capacity(TRIANGLE as usize * block.points.len());
-    for points in &block.points {
+    let mut bytes = Vec::with_capacity(TRIANGLE as usize * block.corners.len());
+    for points in block.positions() {
         let points = points.map(|point| (point.as_dvec3() * DVec3::splat(MILLIMETRES)).as_vec3());
         let [a, b, c] = points.map(|point| point.as_dvec3());
         floats(&mut bytes, (b - a).cross(c - a).normalize_or_zero().as_vec3().to_array());

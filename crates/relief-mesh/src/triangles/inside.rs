@@ -1,0 +1,123 @@
+//! The points inside of a patch.
+
+use glam::{DVec3, Vec3};
+use relief_core::mesh::{BasePoint, Vertex};
+
+use super::{Triangles, cubic};
+use crate::surface::{Frame, Placed, Relief};
+use crate::{BaseSurface, point};
+
+/// A patch as its inner points are made of it: what belongs to its corners and sides, looked up once for all
+/// of them.
+#[derive(Debug)]
+pub struct Inside {
+    bases: [BasePoint; 3],
+    frames: [Frame; 3],
+    /// What the corners count in the picture, where sides go by that.
+    shares: Option<[f64; 3]>,
+    smooth: Smooth,
+    /// The corners' depths in the picture, and texels of the map in a voxel where the depth is 1; none where no
+    /// coarser level is seen.
+    footprints: Option<[[f64; 3]; 2]>,
+}
+
+/// How the base surface leaves the flat triangle.
+#[derive(Debug)]
+enum Smooth {
+    Flat,
+    /// By so much for each side, in metres: see [`Mesh::lifts`](relief_core::mesh::Mesh::lifts).
+    Lift([f64; 3]),
+    /// As a cubic with those inner control points on each side.
+    Cubic([[DVec3; 2]; 3]),
+}
+
+impl Inside {
+    pub fn new(base: &Triangles, patch: u32) -> Self {
+        let corners = base.triangles[patch as usize];
+        let sides = base.edges.sides(patch);
+        let smooth = match base.base {
+            BaseSurface::Flat => Smooth::Flat,
+            BaseSurface::Lift => Smooth::Lift(sides.map(|side| base.lift(base.seen(side)))),
+            BaseSurface::Pn => Smooth::Cubic([0, 1, 2].map(|k| {
+                let [first, second] = base.bent(sides[k]);
+                let is_forth = base.edges.ends(sides[k])[0] == corners[k];
+                if is_forth { [first, second] } else { [second, first] }
+            })),
+        };
+        let shares = corners.map(|vertex| base.share(vertex));
+        let texels = |vertex: u32| base.footprints.get(vertex as usize).copied();
+        let footprints = match corners.map(texels) {
+            [Some(a), Some(b), Some(c)] => Some([shares.map(|share| 1.0 / share), [a, b, c]]),
+            _ => None,
+        };
+        Self {
+            bases: corners.map(|vertex| base.corners.base(vertex)),
+            frames: corners.map(|vertex| base.corners.frame(vertex)),
+            shares: (!base.voxels.is_empty()).then_some(shares),
+            smooth,
+            footprints,
+        }
+    }
+
+    /// The weights of all corners, by those of the second and the third one in the picture.
+    #[inline(always)]
+    fn weights(&self, [b, c]: [f64; 2]) -> [f64; 3] {
+        let weights = [1.0 - b - c, b, c];
+        match self.shares {
+            None => weights,
+            Some(shares) => {
+                let of = [weights[0] * shares[0], weights[1] * shares[1], weights[2] * shares[2]];
+                let sum = of[0] + of[1] + of[2];
+                [of[0] / sum, of[1] / sum, of[2] / sum]
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn placed(&self, weights: [f64; 3]) -> Placed {
+        let mut base = BasePoint::weighted(self.bases, weights);
+        let lift_m = match &self.smooth {
+            Smooth::Flat => 0.0,
+            Smooth::Lift(lifts) => {
+                let lift = |k: usize| lifts[k] * weights[k] * weights[(k + 1) % 3];
+                lift(0) + lift(1) + lift(2)
+            }
+            Smooth::Cubic(bent) => {
+                base.position = cubic::inside(self.bases.map(|base| base.position), *bent, weights);
+                0.0
+            }
+        };
+        let level = match &self.footprints {
+            None => 0.0,
+            Some([depths, texels]) => super::level(*depths, *texels, weights),
+        };
+        Placed { base, lift_m, level }
+    }
+
+    /// The direction of displacement at a point, of any length.
+    pub fn direction(&self, weights: [f64; 2]) -> DVec3 {
+        BasePoint::weighted(self.bases, self.weights(weights)).normal
+    }
+
+    /// The position of a point.
+    pub fn position(&self, relief: &Relief, weights: [f64; 2]) -> Vec3 {
+        let placed = self.placed(self.weights(weights));
+        point::stored(relief.displaced(&placed))
+    }
+
+    /// The vertex at a point.
+    pub fn vertex(&self, relief: &Relief, weights: [f64; 2]) -> Vertex {
+        let weights = self.weights(weights);
+        let placed = self.placed(weights);
+        let seen = relief.seen(&placed);
+        relief.vertex_of(&placed.base, seen, &Frame::weighted(&self.frames, weights))
+    }
+
+    /// The vertex at a point that lies at a height of the map.
+    pub fn vertex_at(&self, relief: &Relief, weights: [f64; 2], height: f64) -> Vertex {
+        let weights = self.weights(weights);
+        let placed = self.placed(weights);
+        let seen = relief.seen(&placed).at_height(relief, height);
+        relief.vertex_of(&placed.base, seen, &Frame::weighted(&self.frames, weights))
+    }
+}
