@@ -1,6 +1,7 @@
 //! Blocks of a mesh, each made by itself.
 
 use glam::{DVec3, Vec3};
+use pulp::Arch;
 use relief_core::mesh::{MeshBlock, PositionGrid, Vertex};
 
 use super::{Base, EMPTY, Mesher};
@@ -12,7 +13,7 @@ use crate::patch::{Patch, PatchPoint};
 use crate::plan::Work;
 use crate::plane::{Adapted, Faces, Grid, Tile};
 use crate::smooth::Normals;
-use crate::triangles::{self, Inside, Numbered, Triangles};
+use crate::triangles::{self, Border, EdgeVertices, Inside, Numbered, Triangles};
 use crate::{Rounded, Shading, Stream};
 
 /// A block that was made.
@@ -79,9 +80,10 @@ impl Mesher {
             (base, Work::Edges(range)) => {
                 if let Some(base) = base.triangles() {
                     for edge in range.clone() {
+                        let vertices = EdgeVertices::new(base, edge);
                         for at in 1..=base.points_of_edge(edge) {
-                            let vertex = base.edge_vertex(&self.relief, edge, at);
-                            making.vertex(vertex, base.edge_numbered(edge, at));
+                            let (vertex, numbered) = vertices.at(&self.relief, at);
+                            making.vertex(vertex, numbered);
                         }
                     }
                 }
@@ -130,24 +132,27 @@ impl Mesher {
             cut.clear();
             points.clear();
             (pattern.cut)(&shape, begin..end, first_inner, &mut cut);
-            let inside = Inside::new(base, patch);
+            let (border, inside) = (Border::new(base, &self.relief, patch), Inside::new(base, patch));
             let mut own = 0;
-            for point in &cut.points {
-                points.push(match *point {
-                    PatchPoint::Border { side, at } => base.border(&self.relief, patch, side, at),
-                    PatchPoint::Inner { number, weights } => {
-                        let number_of = first_vertex.wrapping_add(number).wrapping_sub(first_inner);
-                        let numbered = Numbered::both(number_of);
-                        if number < first_inner {
-                            (numbered, inside.position(&self.relief, weights))
-                        } else {
-                            own += 1;
-                            let vertex = inside.vertex(&self.relief, weights);
-                            (numbered, making.vertex(vertex, numbered))
+            // Compiled for the vectors that the machine has; the bits are the same.
+            Arch::new().dispatch(|| {
+                for point in &cut.points {
+                    points.push(match *point {
+                        PatchPoint::Border { side, at } => border.point(side, at),
+                        PatchPoint::Inner { number, weights } => {
+                            let number_of = first_vertex.wrapping_add(number).wrapping_sub(first_inner);
+                            let numbered = Numbered::both(number_of);
+                            if number < first_inner {
+                                (numbered, inside.position(&self.relief, weights))
+                            } else {
+                                own += 1;
+                                let vertex = inside.vertex(&self.relief, weights);
+                                (numbered, making.vertex(vertex, numbered))
+                            }
                         }
-                    }
-                });
-            }
+                    });
+                }
+            });
             making.triangles(&cut.triangles, &points, false);
             making.folds.extend(self.folded(base, patch, &cut, &points));
             first_vertex += own;
@@ -193,11 +198,13 @@ impl Mesher {
     }
 
     fn filled_patch(&self, filled: &triangles::Adapted, patch: u32, making: &mut Making) {
-        let (cut, inside) = (filled.cut(patch), Inside::new(filled.base(), patch));
+        let base = filled.base();
+        let (cut, border) = (filled.cut(patch), Border::new(base, &self.relief, patch));
+        let inside = Inside::new(base, patch);
         let mut points = Vec::with_capacity(cut.points.len());
         for point in &cut.points {
             points.push(match *point {
-                PatchPoint::Border { side, at } => filled.base().border(&self.relief, patch, side, at),
+                PatchPoint::Border { side, at } => border.point(side, at),
                 PatchPoint::Inner { number, weights } => {
                     let numbered = Numbered::both(filled.first_of_patch(patch) + number);
                     let height = filled.inner_height(patch, number);
@@ -207,7 +214,7 @@ impl Mesher {
             });
         }
         making.triangles(&cut.triangles, &points, false);
-        making.folds.extend(self.folded(filled.base(), patch, &cut, &points));
+        making.folds.extend(self.folded(base, patch, &cut, &points));
     }
 
     fn tile(&self, plane: &Grid, pattern: &Pattern, tile: &Tile, making: &mut Making) {

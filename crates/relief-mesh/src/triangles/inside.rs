@@ -100,12 +100,14 @@ impl Inside {
     }
 
     /// The position of a point.
+    #[inline(always)]
     pub fn position(&self, relief: &Relief, weights: [f64; 2]) -> Vec3 {
         let placed = self.placed(self.weights(weights));
         point::stored(relief.displaced(&placed))
     }
 
     /// The vertex at a point.
+    #[inline(always)]
     pub fn vertex(&self, relief: &Relief, weights: [f64; 2]) -> Vertex {
         let weights = self.weights(weights);
         let placed = self.placed(weights);
@@ -114,6 +116,7 @@ impl Inside {
     }
 
     /// The vertex at a point that lies at a height of the map.
+    #[inline(always)]
     pub fn vertex_at(&self, relief: &Relief, weights: [f64; 2], height: f64) -> Vertex {
         let weights = self.weights(weights);
         let placed = self.placed(weights);

@@ -1,6 +1,8 @@
 //! Bases of triangles: which sides meet, and the points of patches.
 
 mod adapted;
+mod along_edge;
+mod border;
 mod corners;
 mod creases;
 mod cubic;
@@ -9,10 +11,13 @@ mod halves;
 mod inside;
 mod profile;
 
-use glam::{DVec3, Vec3};
-use relief_core::mesh::{BasePoint, Mesh, Vertex};
+use glam::DVec3;
+use relief_core::mesh::{Mesh, Vertex};
 
 pub use self::adapted::Adapted;
+use self::along_edge::AlongEdge;
+pub use self::along_edge::EdgeVertices;
+pub use self::border::Border;
 use self::corners::Corners;
 use self::creases::Creases;
 use self::edges::{Division, Edges};
@@ -20,7 +25,7 @@ pub use self::inside::Inside;
 use crate::edge::Divides;
 use crate::error::MOST;
 use crate::patch::{Patch, PatchPoint};
-use crate::surface::{Frame, Placed, Relief};
+use crate::surface::{Placed, Relief};
 use crate::view::{Voxel, log2};
 use crate::{BaseSurface, MeshSettings, MesherError, Seams, Weights, point};
 
@@ -186,22 +191,7 @@ impl Triangles {
 
     /// A point along an edge as the displacement sees it: in a welded mesh all sides see the same.
     fn on_edge(&self, edge: u32, at: u32) -> Placed {
-        let seen = self.seen(edge);
-        let weights = self.along(edge, at);
-        let [a, b] = self.edges.ends(seen).map(|end| self.corners.base(end));
-        let mut base = BasePoint {
-            position: point::between(a.position, b.position, weights),
-            normal: point::between(a.normal, b.normal, weights),
-            uv: point::between(a.uv, b.uv, weights),
-        };
-        let [of_a, of_b] = weights;
-        let sum = of_a + of_b;
-        let parts = weights.map(|of| of / sum);
-        if self.base == BaseSurface::Pn {
-            base.position = cubic::on_side([a.position, b.position], self.bent(edge), parts);
-        }
-        let lift_m = self.lift(seen) * (of_b * of_a / (sum * sum));
-        Placed { base, lift_m, level: self.level(self.edges.ends(seen), parts) }
+        AlongEdge::new(self, edge).placed(self.edges.place(edge, at))
     }
 
     /// The edge between the same positions that says where the points of an edge are.
@@ -212,13 +202,6 @@ impl Triangles {
     /// The inner control points of an edge that is a cubic, as its ends are ordered.
     fn bent(&self, edge: u32) -> [DVec3; 2] {
         cubic::bent(self.edges.ends(self.seen(edge)).map(|end| self.corners.base(end)))
-    }
-
-    /// The weights that the ends of an edge have at a point of it.
-    fn along(&self, edge: u32, at: u32) -> [f64; 2] {
-        let shares = self.edges.ends(edge).map(|end| self.share(end));
-        let [before, all] = self.edges.place(edge, at);
-        point::weights(shares, before, all)
     }
 
     fn lift(&self, edge: u32) -> f64 {
@@ -238,24 +221,6 @@ impl Triangles {
         self.corners.numbered(self.corners.used[number as usize])
     }
 
-    /// How a vertex along an edge is numbered.
-    pub fn edge_numbered(&self, edge: u32, at: u32) -> Numbered {
-        self.edges.numbered(edge, at)
-    }
-
-    /// The vertex along an edge.
-    pub fn edge_vertex(&self, relief: &Relief, edge: u32, at: u32) -> Vertex {
-        let seen = self.on_edge(edge, at);
-        let weights = self.along(edge, at);
-        let part = weights[1] / (weights[0] + weights[1]);
-        let [a, b] = self.edges.ends(edge);
-        let frames = [a, b, a].map(|end| self.corners.frame(end));
-        let frame = Frame::weighted(&frames, [1.0 - part, part, 0.0]);
-        let [a, b] = [a, b].map(|end| self.corners.base(end));
-        let base = BasePoint { uv: point::between(a.uv, b.uv, weights), ..seen.base };
-        relief.vertex_at(relief.displaced(&seen), &Placed { base, ..seen }, &frame)
-    }
-
     /// The edge that a side of a patch is, and whether both run the same way.
     fn side(&self, patch: u32, side: u32) -> (u32, bool) {
         let edge = self.edges.sides(patch)[side as usize];
@@ -268,18 +233,6 @@ impl Triangles {
     fn on_side(&self, patch: u32, side: u32, at: u32) -> (u32, u32) {
         let (edge, is_forth) = self.side(patch, side);
         (edge, if is_forth { at } else { self.edges.parts(edge) - at })
-    }
-
-    /// The number and the position of a point of the border of a patch.
-    pub fn border(&self, relief: &Relief, patch: u32, side: u32, at: u32) -> (Numbered, Vec3) {
-        if at == 0 {
-            let vertex = self.triangles[patch as usize][side as usize];
-            let position = relief.displaced(&self.at_corner(vertex));
-            return (self.corners.numbered(vertex), point::stored(position));
-        }
-        let (edge, at) = self.on_side(patch, side, at);
-        let position = relief.displaced(&self.on_edge(edge, at));
-        (self.edges.numbered(edge, at), point::stored(position))
     }
 
     /// Whether its points move along different directions.
