@@ -201,10 +201,10 @@ impl Mesher {
             (Fills::Patch(pattern), Divides::Voxels(_), Some(rectangle)) => {
                 let tiles = rectangle.tiles(&relief, settings.part)?;
                 patches = tiles.triangles().len();
-                Base::Triangles(Triangles::new(&tiles, &relief, settings)?, pattern)
+                Base::Triangles(Triangles::new(&tiles, &relief, settings, most, watch)?, pattern)
             }
             (Fills::Patch(pattern), _, None) => {
-                Base::Triangles(Triangles::new(mesh, &relief, settings)?, pattern)
+                Base::Triangles(Triangles::new(mesh, &relief, settings, most, watch)?, pattern)
             }
             (Fills::Ground(fill), Divides::Along(side), rectangle) => {
                 if !(settings.error_m > 0.0 && settings.error_m.is_finite()) {

@@ -1,6 +1,8 @@
 //! Meshes that are made to an error over bases that are no plane: no point of the relief is farther from them
 //! than their bound, they have no crack, and the comparator that says so notices a vertex out of its place.
 
+use std::sync::atomic::AtomicBool;
+
 use glam::{DVec2, DVec3, Vec2, Vec3};
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
@@ -139,6 +141,23 @@ fn large_triangles_are_cut_first_and_nothing_moves() {
         assert!(CrackTest::of_mesh(&mesh).is_closed(), "{name}");
         assert!(mesh.triangles().len() < 1050 * 700 / 20, "{name}: {}", mesh.triangles().len());
     }
+}
+
+#[test]
+fn triangles_over_very_many_texels_are_refused_before_they_are_cut() {
+    // Rough texels, tens of thousands along a side.
+    let map = HeightMap::from_fn(31, 11, Wrap::Repeat, |i, j| ((i * 7 + j * 13) % 17) as f32 / 16.0);
+    let map = displaced(&map.expect("a map"));
+    let base = torus(3, 3).and_then(|base| base.tiled(Vec2::new(6000.0, 30.0))).expect("a mesh");
+    let settings = MeshSettings { max_bytes: 256 << 20, ..MeshSettings::within(0.01 * SCALE_M) };
+    let few = Mesher::with_at_most(&base, &map, &settings, 5000, &Watch::NOBODY);
+    assert!(matches!(few, Err(MesherError::MoreThan { most: 5000 })), "{:?}", few.err());
+    let tight = MeshSettings { max_bytes: 16 << 20, ..settings };
+    let much = Mesher::new(&base, &map, &tight);
+    assert!(matches!(much, Err(MesherError::NoMemory { limit }) if limit == 16 << 20), "{:?}", much.err());
+    let stopped = Watch { cancel: &AtomicBool::new(true), ..Watch::NOBODY };
+    let stopped = Mesher::watched(&base, &map, &settings, &stopped);
+    assert!(matches!(stopped, Err(MesherError::Cancelled)), "{:?}", stopped.err());
 }
 
 #[test]

@@ -78,7 +78,7 @@ impl Adapted {
         if let Some((what, _)) = refused.into_iter().find(|(_, is_asked)| *is_asked) {
             return Err(MesherError::OnPlanesAlone { what });
         }
-        let base = Triangles::new(mesh, relief, settings)?;
+        let base = Triangles::new(mesh, relief, settings, filling.most, watch)?;
         let (room, done) = (Room::new(settings, filling.most), AtomicU64::new(0));
         let patches: Vec<u32> = (0..base.count()).collect();
         let made: Result<Vec<Several>, MesherError> = patches

@@ -1,13 +1,45 @@
 //! Large base triangles are halved along their longer sides until none is too large to be filled at once.
 
 use std::collections::{HashMap, HashSet};
+use std::sync::atomic::Ordering;
 
 use relief_core::mesh::{Mesh, Vertex};
 
 use super::creases::Creases;
 use crate::error::MOST;
 use crate::surface::Relief;
-use crate::{MeshSettings, Mesher, MesherError};
+use crate::{Mesher, MesherError, Watch};
+
+/// Triangles that are cut before it is looked whether that is still wanted.
+const BETWEEN_LOOKS: usize = 1 << 16;
+
+/// How many triangles there may be, and who can end the work.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits<'a> {
+    /// The most triangles.
+    pub most: u64,
+    /// The most memory, in bytes.
+    pub max_bytes: u64,
+    pub watch: Watch<'a>,
+}
+
+impl Limits<'_> {
+    fn check(&self, triangles: u64) -> Result<(), MesherError> {
+        let Self { most, max_bytes, .. } = *self;
+        match triangles {
+            too_many if too_many > MOST => Err(MesherError::TooLarge { vertices: 0, triangles }),
+            too_many if too_many > most => Err(MesherError::MoreThan { most }),
+            too_many if too_many.saturating_mul(Mesher::BYTES_PER_TRIANGLE) > max_bytes => {
+                Err(MesherError::NoMemory { limit: max_bytes })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn look(&self) -> Result<(), MesherError> {
+        if self.watch.cancel.load(Ordering::Relaxed) { Err(MesherError::Cancelled) } else { Ok(()) }
+    }
+}
 
 /// A mesh whose sides are halved.
 #[derive(Debug)]
@@ -39,7 +71,7 @@ pub fn halved(
     mesh: &Mesh,
     relief: &Relief,
     creases: &Creases,
-    settings: &MeshSettings,
+    limits: &Limits,
 ) -> Result<Option<Halved>, MesherError> {
     let points = mesh.welded();
     let mut halves = Halves {
@@ -59,23 +91,22 @@ pub fn halved(
         .iter()
         .map(|corners| Creases::fewest(corners.map(|at| halves.place(at))))
         .fold(0, u64::saturating_add);
-    if count > MOST {
-        return Err(MesherError::TooLarge { vertices: 0, triangles: count });
-    }
-    if count.saturating_mul(Mesher::BYTES_PER_TRIANGLE) > settings.max_bytes {
-        return Err(MesherError::NoMemory { limit: settings.max_bytes });
-    }
+    limits.check(count)?;
     loop {
         let long = halves.long(&triangles);
         if long.is_empty() {
             break;
         }
-        if triangles.len() as u64 * 4 > MOST {
-            return Err(MesherError::TooLarge { vertices: 0, triangles: triangles.len() as u64 * 4 });
-        }
-        let mut finer = Vec::with_capacity(triangles.len() * 2);
-        let mut parts = Vec::with_capacity(triangles.len() * 2);
-        for (corners, whole) in triangles.into_iter().zip(whole) {
+        let parts =
+            |corners: &[u32; 3]| 1 + halves.are_long(*corners, &long).map(u64::from).iter().sum::<u64>();
+        let count = triangles.iter().map(parts).sum();
+        limits.check(count)?;
+        let mut finer = Vec::with_capacity(count as usize);
+        let mut parts = Vec::with_capacity(count as usize);
+        for (at, (corners, whole)) in triangles.into_iter().zip(whole).enumerate() {
+            if at % BETWEEN_LOOKS == 0 {
+                limits.look()?;
+            }
             halves.cut(corners, &long, &mut finer);
             parts.resize(finer.len(), whole);
         }
@@ -141,10 +172,14 @@ impl Halves<'_> {
         number
     }
 
+    /// Which sides of a triangle are long.
+    fn are_long(&self, [a, b, c]: [u32; 3], long: &HashSet<[u32; 2]>) -> [bool; 3] {
+        [[a, b], [b, c], [c, a]].map(|ends| long.contains(&self.points_of(ends)))
+    }
+
     /// Cuts a triangle at the middles of its long sides.
     fn cut(&mut self, [a, b, c]: [u32; 3], long: &HashSet<[u32; 2]>, into: &mut Vec<[u32; 3]>) {
-        let all = [[a, b], [b, c], [c, a]];
-        let is_long = all.map(|ends| long.contains(&self.points_of(ends)));
+        let is_long = self.are_long([a, b, c], long);
         // Turned so that the sides that stay come last.
         let turned = match is_long {
             [false, false, false] => return into.push([a, b, c]),

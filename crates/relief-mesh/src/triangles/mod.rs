@@ -21,13 +21,14 @@ pub use self::border::Border;
 use self::corners::Corners;
 use self::creases::Creases;
 use self::edges::{Division, Edges};
+use self::halves::Limits;
 pub use self::inside::Inside;
 use crate::edge::Divides;
 use crate::error::MOST;
 use crate::patch::{Patch, PatchPoint};
 use crate::surface::{Placed, Relief};
 use crate::view::{Voxel, log2};
-use crate::{BaseSurface, MeshSettings, MesherError, Seams, Weights, point};
+use crate::{BaseSurface, MeshSettings, MesherError, Seams, Watch, Weights, point};
 
 /// A base of triangles, with the points of its sides counted.
 #[derive(Debug)]
@@ -63,7 +64,14 @@ impl Numbered {
 }
 
 impl Triangles {
-    pub fn new(mesh: &Mesh, relief: &Relief, settings: &MeshSettings) -> Result<Self, MesherError> {
+    /// The base with at most so many triangles of its own, if large ones are cut.
+    pub fn new(
+        mesh: &Mesh,
+        relief: &Relief,
+        settings: &MeshSettings,
+        most: u64,
+        watch: &Watch,
+    ) -> Result<Self, MesherError> {
         let is_welded = settings.seams == Seams::Weld;
         let sides = relief.sides();
         let mut point_of = mesh.welded();
@@ -73,7 +81,8 @@ impl Triangles {
             let tolerance = relief.tolerance(settings.error_m, corners.longest());
             let found = Creases::new(relief, tolerance)?;
             found.check(relief, settings, corners.longest())?;
-            halved = halves::halved(mesh, relief, &found, settings)?;
+            let limits = Limits { most, max_bytes: settings.max_bytes, watch: *watch };
+            halved = halves::halved(mesh, relief, &found, &limits)?;
             creases = Some(found);
         }
         if let Some(halved) = &halved {
