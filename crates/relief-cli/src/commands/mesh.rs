@@ -123,8 +123,9 @@ pub struct Arguments {
     /// nothing that stands on them sinks into it; or below [default: both]
     #[arg(long, value_name = "both|above|below", help_heading = "Triangles")]
     side: Option<Side>,
-    /// Close a plane below with walls and a flat bottom, so many millimetres of the file under its lowest
-    /// point at least, or with a unit, as in 1cm
+    /// Close an open mesh with walls and an underside, at least so many millimetres of the file thick, or
+    /// with a unit, as in 1cm: under a plane a flat bottom, elsewhere the mesh itself, displaced by the same
+    /// everywhere
     #[arg(
         long,
         value_name = "MM",
@@ -227,6 +228,7 @@ const AFTER_HELP: &str = "Examples:\n  \
     relief mesh dem.tif -o dem.glb                                    # as fine as half a percent asks\n  \
     relief mesh dem.tif --error 2m --tiles 4x4 -o dem.glb             # to 2 m, in 16 files\n  \
     relief mesh dem.tif --print-size 150 --solid 3 -o dem.stl         # 15 cm long, to print\n  \
+    relief mesh bark.png --mesh panel.obj --scale 1mm --solid 2 -o panel.stl  # a curved sheet, to print\n  \
     relief mesh dem.tif --texels 1 -o dem.glb                         # every texel of it\n  \
     relief mesh dem.tif --error 2m --quantize 12 -o dem.glb           # a third smaller, in integers\n  \
     relief mesh dem.tif --error 1m --lods 4 -o dem.glb                # and three coarser levels\n  \
@@ -558,9 +560,12 @@ fn of_mesher(error: MesherError) -> Failure {
         MesherError::PartOfNoPlane | MesherError::TooManyParts { .. } => {
             Failure::Work(format!("--tiles: {error}"))
         }
-        MesherError::BadSolid { .. } | MesherError::SolidOfNoPlane | MesherError::SolidOfView => {
-            Failure::Work(format!("--solid: {error}"))
-        }
+        MesherError::BadSolid { .. }
+        | MesherError::SolidOfClosed
+        | MesherError::SolidOfView
+        | MesherError::SolidBranches { .. }
+        | MesherError::SolidTouches { .. } => Failure::Work(format!("--solid: {error}")),
+        MesherError::SolidOfSeams { .. } => Failure::Work(format!("--solid: {error}: --seams weld does")),
         MesherError::MoreThan { .. } => Failure::Work(format!("--triangles: {error}")),
         MesherError::NoMemory { limit } => Failure::Work(format!(
             "the mesh takes more than the {} allowed: --max-memory raises it, {COARSER}",

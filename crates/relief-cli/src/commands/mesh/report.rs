@@ -4,7 +4,7 @@ use std::io::Write;
 
 use glam::Vec3;
 use relief_io::{MeshFormat, Quantization};
-use relief_mesh::{Certificate, Cracks, FoldedBase, Folds, Rounded};
+use relief_mesh::{Certificate, Cracks, FoldedBase, Folds, Rounded, Streamed};
 use relief_render::scene::Surface;
 use serde_json::json;
 
@@ -111,9 +111,13 @@ impl About<'_> {
         (0..count).map(of_level).collect()
     }
 
-    /// What is folded over. Parts are those of planes, which do not fold.
-    fn folds(&self) -> Option<&Folds> {
-        self.written.iter().map(|part| &part.finest.streamed.folds).find(|folds| folds.triangles > 0)
+    /// What is folded over of the relief, and of the underside of a solid. Parts are those of planes, which
+    /// do not fold.
+    fn folds(&self) -> [Option<&Folds>; 2] {
+        let first = |of: fn(&Streamed) -> &Folds| {
+            self.written.iter().map(|part| of(&part.finest.streamed)).find(|folds| folds.triangles > 0)
+        };
+        [first(|streamed| &streamed.folds), first(|streamed| &streamed.folds_below)]
     }
 
     /// Says it.
@@ -158,7 +162,12 @@ impl About<'_> {
             if arguments.lods.is_some() {
                 about["lods"] = self.levels().iter().map(LevelAbout::as_json).collect();
             }
-            about["folds"] = self.folds().map_or_else(|| of_folds(&Folds::default()), of_folds);
+            let [folds, below] =
+                self.folds().map(|folds| folds.map_or_else(|| of_folds(&Folds::default()), of_folds));
+            about["folds"] = folds;
+            if arguments.solid.is_some() {
+                about["folds_below"] = below;
+            }
             if arguments.tiles.is_some() {
                 about["files"] = written.iter().map(of_part).collect();
             }
@@ -218,10 +227,14 @@ impl About<'_> {
         };
         writeln!(out, "  edges       {edges}")?;
         writeln!(out, "  pieces      {pieces}")?;
-        if let Some(folds) = self.folds() {
-            let of = surface.mesh().triangles().len();
-            writeln!(out, "  folds       {}", folds_in_words(folds, of))?;
-            say::note(FOLDED);
+        for (folds, (what, why)) in
+            self.folds().into_iter().zip([("folds      ", FOLDED), ("underside  ", FOLDED_BELOW)])
+        {
+            if let Some(folds) = folds {
+                let of = surface.mesh().triangles().len();
+                writeln!(out, "  {what} {}", folds_in_words(folds, of))?;
+                say::note(why);
+            }
         }
         Ok(())
     }
@@ -231,6 +244,10 @@ impl About<'_> {
 const FOLDED: &str = "the relief is folded over where the mesh curves more than it lets be displaced, and \
     shows its back there: a smaller --scale, another --bias, or a rounder mesh there; relief inspect MESH \
     says how far a mesh can be displaced before it folds";
+
+/// What to do about those of an underside.
+const FOLDED_BELOW: &str = "the underside is folded over where the mesh curves more than the solid is thick: \
+    a smaller --solid or --scale, or another --bias";
 
 fn folds_in_words(folds: &Folds, of: usize) -> String {
     let Folds { triangles, base_triangles, first, .. } = folds;
