@@ -106,6 +106,15 @@ fn sizes_inversion_and_threads() {
     assert_ne!(bytes("out/a.ply"), bytes("out/c.ply"));
     made("--shading mesh", "out/d.ply");
     assert_ne!(bytes("out/c.ply"), bytes("out/d.ply"));
+    // Strips hold the same triangles in fewer bytes.
+    let strips = made("--strips --lods 2 --quantize 12", "out/strips.glb");
+    let lists = made("--lods 2 --quantize 12", "out/lists.glb");
+    assert!(strips["bytes"].as_u64() < lists["bytes"].as_u64(), "{strips}");
+    assert!(strips["strips"]["per_triangle"].as_f64().is_some_and(|count| (1.0..1.1).contains(&count)));
+    let read = |name: &str| json_of(&folder.relief(&format!("inspect {name} --json")).fine());
+    let [strips, lists] = ["out/strips.glb", "out/lists.glb"].map(read);
+    assert_eq!(strips["triangles"], lists["triangles"]);
+    assert!(strips["left_out"].is_object() && strips["left_out"] == lists["left_out"], "{strips}");
     // Elevation models need no more words: a sheet with the border of a sheet.
     let sheet = made("", "out/e.glb");
     assert_eq!(sheet["open_edges"].as_u64(), Some(2 * (129 + 65)), "{sheet}");
@@ -194,6 +203,8 @@ fn what_cannot_be_made_is_refused() {
         ("hills.png --solid 3 --mesh fold.obj -o out/a.stl", 1, ["--solid", "two triangles"]),
         ("hills.png --solid 3 --mesh touch.obj -o out/a.stl", 1, ["--solid", "twice through (0.000000"]),
         ("hills.png --solid 3 --mesh seam.obj --seams keep -o out/a.stl", 1, ["--solid", "--seams weld"]),
+        ("hills.png --strips -o out/a.stl", 2, ["--strips", "STL has no triangle strips"]),
+        ("hills.png --strips -o out/a.ply", 2, ["--strips", "PLY"]),
         ("hills.png --tiles 0x1 -o out/a.glb", 2, ["--tiles", "4x2"]),
         ("hills.png --tiles 2 -o out/a.glb", 2, ["--tiles", "4x2"]),
         ("hills.png --tiles 2x2 --mesh cube -o out/a.glb", 1, ["--tiles", "planes"]),

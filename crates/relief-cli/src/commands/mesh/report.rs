@@ -94,6 +94,14 @@ impl About<'_> {
         self.written.iter().filter_map(of_part).reduce(|a, b| OnLattice { of: a.of.with(b.of), ..a })
     }
 
+    /// The indices of all strips, and how many there are for a triangle.
+    fn strips(&self) -> (u64, f64) {
+        let levels = || self.written.iter().flat_map(WrittenPart::levels);
+        let indices: u64 = levels().filter_map(|level| level.indices).sum();
+        let triangles: u64 = levels().map(|level| level.counts.triangles).sum();
+        (indices, indices as f64 / triangles as f64)
+    }
+
     /// All levels of detail, of all parts together.
     fn levels(&self) -> Vec<LevelAbout> {
         let count = self.written.first().map_or(0, |part| part.levels().count());
@@ -159,6 +167,10 @@ impl About<'_> {
                     "triangles_without_area": rounded.of.without_area, "uvs": rounded.uvs,
                 });
             }
+            if arguments.strips {
+                let (indices, of_each) = self.strips();
+                about["strips"] = json!({ "indices": indices, "per_triangle": six_digits(of_each) });
+            }
             if arguments.lods.is_some() {
                 about["lods"] = self.levels().iter().map(LevelAbout::as_json).collect();
             }
@@ -219,6 +231,10 @@ impl About<'_> {
         }
         for (number, level) in self.levels().iter().enumerate().filter(|_| arguments.lods.is_some()) {
             writeln!(out, "  level {number}     {}", level.in_words(unit, factor))?;
+        }
+        if arguments.strips {
+            let (indices, of_each) = self.strips();
+            writeln!(out, "  strips      {indices} indices, {of_each:.3} a triangle")?;
         }
         let edges = match (open, branching) {
             (0, 0) => "closed, no open edge".to_owned(),
