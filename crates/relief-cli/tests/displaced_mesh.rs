@@ -20,6 +20,13 @@ fn folder() -> Folder {
     folder
 }
 
+/// Corners of triangles in an OBJ.
+const CORNERS: &str = "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 0 -1\nv -1 0 0\nv 1 1 0\n\
+    vt 0 0\nvt 0 1\nvt 1 0\nvt 0.5 0.5\n";
+
+/// Two triangles of these with a seam between them.
+const SEAM: &str = "f 1/1 2/2 3/3\nf 2/4 1/3 5/1\n";
+
 #[test]
 fn every_format_holds_the_mesh_that_is_answered() {
     let folder = folder();
@@ -99,6 +106,15 @@ fn sizes_inversion_and_threads() {
     assert_ne!(bytes("out/a.ply"), bytes("out/c.ply"));
     made("--shading mesh", "out/d.ply");
     assert_ne!(bytes("out/c.ply"), bytes("out/d.ply"));
+    // Strips hold the same triangles in fewer bytes.
+    let strips = made("--strips --lods 2 --quantize 12", "out/strips.glb");
+    let lists = made("--lods 2 --quantize 12", "out/lists.glb");
+    assert!(strips["bytes"].as_u64() < lists["bytes"].as_u64(), "{strips}");
+    assert!(strips["strips"]["per_triangle"].as_f64().is_some_and(|count| (1.0..1.1).contains(&count)));
+    let read = |name: &str| json_of(&folder.relief(&format!("inspect {name} --json")).fine());
+    let [strips, lists] = ["out/strips.glb", "out/lists.glb"].map(read);
+    assert_eq!(strips["triangles"], lists["triangles"]);
+    assert!(strips["left_out"].is_object() && strips["left_out"] == lists["left_out"], "{strips}");
     // Elevation models need no more words: a sheet with the border of a sheet.
     let sheet = made("", "out/e.glb");
     assert_eq!(sheet["open_edges"].as_u64(), Some(2 * (129 + 65)), "{sheet}");
@@ -115,6 +131,11 @@ fn what_cannot_be_made_is_refused() {
     folder.write("flat.obj", "v 0 0 0\nv 0 0 1\nv 0 0 2\nvt 0 0\nvt 0 1\nvt 1 0\nf 1/1 2/2 3/3\n");
     folder.write("nan.obj", "v 0 0 nan\nv 0 0 1\nv 1 0 0\nvt 0 0\nvt 0 1\nvt 1 0\nf 1/1 2/2 3/3\n");
     folder.write("point.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nvt 0 0\nvt 0 0\nvt 0 0\nf 1/1 2/2 3/3\n");
+    // Two that face opposite ways, two that touch in a corner, and two with a seam between them.
+    let corners = CORNERS;
+    folder.write("fold.obj", format!("{corners}f 1/1 2/2 3/3\nf 1/1 2/2 6/4\n"));
+    folder.write("touch.obj", format!("{corners}f 1/1 2/2 3/3\nf 1/1 4/2 5/3\n"));
+    folder.write("seam.obj", format!("{corners}{SEAM}"));
     folder.write("nan.exr", exr([2, 1], &[("Y", vec![f32::NAN, 1.0])]));
     folder.write("eye.toml", "height = 'hills.png'\neye = [0, 0, 0]\ntarget = [0, 0, 0]\n");
     folder.write("view.toml", "height = 'hills.png'\neye = [0.3, 0.6, 1]\nsize = [320, 240]\n");
@@ -179,6 +200,11 @@ fn what_cannot_be_made_is_refused() {
         ("hills.png --view view.toml --solid 3 -o out/a.stl", 1, ["--solid", "view"]),
         ("hills.png --solid 0 -o out/a.stl", 2, ["--solid", "0"]),
         ("hills.png --solid 3 --mesh cube -o out/a.stl", 1, ["--solid", "closed"]),
+        ("hills.png --solid 3 --mesh fold.obj -o out/a.stl", 1, ["--solid", "two triangles"]),
+        ("hills.png --solid 3 --mesh touch.obj -o out/a.stl", 1, ["--solid", "twice through (0.000000"]),
+        ("hills.png --solid 3 --mesh seam.obj --seams keep -o out/a.stl", 1, ["--solid", "--seams weld"]),
+        ("hills.png --strips -o out/a.stl", 2, ["--strips", "STL has no triangle strips"]),
+        ("hills.png --strips -o out/a.ply", 2, ["--strips", "PLY"]),
         ("hills.png --tiles 0x1 -o out/a.glb", 2, ["--tiles", "4x2"]),
         ("hills.png --tiles 2 -o out/a.glb", 2, ["--tiles", "4x2"]),
         ("hills.png --tiles 2x2 --mesh cube -o out/a.glb", 1, ["--tiles", "planes"]),
@@ -240,6 +266,15 @@ fn an_error_is_kept_in_lengths_of_the_file_and_by_each_of_its_tiles() {
     assert_eq!(solid["open_edges"], 0, "{solid}");
     let thick = solid["size_m"][1].as_f64().expect("a size") - print["size_m"][1].as_f64().expect("a size");
     assert!((0.0039..0.0042).contains(&thick), "{solid}");
+    // So is a mesh that is no plane.
+    folder.write("seam.obj", format!("{CORNERS}{SEAM}"));
+    for more in ["--texels 9", "--error 1%", "--texels 9 --print-size 40", "--texels 9 --invert --base lift"]
+    {
+        let solid = made(&format!("--mesh seam.obj --scale 0.05 --solid 4 {more} -o out/solid.stl"));
+        let counts = ["open_edges", "branching_edges", "pieces"].map(|name| solid[name].as_u64());
+        assert_eq!(counts, [Some(0), Some(0), Some(1)], "{solid}");
+        assert_eq!(solid["folds_below"]["triangles"], 0, "{solid}");
+    }
     let few = made("--scale 0.2 --triangles 500 -o out/few.ply");
     assert!(few["triangles"].as_u64().is_some_and(|count| (400..=500).contains(&count)), "{few}");
     assert!(error(&few) > error(&usual));

@@ -106,12 +106,38 @@ pub enum MesherError {
         /// How thick it would be.
         solid_m: f64,
     },
-    /// A solid of a mesh that is not a plane.
+    /// A solid of a mesh without a border.
+    #[error("the mesh is closed, and solid as it is: one with open edges can be made solid")]
+    SolidOfClosed,
+    /// A solid of a mesh whose seams are kept.
     #[error(
-        "only planes are made solid: two triangles that make a rectangle with straight texture; a closed \
-         mesh is solid as it is"
+        "a mesh whose seams and hard edges are kept gapes there, around {}: no solid is closed, unless they \
+         are welded", place(*at_m)
     )]
-    SolidOfNoPlane,
+    SolidOfSeams {
+        /// The middle of one of them, in metres.
+        at_m: [f64; 3],
+    },
+    /// A solid of a mesh whose surface has no two sides.
+    #[error(
+        "{edges} edges of the mesh have more than two triangles, or two that face opposite ways, the first \
+         around {}: nothing says on which side of them its inside would be", place(*at_m)
+    )]
+    SolidBranches {
+        /// How many there are.
+        edges: u64,
+        /// The middle of one of them, in metres.
+        at_m: [f64; 3],
+    },
+    /// A solid of a mesh whose border touches itself.
+    #[error(
+        "the border of the mesh goes twice through {}: its walls would touch in a line, which is no solid; \
+         another triangle there, or one less, parts them", place(*at_m)
+    )]
+    SolidTouches {
+        /// Where that is, in metres.
+        at_m: [f64; 3],
+    },
     /// A solid of a mesh that is made for a view.
     #[error(
         "what is made for a view is not made solid: a point every so many texels, or a tolerance, can be"
@@ -166,6 +192,11 @@ pub enum MesherError {
     /// Nothing of that name.
     #[error(transparent)]
     Unknown(#[from] UnknownName),
+}
+
+/// A position in a text.
+fn place([x, y, z]: [f64; 3]) -> String {
+    format!("({x:.6}, {y:.6}, {z:.6})")
 }
 
 /// The most vertices and triangles of a mesh.

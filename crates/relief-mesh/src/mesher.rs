@@ -1,6 +1,7 @@
 //! Displaced meshes, counted first and made block by block.
 
 mod block;
+mod solid;
 
 use std::convert::Infallible;
 use std::sync::atomic::Ordering;
@@ -11,6 +12,7 @@ use relief_core::HeightMap;
 use relief_core::mesh::{Mesh, MeshBlock};
 
 use self::block::Made;
+use self::solid::Solid;
 use crate::crack::CrackTest;
 use crate::edge::Divides;
 use crate::error::MOST;
@@ -18,7 +20,7 @@ use crate::filling::Filling;
 use crate::folds::{FoldedBase, Folds};
 use crate::interior::{Fills, Pattern};
 use crate::plan::{Plan, Work};
-use crate::plane::{Adapted, Grid, Rectangle, Solid};
+use crate::plane::{Adapted, Grid, Rectangle};
 use crate::smooth::{self, Normals};
 use crate::surface::Relief;
 use crate::triangles::{self, Triangles};
@@ -64,18 +66,12 @@ impl Base {
         }
     }
 
-    /// Walls and a bottom under a plane.
-    fn solid(&self, relief: &Relief, solid_m: f64) -> Option<Solid> {
-        let map = relief.map();
-        let lowest_m = relief.metres(f64::from(map.extremes()[0]));
+    /// How far the relief is from the triangles, if they were made to a tolerance.
+    fn certificate(&self) -> Option<&Certificate> {
         match self {
-            Self::Triangles(..) | Self::Filled(_) => None,
-            Self::Grid(grid, _) => Some(Solid::new(grid.walls(relief), lowest_m - solid_m)),
-            Self::Adapted(plane) => {
-                // Triangles may lie below the relief by their error.
-                let lowest_m = lowest_m - plane.certificate().error_m;
-                Some(Solid::new(plane.walls(relief), lowest_m - solid_m))
-            }
+            Self::Triangles(..) | Self::Grid(..) => None,
+            Self::Filled(filled) => Some(filled.certificate()),
+            Self::Adapted(plane) => Some(plane.certificate()),
         }
     }
 
@@ -182,9 +178,6 @@ impl Mesher {
         if let Some(solid_m) = settings.solid_m.filter(|solid_m| !(*solid_m > 0.0 && solid_m.is_finite())) {
             return Err(MesherError::BadSolid { solid_m });
         }
-        if rectangle.is_none() && settings.solid_m.is_some() {
-            return Err(MesherError::SolidOfNoPlane);
-        }
         if matches!(settings.edges.divides, Divides::Voxels(_)) && settings.solid_m.is_some() {
             return Err(MesherError::SolidOfView);
         }
@@ -222,7 +215,6 @@ impl Mesher {
                 return Err(MesherError::Pair { edges, interior, why: settings.interior.why });
             }
         };
-        let solid = settings.solid_m.and_then(|solid_m| base.solid(&relief, solid_m));
         let mut plan = Plan::default();
         match &base {
             Base::Triangles(triangles, pattern) => plan.triangles(triangles, pattern)?,
@@ -230,10 +222,12 @@ impl Mesher {
             Base::Filled(filled) => plan.filled(filled),
             Base::Adapted(plane) => plan.adapted(plane),
         }
-        if let Some(solid) = &solid {
-            plan.solid(solid)?;
-        }
+        let solid = Solid::planned(&base, &relief, settings, &mut plan)?;
         let Plan { blocks, vertices, triangles, largest } = plan;
+        // Those of a solid were not counted while patches were filled.
+        if triangles > most {
+            return Err(MesherError::MoreThan { most });
+        }
         let at_hand = 2 * rayon::current_num_threads() * BLOCKS_PER_THREAD;
         let of_normals =
             if settings.shading == Shading::Mesh { vertices * smooth::BYTES_PER_VERTEX } else { 0 };
@@ -246,6 +240,7 @@ impl Mesher {
             + (blocks.len() * size_of::<Work>()) as u64
             + of_normals
             + of_tiles
+            + solid.as_ref().map_or(0, Solid::bytes)
             + at_hand as u64 * largest * BYTES_IN_A_BLOCK;
         Ok(Self { base, solid, relief, shading: settings.shading, blocks, vertices, triangles, bytes })
     }
@@ -257,11 +252,7 @@ impl Mesher {
 
     /// How far the relief is from the triangles, if they were made to a tolerance.
     pub fn certificate(&self) -> Option<&Certificate> {
-        match &self.base {
-            Base::Triangles(..) | Base::Grid(..) => None,
-            Base::Filled(filled) => Some(filled.certificate()),
-            Base::Adapted(plane) => Some(plane.certificate()),
-        }
+        self.base.certificate()
     }
 
     /// The most memory that a triangle of the base takes, in bytes.
@@ -308,7 +299,8 @@ impl Mesher {
             normals = Some(sums);
         }
         let mut test = how.check.then(CrackTest::default);
-        let (mut bounds_m, mut folds, mut rounded) = (EMPTY, Folds::default(), Rounded::default());
+        let (mut bounds_m, mut rounded) = (EMPTY, Rounded::default());
+        let (mut folds, mut folds_below) = (Folds::default(), Folds::default());
         let tell = |part: f32| (how.watch.tell)(1.0 - (1.0 - part) / rounds);
         self.each_block(how, normals.as_ref(), &tell, |made| {
             if let (Some(test), Some(part)) = (&mut test, made.part.take()) {
@@ -316,8 +308,10 @@ impl Mesher {
             }
             let [least, greatest] = made.bounds_m;
             bounds_m = [bounds_m[0].min(least), bounds_m[1].max(greatest)];
-            for found in &made.folds {
-                folds.add(FoldedBase { middle_m: found.middle_m * how.size, ..*found });
+            for (folds, all) in [(&mut folds, &made.folds), (&mut folds_below, &made.folds_below)] {
+                for found in all {
+                    folds.add(FoldedBase { middle_m: found.middle_m * how.size, ..*found });
+                }
             }
             rounded = rounded.with(made.rounded);
             sink(&made.block).map_err(StreamError::Sink)
@@ -326,6 +320,7 @@ impl Mesher {
             bounds_m,
             cracks: test.map(CrackTest::finish),
             folds,
+            folds_below,
             rounded: how.grid.map(|_| rounded),
         })
     }

@@ -25,8 +25,14 @@ pub enum Work {
     Filled(Range<u32>),
     /// A tile of a plane.
     Tile(u32),
-    /// Walls and a bottom, whose first vertex has that number.
+    /// Walls and a bottom under a plane, whose first vertex has that number.
     Solid(u32),
+    /// Vertices of an underside.
+    Below(Range<u32>),
+    /// Triangles of an underside.
+    Underside(Range<u32>),
+    /// Walls between a border and an underside.
+    Walls(Range<u32>),
 }
 
 /// A plan of blocks.
@@ -59,28 +65,34 @@ impl Plan {
         self.blocks.push(work);
     }
 
-    fn corners(&mut self, count: u32) {
+    /// Vertices or triangles that are made one by one.
+    fn each(&mut self, count: u32, work: impl Fn(Range<u32>) -> Work) {
         for first in (0..count).step_by(BLOCK as usize) {
             let last = count.min(first + BLOCK as u32);
-            self.add(Work::Corners(first..last), u64::from(last - first));
+            self.add(work(first..last), u64::from(last - first));
+        }
+    }
+
+    /// What is of different sizes, as many together as make a block.
+    fn together(&mut self, count: u32, size_of: impl Fn(u32) -> u64, work: impl Fn(Range<u32>) -> Work) {
+        let (mut first, mut size) = (0, 0);
+        for at in 0..count {
+            size += size_of(at);
+            if size >= BLOCK || at + 1 == count {
+                self.add(work(first..at + 1), size);
+                (first, size) = (at + 1, 0);
+            }
         }
     }
 
     /// Vertices along edges, or sides of tiles, of so many points each.
     fn edges(&mut self, count: u32, points: impl Fn(u32) -> u32) {
-        let (mut first, mut size) = (0, 0);
-        for edge in 0..count {
-            size += u64::from(points(edge));
-            if size >= BLOCK || edge + 1 == count {
-                self.add(Work::Edges(first..edge + 1), size);
-                (first, size) = (edge + 1, 0);
-            }
-        }
+        self.together(count, |edge| points(edge).into(), Work::Edges);
     }
 
     /// Plans a mesh over triangles.
     pub fn triangles(&mut self, base: &Triangles, pattern: &Pattern) -> Result<(), MesherError> {
-        self.corners(base.corner_count());
+        self.each(base.corner_count(), Work::Corners);
         self.edges(base.edge_count(), |edge| base.points_of_edge(edge));
         self.vertices = base.border_count();
         let begun = |from: [u32; 2], inner: u64, vertices: u64| (from, inner as u32, vertices as u32);
@@ -111,24 +123,17 @@ impl Plan {
     /// Plans a mesh over triangles that are filled.
     pub fn filled(&mut self, filled: &triangles::Adapted) {
         let base = filled.base();
-        self.corners(base.corner_count());
+        self.each(base.corner_count(), Work::Corners);
         self.edges(base.edge_count(), |edge| base.points_of_edge(edge));
         self.vertices = filled.vertices();
-        let (mut first, mut size) = (0, 0);
-        for patch in 0..base.count() {
-            let [points, triangles] = filled.counts(patch).map(u64::from);
-            self.triangles += triangles;
-            size += points + triangles;
-            if size >= BLOCK || patch + 1 == base.count() {
-                self.add(Work::Filled(first..patch + 1), size);
-                (first, size) = (patch + 1, 0);
-            }
-        }
+        self.triangles = (0..base.count()).map(|patch| u64::from(filled.counts(patch)[1])).sum();
+        let size = |patch: u32| filled.counts(patch).map(u64::from).iter().sum();
+        self.together(base.count(), size, Work::Filled);
     }
 
     /// Plans a mesh over the tiles of a plane that are filled.
     pub fn adapted(&mut self, plane: &Adapted) {
-        self.corners(plane.corner_count());
+        self.each(plane.corner_count(), Work::Corners);
         self.edges(plane.side_count(), |side| plane.points_of_side(side));
         self.vertices = plane.vertices();
         for tile in 0..plane.tile_count() {
@@ -145,6 +150,19 @@ impl Plan {
         self.triangles += solid.triangles();
         self.check()?;
         self.add(Work::Solid(first as u32), solid.vertices() + solid.triangles());
+        Ok(())
+    }
+
+    /// Plans an underside and walls after everything else.
+    pub fn underside(&mut self, solid: &triangles::Solid) -> Result<(), MesherError> {
+        let of_walls: u64 = (0..solid.wall_count()).map(|wall| solid.wall_triangles(wall)).sum();
+        self.vertices = solid.end();
+        self.triangles += u64::from(solid.patch_count()) + of_walls;
+        self.check()?;
+        self.each(solid.corner_count(), Work::Below);
+        self.each(solid.patch_count(), Work::Underside);
+        let size = |wall: u32| solid.wall_vertices(wall) + solid.wall_triangles(wall);
+        self.together(solid.wall_count(), size, Work::Walls);
         Ok(())
     }
 

@@ -27,7 +27,12 @@ pub struct MeshSettings {
     pub fit: Fit,
     /// For the same: on which side of the relief triangles lie.
     pub side: Side,
-    /// Walls and a flat bottom under a plane, so many metres below the lowest point of the relief at least.
+    /// Walls and an underside that make an open mesh a closed solid, so many metres thick at least.
+    ///
+    /// Under a plane the bottom is flat, as far below the lowest point of the relief. Another mesh gets its
+    /// own triangles once more, all displaced by the same: under each vertex of the relief the solid is as
+    /// thick along the direction there, as long as interpolated normals are not shorter than half of one. It
+    /// faces the way that the mesh does. Pieces that are closed stay as they are.
     pub solid_m: Option<f64>,
     /// Which part of a plane is made.
     pub part: Part,

@@ -31,6 +31,8 @@ pub struct Streamed {
     pub cracks: Option<Cracks>,
     /// What was folded over.
     pub folds: Folds,
+    /// What was folded over of the underside of a solid.
+    pub folds_below: Folds,
     /// What a lattice changed, if there was one.
     pub rounded: Option<Rounded>,
 }

@@ -136,6 +136,11 @@ impl Relief {
         }
     }
 
+    /// Along what points are displaced.
+    pub fn directions(&self) -> Directions {
+        self.directions
+    }
+
     /// How far one metre of displacement goes along a normal of that length.
     pub fn reach(&self, normal: f64) -> f64 {
         match self.directions {

@@ -10,6 +10,7 @@ pub mod claims;
 pub mod curved;
 pub mod detail;
 pub mod displaced;
+pub mod glb;
 pub mod judge;
 pub mod maps;
 pub mod mesh_distance;

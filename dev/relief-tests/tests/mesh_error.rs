@@ -337,7 +337,7 @@ fn solids_are_closed_and_as_thick_as_they_say() {
     let ring = torus(16, 8).expect("a mesh");
     let solid = |solid_m: f64| MeshSettings { solid_m: Some(solid_m), ..MeshSettings::default() };
     let refused = |base: &Mesh, settings| Mesher::new(base, &map, &settings).expect_err("refused");
-    assert!(matches!(refused(&ring, solid(0.01)), MesherError::SolidOfNoPlane));
+    assert!(matches!(refused(&ring, solid(0.01)), MesherError::SolidOfClosed));
     for solid_m in [0.0, -1.0, f64::NAN] {
         assert!(matches!(refused(&plane(), solid(solid_m)), MesherError::BadSolid { .. }));
     }

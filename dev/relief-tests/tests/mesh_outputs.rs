@@ -10,6 +10,7 @@ use relief_mesh::{
     CrackTest, Directions, Folds, MeshSettings, Mesher, Part, Seams, Shading, Stream, Streamed, Watch,
     cache_misses,
 };
+use relief_tests::glb;
 use serde_json::{Value, json};
 
 /// Moves everything by so many metres.
@@ -185,7 +186,7 @@ fn integers_are_read_as_the_lattice_and_open_no_crack() {
             // The file holds these floats, from rounded positions and from others.
             let uvs = bounds.uvs[0].min_element() >= 0.0 && bounds.uvs[1].max_element() <= 1.0;
             let quantization = Some(Quantization { grid, uvs });
-            let layout = GlbLayout { levels: vec![level(&mesher, 0.0)], quantization };
+            let layout = GlbLayout { levels: vec![level(&mesher, 0.0)], quantization, strips: false };
             let paths = [(&blocks, "a.glb"), (&exact, "b.glb")].map(|(blocks, name)| {
                 let path = folder.path().join(name);
                 write_glb(&path, &layout, |sink| blocks.iter().try_for_each(&mut *sink)).expect("written");
@@ -241,20 +242,12 @@ fn a_file_of_integers_that_would_be_wrong_is_not_written() {
     for (around, uvs) in [(small, false), (bounds_m, true)] {
         let grid = PositionGrid::around(&[around], 12).expect("finite")[0];
         let quantization = Some(Quantization { grid, uvs });
-        let layout = GlbLayout { levels: vec![level(&mesher, 0.0)], quantization };
+        let layout = GlbLayout { levels: vec![level(&mesher, 0.0)], quantization, strips: false };
         let written = write_glb(&path, &layout, |sink| blocks.iter().try_for_each(&mut *sink));
         let problem = written.expect_err("it lies beyond").problem.to_string();
         assert!(problem.contains("beyond"), "{problem}");
     }
     assert_eq!(std::fs::read_dir(folder.path()).expect("a folder").count(), 0);
-}
-
-/// The JSON and the buffer of a GLB.
-fn glb(bytes: &[u8]) -> (Value, &[u8]) {
-    let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().expect("four bytes")) as usize;
-    let json = word(12);
-    assert_eq!((word(8), json % 4, &bytes[24 + json..28 + json]), (bytes.len(), 0, &b"BIN\0"[..]));
-    (serde_json::from_slice(&bytes[20..20 + json]).expect("JSON"), &bytes[28 + json..])
 }
 
 #[test]
@@ -273,13 +266,13 @@ fn levels_of_detail_are_meshes_of_one_file() {
     let around = bounds[0].with(&bounds[1]).with(&bounds[2]).positions_m;
     let grid = PositionGrid::around(&[around], 14).expect("finite")[0];
     for quantization in [None, Some(Quantization { grid, uvs: true })] {
-        let layout = GlbLayout { levels: levels.clone(), quantization };
+        let layout = GlbLayout { levels: levels.clone(), quantization, strips: false };
         let grid = quantization.map(|how| how.grid);
         let blocks = meshers.each_ref().map(|mesher| rounded(mesher, grid).0);
         write_glb(&path, &layout, |sink| blocks.iter().flatten().try_for_each(&mut *sink)).expect("written");
         let bytes = std::fs::read(&path).expect("written");
         assert_eq!(bytes.len() as u64, layout.bytes());
-        let (json, buffer) = glb(&bytes);
+        let (json, buffer) = glb::parts(&bytes);
         assert_eq!(json["scenes"][0]["nodes"], json!([0]));
         assert_eq!(json["nodes"][0]["extensions"]["MSFT_lod"]["ids"], json!([1, 2]));
         let coverages = json["nodes"][0]["extras"]["MSFT_screencoverage"].as_array().expect("a list");
@@ -330,10 +323,13 @@ fn levels_of_detail_are_meshes_of_one_file() {
         }
         assert_eq!(std::fs::read(&path).expect("as it was"), bytes);
     }
-    let same =
-        GlbLayout { levels: vec![level(&meshers[0], 0.1), level(&meshers[1], 0.1)], quantization: None };
+    let same = GlbLayout {
+        levels: vec![level(&meshers[0], 0.1), level(&meshers[1], 0.1)],
+        quantization: None,
+        strips: false,
+    };
     assert!(same.check().is_err());
-    assert!(GlbLayout { levels: Vec::new(), quantization: None }.check().is_err());
+    assert!(GlbLayout { levels: Vec::new(), quantization: None, strips: false }.check().is_err());
 }
 
 #[test]

@@ -129,7 +129,7 @@ pub struct MeshFile {
 ///
 /// | format | what is read |
 /// | --- | --- |
-/// | glTF | all triangles of the default scene, or the first one, in the places of their nodes; strips, fans, sparse and quantised accessors; the first texture coordinates; no poses of skins and morphs, no compressed meshes |
+/// | glTF | all triangles of the default scene, or the first one, in the places of their nodes; strips (without the triangles that join them), fans, sparse and quantised accessors; the first texture coordinates; no poses of skins and morphs, no compressed meshes |
 /// | OBJ | faces of any number of corners, with `vt` and `vn`; `v` is turned over, as it runs up there |
 /// | PLY | faces of any number of corners; `u` and `v`, `s` and `t` or `texture_u` and `texture_v` of vertices, or `texcoord` of faces, turned over; normals |
 /// | STL | triangles; their normals are not used |

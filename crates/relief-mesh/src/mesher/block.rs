@@ -1,9 +1,12 @@
 //! Blocks of a mesh, each made by itself.
 
+use std::collections::HashMap;
+
 use glam::{DVec3, Vec3};
 use pulp::Arch;
 use relief_core::mesh::{MeshBlock, PositionGrid, Vertex};
 
+use super::solid::Solid;
 use super::{Base, EMPTY, Mesher};
 use crate::cache_order::cache_order;
 use crate::crack::CrackPart;
@@ -13,7 +16,7 @@ use crate::patch::{Patch, PatchPoint};
 use crate::plan::Work;
 use crate::plane::{Adapted, Faces, Grid, Tile};
 use crate::smooth::Normals;
-use crate::triangles::{self, Border, EdgeVertices, Inside, Numbered, Triangles};
+use crate::triangles::{self, EdgeVertices, Inside, Numbered, PatchBorder, Triangles};
 use crate::{Rounded, Shading, Stream};
 
 /// A block that was made.
@@ -25,6 +28,8 @@ pub struct Made {
     pub bounds_m: [Vec3; 2],
     /// What is folded over, in the order of the base's triangles.
     pub folds: Vec<FoldedBase>,
+    /// The same of the underside of a solid.
+    pub folds_below: Vec<FoldedBase>,
     pub rounded: Rounded,
 }
 
@@ -66,8 +71,29 @@ impl Mesher {
                 }
             }
             (base, Work::Solid(first)) => {
-                if let (Some(solid), Some(rectangle)) = (&self.solid, base.rectangle()) {
+                if let (Some(Solid::Plane(solid)), Some(rectangle)) = (&self.solid, base.rectangle()) {
                     making.faces(solid.faces(rectangle, &self.relief), *first, rectangle.is_turned);
+                }
+            }
+            (base, Work::Below(range)) => {
+                if let (Some(Solid::Triangles(solid)), Some(base)) = (&self.solid, base.triangles()) {
+                    for place in range.clone() {
+                        let (vertex, numbered) = solid.corner(base, place);
+                        making.vertex(vertex, numbered);
+                    }
+                }
+            }
+            (base, Work::Underside(range)) => {
+                if let (Some(Solid::Triangles(solid)), Some(base)) = (&self.solid, base.triangles()) {
+                    making.underside(base, range.clone().map(|place| solid.triangle(base, place)));
+                }
+            }
+            (base, Work::Walls(range)) => {
+                if let (Some(Solid::Triangles(solid)), Some(base)) = (&self.solid, base.triangles()) {
+                    for wall in range.clone() {
+                        let faces = solid.wall(base, &self.relief, wall);
+                        making.faces(faces, solid.first_of_wall(wall), false);
+                    }
                 }
             }
             (base, Work::Corners(range)) => {
@@ -94,7 +120,7 @@ impl Mesher {
         if how.cache_order {
             making.order();
         }
-        let Making { mut block, smooth, folds, .. } = making;
+        let Making { mut block, smooth, folds, folds_below, .. } = making;
         scale(&mut block, how.size);
         let rounded = how.grid.map(|grid| round(&mut block, &grid)).unwrap_or_default();
         let (mut bounds_m, mut is_finite) = (EMPTY, true);
@@ -107,7 +133,7 @@ impl Mesher {
         }
         let part = how.check.then(|| CrackPart::of(&block.points, &block.corners));
         let smooth = smooth.unwrap_or_default();
-        Some(Made { block, part, smooth, bounds_m, folds, rounded })
+        Some(Made { block, part, smooth, bounds_m, folds, folds_below, rounded })
     }
 
     fn patches(
@@ -132,7 +158,7 @@ impl Mesher {
             cut.clear();
             points.clear();
             (pattern.cut)(&shape, begin..end, first_inner, &mut cut);
-            let (border, inside) = (Border::new(base, &self.relief, patch), Inside::new(base, patch));
+            let (border, inside) = (PatchBorder::new(base, &self.relief, patch), Inside::new(base, patch));
             let mut own = 0;
             // Compiled for the vectors that the machine has; the bits are the same.
             Arch::new().dispatch(|| {
@@ -199,7 +225,7 @@ impl Mesher {
 
     fn filled_patch(&self, filled: &triangles::Adapted, patch: u32, making: &mut Making) {
         let base = filled.base();
-        let (cut, border) = (filled.cut(patch), Border::new(base, &self.relief, patch));
+        let (cut, border) = (filled.cut(patch), PatchBorder::new(base, &self.relief, patch));
         let inside = Inside::new(base, patch);
         let mut points = Vec::with_capacity(cut.points.len());
         for point in &cut.points {
@@ -247,6 +273,7 @@ struct Making<'a> {
     smooth: Option<Vec<[u32; 3]>>,
     normals: Option<&'a Normals>,
     folds: Vec<FoldedBase>,
+    folds_below: Vec<FoldedBase>,
 }
 
 impl Making<'_> {
@@ -267,6 +294,24 @@ impl Making<'_> {
             .map(|(numbered, vertex)| (numbered, self.vertex(vertex, numbered)))
             .collect();
         self.triangles(&faces.triangles, &points, is_turned);
+    }
+
+    /// Adds triangles of the base as they lie at an underside, turned over.
+    fn underside(&mut self, base: &Triangles, all: impl Iterator<Item = (u32, [(Numbered, Vec3); 3])>) {
+        let (mut places, mut points, mut triangles) = (HashMap::new(), Vec::new(), Vec::new());
+        for (patch, corners) in all {
+            if folds::is_folded(corners.map(|(_, position)| position), base.directions(patch)) {
+                let (triangle, middle_m) = (base.whole(patch), base.middle(patch));
+                self.folds_below.push(FoldedBase { triangle, pieces: 1, middle_m });
+            }
+            triangles.push(corners.map(|corner| {
+                *places.entry(corner.0.number).or_insert_with(|| {
+                    points.push(corner);
+                    points.len() as u32 - 1
+                })
+            }));
+        }
+        self.triangles(&triangles, &points, true);
     }
 
     fn triangles(&mut self, triangles: &[[u32; 3]], points: &[(Numbered, Vec3)], is_turned: bool) {

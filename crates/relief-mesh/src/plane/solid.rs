@@ -19,7 +19,7 @@ pub struct Solid {
     bottom_m: f64,
 }
 
-/// The vertices and the triangles of walls and a bottom, these by places in the vertices.
+/// Faces with vertices of their own, which triangles name by their places.
 #[derive(Debug, Default)]
 pub struct Faces {
     pub vertices: Vec<Vertex>,
@@ -44,6 +44,11 @@ impl Solid {
     /// Triangles.
     pub fn triangles(&self) -> u64 {
         3 * self.border()
+    }
+
+    /// Bytes that are held.
+    pub fn bytes(&self) -> u64 {
+        self.walls.iter().map(|wall| size_of_val(&wall[..]) as u64).sum()
     }
 
     /// Makes them. They turn as the triangles of a grid do, and meet those of the plane at its border.

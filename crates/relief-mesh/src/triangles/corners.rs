@@ -82,6 +82,16 @@ impl Corners {
         self
     }
 
+    /// How many vertices there are.
+    pub fn count(&self) -> usize {
+        self.vertices.len()
+    }
+
+    /// The first vertex at the same position with the same normal as one that triangles have.
+    pub fn first_smooth(&self, vertex: u32) -> u32 {
+        self.used[self.smooth[vertex as usize] as usize]
+    }
+
     pub fn vertex(&self, vertex: u32) -> &Vertex {
         &self.vertices[vertex as usize]
     }

@@ -64,11 +64,13 @@ pub struct Edges {
 
 /// One side of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Side {
-    points: [u32; 2],
-    ends: [u32; 2],
+pub struct Side {
+    /// The positions of its ends.
+    pub points: [u32; 2],
+    /// The vertices there, that whose position comes first by its bits first.
+    pub ends: [u32; 2],
     /// `3 * triangle + side`.
-    number: u32,
+    pub number: u32,
 }
 
 impl Edges {
@@ -199,7 +201,7 @@ impl Edges {
 }
 
 /// All sides of all triangles, those between the same positions together.
-fn sorted_sides(mesh: &Mesh, point_of: &[u32]) -> Vec<Side> {
+pub fn sorted_sides(mesh: &Mesh, point_of: &[u32]) -> Vec<Side> {
     let mut all = Vec::with_capacity(3 * mesh.triangles().len());
     for (triangle, corners) in mesh.triangles().iter().enumerate() {
         for place in 0..3 {

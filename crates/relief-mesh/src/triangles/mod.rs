@@ -9,7 +9,9 @@ mod cubic;
 mod edges;
 mod halves;
 mod inside;
+mod patch_border;
 mod profile;
+mod solid;
 
 use glam::DVec3;
 use relief_core::mesh::{Mesh, Vertex};
@@ -17,12 +19,14 @@ use relief_core::mesh::{Mesh, Vertex};
 pub use self::adapted::Adapted;
 use self::along_edge::AlongEdge;
 pub use self::along_edge::EdgeVertices;
-pub use self::border::Border;
+use self::border::Border;
 use self::corners::Corners;
 use self::creases::Creases;
 use self::edges::{Division, Edges};
 use self::halves::Limits;
 pub use self::inside::Inside;
+pub use self::patch_border::PatchBorder;
+pub use self::solid::Solid;
 use crate::edge::Divides;
 use crate::error::MOST;
 use crate::patch::{Patch, PatchPoint};
@@ -46,6 +50,8 @@ pub struct Triangles {
     can_fold: bool,
     /// The triangle of the whole mesh that each is a part of; empty where they are these.
     whole: Vec<u32>,
+    /// Its border, where it is to be made solid.
+    border: Option<Border>,
 }
 
 /// A vertex of the mesh that is made: its number, and which vertices have the same normal.
@@ -90,6 +96,8 @@ impl Triangles {
             corners = Corners::new(&halved.mesh, &point_of, is_welded).between(&corners, &halved.parents);
         }
         let mesh = halved.as_ref().map_or(mesh, |halved| &halved.mesh);
+        // Before sides are divided, which may take long.
+        let border = settings.solid_m.map(|_| Border::new(mesh, &point_of, is_welded)).transpose()?;
         let (mut voxels, mut footprints) = (Vec::new(), Vec::new());
         let most = |parts: &mut dyn Iterator<Item = u64>| Ok(Division::Even(parts.max().unwrap_or(1)));
         let edges = match settings.edges.divides {
@@ -139,7 +147,7 @@ impl Triangles {
         let first = corners.used.first().map(|&vertex| corners.base(vertex).normal);
         let can_fold = corners.used.iter().any(|&vertex| Some(corners.base(vertex).normal) != first);
         let base = settings.base;
-        Ok(Self { corners, edges, triangles, voxels, footprints, base, is_welded, can_fold, whole })
+        Ok(Self { corners, edges, triangles, voxels, footprints, base, is_welded, can_fold, whole, border })
     }
 
     /// What a vertex counts along the sides that it is an end of.

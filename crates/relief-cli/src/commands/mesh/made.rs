@@ -36,6 +36,8 @@ pub struct WrittenPart {
 #[derive(Debug)]
 pub struct WrittenLevel {
     pub counts: MeshCounts,
+    /// Indices of its triangles in the file, of formats that tell.
+    pub indices: Option<u64>,
     pub streamed: Streamed,
     /// How far the relief is from the triangles; lengths of the mesh as it was written.
     pub certificate: Option<Certificate>,
@@ -184,17 +186,17 @@ impl Making<'_> {
         let counts =
             |mesher: &Mesher| MeshCounts { vertices: mesher.vertices(), triangles: mesher.triangles() };
         let levels = GlbLevel::of(&meshers.iter().map(counts).collect::<Vec<_>>());
-        let layout = GlbLayout { levels, quantization };
+        let layout = GlbLayout { levels, quantization, strips: self.arguments.strips };
         let is_storable = match self.format {
             MeshFormat::Gltf => layout.check(),
             format => format.check(layout.counts()),
         };
         is_storable.map_err(|problem| Failure::Work(format!("{name}: {problem} ({COARSER})")))?;
         let aside = staged.aside(&file.path)?;
-        let streamed = self.stream(meshers, &name, &aside, &layout, size)?;
+        let (streamed, indices) = self.stream(meshers, &name, &aside, &layout, size)?;
         let bytes = std::fs::metadata(&aside).map_err(Failure::work)?.len();
-        let of_levels = meshers.iter().zip(&layout.levels).zip(streamed);
-        let mut levels = of_levels.map(|((mesher, level), streamed)| {
+        let of_levels = meshers.iter().zip(&layout.levels).zip(streamed).enumerate();
+        let mut levels = of_levels.map(|(at, ((mesher, level), streamed))| {
             // Wherever the surface was, it is moved as far as its vertices at most.
             let moved_m = streamed.rounded.map_or(0.0, |rounded| rounded.greatest_m);
             let certificate = mesher.certificate().map(|certificate| Certificate {
@@ -203,13 +205,14 @@ impl Making<'_> {
                 seams_m: certificate.seams_m * size,
                 ..*certificate
             });
-            WrittenLevel { counts: level.counts, streamed, certificate, coverage: level.coverage }
+            let indices = indices.get(at).copied();
+            WrittenLevel { counts: level.counts, indices, streamed, certificate, coverage: level.coverage }
         });
         let finest = levels.next().ok_or_else(|| nothing_written(&name))?;
         Ok(WrittenPart { finest, coarser: levels.collect(), name, quantization, bytes })
     }
 
-    /// Hands all levels of detail over to the file.
+    /// Hands all levels of detail over to the file, and gives the indices of each, if the format tells.
     fn stream(
         &self,
         meshers: &[Mesher],
@@ -217,7 +220,7 @@ impl Making<'_> {
         aside: &Path,
         layout: &GlbLayout,
         size: f64,
-    ) -> Result<Vec<Streamed>, Failure> {
+    ) -> Result<(Vec<Streamed>, Vec<u64>), Failure> {
         let bar = Progress::bar("meshing", self.arguments.json);
         let grid = layout.quantization.map(|how| how.grid);
         let all = layout.counts().triangles as f32;
@@ -228,8 +231,8 @@ impl Making<'_> {
                 let part = mesher.triangles() as f32 / all;
                 let tell = |of_level: f32| bar.show(done + part * of_level);
                 let watch = Watch { tell: &tell, cancel: self.cancel };
-                // Other formats are seldom drawn as they are.
-                let cache_order = self.format == MeshFormat::Gltf;
+                // Other formats are seldom drawn as they are, and strips have an order of their own.
+                let cache_order = self.format == MeshFormat::Gltf && !layout.strips;
                 let how = Stream { size, check: true, grid, cache_order, watch };
                 match (mesher.stream(&how, |block| sink(block)), &mut made) {
                     (Ok(streamed), Ok(made)) => made.push(streamed),
@@ -247,7 +250,7 @@ impl Making<'_> {
         };
         let written = match self.format {
             MeshFormat::Gltf => write_glb(aside, layout, blocks),
-            format => write_mesh(aside, format, layout.counts(), blocks),
+            format => write_mesh(aside, format, layout.counts(), blocks).map(|()| Vec::new()),
         };
         if self.cancel.load(Ordering::Relaxed) {
             return Err(cancelled());
@@ -255,8 +258,8 @@ impl Making<'_> {
         match (made, written) {
             (Err(error), _) => Err(Failure::Work(format!("{name}: {error}: a smaller --scale helps"))),
             (_, Err(error)) => Err(Failure::Work(format!("{name}: {}", error.problem))),
-            (Ok(streamed), Ok(())) if streamed.len() == meshers.len() => Ok(streamed),
-            (Ok(_), Ok(())) => Err(nothing_written(name)),
+            (Ok(streamed), Ok(indices)) if streamed.len() == meshers.len() => Ok((streamed, indices)),
+            (Ok(_), Ok(_)) => Err(nothing_written(name)),
         }
     }
 

@@ -4,7 +4,7 @@ use std::io::Write;
 
 use glam::Vec3;
 use relief_io::{MeshFormat, Quantization};
-use relief_mesh::{Certificate, Cracks, FoldedBase, Folds, Rounded};
+use relief_mesh::{Certificate, Cracks, FoldedBase, Folds, Rounded, Streamed};
 use relief_render::scene::Surface;
 use serde_json::json;
 
@@ -94,6 +94,14 @@ impl About<'_> {
         self.written.iter().filter_map(of_part).reduce(|a, b| OnLattice { of: a.of.with(b.of), ..a })
     }
 
+    /// The indices of all strips, and how many there are for a triangle.
+    fn strips(&self) -> (u64, f64) {
+        let levels = || self.written.iter().flat_map(WrittenPart::levels);
+        let indices: u64 = levels().filter_map(|level| level.indices).sum();
+        let triangles: u64 = levels().map(|level| level.counts.triangles).sum();
+        (indices, indices as f64 / triangles as f64)
+    }
+
     /// All levels of detail, of all parts together.
     fn levels(&self) -> Vec<LevelAbout> {
         let count = self.written.first().map_or(0, |part| part.levels().count());
@@ -111,9 +119,13 @@ impl About<'_> {
         (0..count).map(of_level).collect()
     }
 
-    /// What is folded over. Parts are those of planes, which do not fold.
-    fn folds(&self) -> Option<&Folds> {
-        self.written.iter().map(|part| &part.finest.streamed.folds).find(|folds| folds.triangles > 0)
+    /// What is folded over of the relief, and of the underside of a solid. Parts are those of planes, which
+    /// do not fold.
+    fn folds(&self) -> [Option<&Folds>; 2] {
+        let first = |of: fn(&Streamed) -> &Folds| {
+            self.written.iter().map(|part| of(&part.finest.streamed)).find(|folds| folds.triangles > 0)
+        };
+        [first(|streamed| &streamed.folds), first(|streamed| &streamed.folds_below)]
     }
 
     /// Says it.
@@ -155,10 +167,19 @@ impl About<'_> {
                     "triangles_without_area": rounded.of.without_area, "uvs": rounded.uvs,
                 });
             }
+            if arguments.strips {
+                let (indices, of_each) = self.strips();
+                about["strips"] = json!({ "indices": indices, "per_triangle": six_digits(of_each) });
+            }
             if arguments.lods.is_some() {
                 about["lods"] = self.levels().iter().map(LevelAbout::as_json).collect();
             }
-            about["folds"] = self.folds().map_or_else(|| of_folds(&Folds::default()), of_folds);
+            let [folds, below] =
+                self.folds().map(|folds| folds.map_or_else(|| of_folds(&Folds::default()), of_folds));
+            about["folds"] = folds;
+            if arguments.solid.is_some() {
+                about["folds_below"] = below;
+            }
             if arguments.tiles.is_some() {
                 about["files"] = written.iter().map(of_part).collect();
             }
@@ -211,6 +232,10 @@ impl About<'_> {
         for (number, level) in self.levels().iter().enumerate().filter(|_| arguments.lods.is_some()) {
             writeln!(out, "  level {number}     {}", level.in_words(unit, factor))?;
         }
+        if arguments.strips {
+            let (indices, of_each) = self.strips();
+            writeln!(out, "  strips      {indices} indices, {of_each:.3} a triangle")?;
+        }
         let edges = match (open, branching) {
             (0, 0) => "closed, no open edge".to_owned(),
             (open, 0) => format!("{open} open edges"),
@@ -218,10 +243,14 @@ impl About<'_> {
         };
         writeln!(out, "  edges       {edges}")?;
         writeln!(out, "  pieces      {pieces}")?;
-        if let Some(folds) = self.folds() {
-            let of = surface.mesh().triangles().len();
-            writeln!(out, "  folds       {}", folds_in_words(folds, of))?;
-            say::note(FOLDED);
+        for (folds, (what, why)) in
+            self.folds().into_iter().zip([("folds      ", FOLDED), ("underside  ", FOLDED_BELOW)])
+        {
+            if let Some(folds) = folds {
+                let of = surface.mesh().triangles().len();
+                writeln!(out, "  {what} {}", folds_in_words(folds, of))?;
+                say::note(why);
+            }
         }
         Ok(())
     }
@@ -231,6 +260,10 @@ impl About<'_> {
 const FOLDED: &str = "the relief is folded over where the mesh curves more than it lets be displaced, and \
     shows its back there: a smaller --scale, another --bias, or a rounder mesh there; relief inspect MESH \
     says how far a mesh can be displaced before it folds";
+
+/// What to do about those of an underside.
+const FOLDED_BELOW: &str = "the underside is folded over where the mesh curves more than the solid is thick: \
+    a smaller --solid or --scale, or another --bias";
 
 fn folds_in_words(folds: &Folds, of: usize) -> String {
     let Folds { triangles, base_triangles, first, .. } = folds;

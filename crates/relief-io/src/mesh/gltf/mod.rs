@@ -173,6 +173,7 @@ fn add(
         Mode::Triangles => length / 3,
         _ => length.saturating_sub(2),
     };
+    let mut added = 0;
     for triangle in 0..triangles {
         let [a, b, c] = match primitive.mode() {
             Mode::Triangles => [3 * triangle, 3 * triangle + 1, 3 * triangle + 2],
@@ -181,14 +182,20 @@ fn add(
             _ if triangle % 2 == 1 => [triangle + 1, triangle, triangle + 2],
             _ => [triangle, triangle + 1, triangle + 2],
         };
-        let [a, b, c] = [a, b, c].map(|at| corner(index(at)));
+        let [a, b, c] = [a, b, c].map(index);
+        // An index that a strip names twice joins what is beside it.
+        if primitive.mode() == Mode::TriangleStrip && (a == b || b == c || c == a) {
+            continue;
+        }
+        added += 1;
+        let [a, b, c] = [a, b, c].map(corner);
         builder.triangle(if is_mirrored { [a, c, b] } else { [a, b, c] })?;
     }
     let lists =
         [Some(3 * count), normals.map(|_| 3 * count), uvs.map(|_| 2 * count), indices.map(|list| list.len())];
     builder
         .give_back(lists.into_iter().flatten().map(|numbers| size_of::<f32>() as u64 * numbers as u64).sum());
-    Ok(triangles)
+    Ok(added)
 }
 
 /// The unit vector; of no direction as it is, which says that a normal is missing or no number.

@@ -117,7 +117,9 @@ pub fn write_mesh(
     write_file(path, |out| {
         let mut regions = Regions::new(out);
         match format {
-            MeshFormat::Gltf => glb_blocks(&GlbLayout::of(counts), &mut regions, blocks)?,
+            MeshFormat::Gltf => {
+                glb_blocks(&GlbLayout::of(counts), &mut regions, blocks)?;
+            }
             MeshFormat::Ply => {
                 ply::begin(counts, &mut regions)?;
                 counted(counts, &mut regions, &mut ply::block, blocks)?;
@@ -137,7 +139,8 @@ pub fn write_mesh(
 
 /// Writes a GLB of one mesh or several levels of detail, in floats or integers, whose blocks `blocks` hands
 /// over: those of the finest level first, and each level whole before the next. Vertices are numbered from 0
-/// in each. Nothing but a block is held. The same blocks give the same bytes.
+/// in each. Nothing but a block is held. The same blocks give the same bytes. Gives the number of indices of
+/// each level: three a triangle, or as many as its [strip](GlbLayout::strips) takes.
 ///
 /// In integers, positions are rounded to the nearest points of the lattice; a mesh that was rounded already
 /// stays as it is. See [`Quantization`] for what is stored.
@@ -146,22 +149,28 @@ pub fn write_mesh(
 ///
 /// When a GLB [cannot hold](GlbLayout::check) it, when `blocks` fails or hands over other counts than it
 /// promised, when a position lies beyond the lattice or texture coordinates beyond 0 and 1 that were promised
-/// to lie between, or when the file cannot be written. Nothing is left behind then.
+/// to lie between, when strips are longer than 4 GiB or have no triangle, or when the file cannot be written.
+/// Nothing is left behind then.
 pub fn write_glb(
     path: &Path,
     layout: &GlbLayout,
     blocks: impl FnOnce(&mut MeshSink) -> io::Result<()>,
-) -> Result<(), WriteError> {
+) -> Result<Vec<u64>, WriteError> {
     layout.check().map_err(|problem| problem.at(path))?;
-    write_file(path, |out| glb_blocks(layout, &mut Regions::new(out), blocks))
+    let mut indices = Vec::new();
+    write_file(path, |out| {
+        indices = glb_blocks(layout, &mut Regions::new(out), blocks)?;
+        Ok(())
+    })?;
+    Ok(indices)
 }
 
 fn glb_blocks(
     layout: &GlbLayout,
     regions: &mut Regions<'_, '_>,
     blocks: impl FnOnce(&mut MeshSink) -> io::Result<()>,
-) -> Result<(), WriteProblem> {
-    let mut glb = glb::Glb::begin(layout, regions)?;
+) -> Result<Vec<u64>, WriteProblem> {
+    let mut glb = glb::Glb::begin(layout, regions);
     counted(layout.counts(), regions, &mut |block, regions| glb.block(block, regions), blocks)?;
     Ok(glb.finish(regions)?)
 }

@@ -4,7 +4,7 @@ use glam::Vec3;
 
 use super::super::{MeshCounts, check_counts};
 use super::vertex::{Quantization, attributes};
-use super::{HEADERS, TRIANGLE};
+use super::{HEADERS, INDEX};
 use crate::WriteProblem;
 
 /// Room for the least and the greatest position of a level, which are known last: six numbers and their
@@ -25,7 +25,16 @@ pub struct GlbLayout {
     pub levels: Vec<GlbLevel>,
     /// How vertices are stored in integers; in 32-bit floats without it.
     pub quantization: Option<Quantization>,
+    /// Whether triangles are stored as one strip a level, in fewer indices.
+    ///
+    /// What touches follows each other, as far as it goes in a block; an index that is named twice turns the
+    /// strip or joins two, so that readers find triangles without an area between them. A strip decodes to
+    /// the triangles of the blocks, each as it turns, without those that name a vertex twice.
+    pub strips: bool,
 }
+
+/// The most indices that a strip takes for a triangle: three, and two to join it to what is before.
+const MOST_OF_STRIP: u64 = 5;
 
 /// A level of detail.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,12 +70,23 @@ impl GlbLevel {
 impl GlbLayout {
     /// One mesh, in floats.
     pub fn of(counts: MeshCounts) -> Self {
-        Self { levels: vec![GlbLevel { counts, coverage: 0.0 }], quantization: None }
+        Self { levels: vec![GlbLevel { counts, coverage: 0.0 }], quantization: None, strips: false }
     }
 
-    /// The bytes of the file.
+    /// The bytes of the file: exactly, but of strips at most.
     pub fn bytes(&self) -> u64 {
-        HEADERS[0] + self.json_bytes() + HEADERS[1] + self.buffer()
+        self.before() + self.buffer(&self.indices(MOST_OF_STRIP))
+    }
+
+    /// Bytes before the buffer.
+    pub(super) fn before(&self) -> u64 {
+        HEADERS[0] + self.json_bytes() + HEADERS[1]
+    }
+
+    /// The indices of each level, of strips as many for each triangle.
+    fn indices(&self, of_strip: u64) -> Vec<u64> {
+        let of_triangle = if self.strips { of_strip } else { 3 };
+        self.levels.iter().map(|level| of_triangle * level.counts.triangles).collect()
     }
 
     /// Vertices and triangles of all levels.
@@ -91,7 +111,8 @@ impl GlbLayout {
             let what = "levels of detail must be there, and be shown down to less and less of the picture";
             return Err(WriteProblem::NotStorable(what.to_owned()));
         }
-        let bytes = self.bytes();
+        // How long strips are is known when they are made.
+        let bytes = self.before() + self.buffer(&self.indices(1));
         if bytes > u64::from(u32::MAX) {
             let MeshCounts { vertices, triangles } = self.counts();
             return Err(WriteProblem::NotStorable(format!(
@@ -102,31 +123,35 @@ impl GlbLayout {
         Ok(())
     }
 
-    /// Bytes of vertices and triangles of a level.
-    fn sizes(&self, counts: MeshCounts) -> [u64; 2] {
-        [attributes(self.quantization.as_ref()).1 * counts.vertices, TRIANGLE * counts.triangles]
+    /// Bytes of the vertices and the indices of a level, of which there are so many.
+    fn sizes(&self, counts: MeshCounts, indices: u64) -> [u64; 2] {
+        [attributes(self.quantization.as_ref()).1 * counts.vertices, INDEX * indices]
     }
 
-    /// Bytes of the buffer.
-    pub(super) fn buffer(&self) -> u64 {
-        self.levels.iter().flat_map(|level| self.sizes(level.counts)).sum()
+    /// Bytes of the buffer, with so many indices of each level.
+    pub(super) fn buffer(&self, indices: &[u64]) -> u64 {
+        self.places(self.levels.len(), indices)[0]
     }
 
-    /// Where vertices and triangles of a level begin in the buffer.
-    pub(super) fn places(&self, level: usize) -> [u64; 2] {
-        let before: u64 = self.levels[..level].iter().flat_map(|level| self.sizes(level.counts)).sum();
-        [before, before + self.sizes(self.levels[level].counts)[0]]
+    /// Where vertices and indices of a level begin in the buffer, with so many indices of those before; both
+    /// are the end after the last one.
+    pub(super) fn places(&self, level: usize, indices: &[u64]) -> [u64; 2] {
+        let all = || self.levels.iter().zip(indices);
+        let before = all().take(level).flat_map(|(level, indices)| self.sizes(level.counts, *indices)).sum();
+        let of_vertices = self.levels.get(level).map_or(0, |level| self.sizes(level.counts, 0)[0]);
+        [before, before + of_vertices]
     }
 
     /// Bytes of the JSON in the file.
     pub(super) fn json_bytes(&self) -> u64 {
         let room = self.levels.len() * (ROOM - PLACE.len());
-        ((self.json().len() + room) as u64).next_multiple_of(4)
+        ((self.json(&self.indices(MOST_OF_STRIP)).len() + room) as u64).next_multiple_of(4)
     }
 
-    /// The JSON with the least and the greatest positions of the levels, as long as it is in the file.
-    pub(super) fn json_with(&self, bounds: &[[Vec3; 2]]) -> Vec<u8> {
-        let mut json = self.json();
+    /// The JSON with the least and the greatest positions and the indices of the levels, as long as it is in
+    /// the file.
+    pub(super) fn json_with(&self, bounds: &[[Vec3; 2]], indices: &[u64]) -> Vec<u8> {
+        let mut json = self.json(indices);
         for corners in bounds {
             let [least, greatest] = corners.map(|corner| {
                 // Codes are whole numbers, and are written as such.
@@ -143,18 +168,20 @@ impl GlbLayout {
         json
     }
 
-    /// The JSON, with places for the least and the greatest positions.
-    fn json(&self) -> String {
+    /// The JSON for so many indices of each level, with places for the least and the greatest positions.
+    fn json(&self, indices: &[u64]) -> String {
         let (lists, vertex_bytes) = attributes(self.quantization.as_ref());
         let (mut meshes, mut views, mut accessors) = (Vec::new(), Vec::new(), Vec::new());
         for (at, GlbLevel { counts, .. }) in self.levels.iter().enumerate() {
-            let MeshCounts { vertices, triangles } = *counts;
-            let ([vertices_at, indices_at], sizes) = (self.places(at), self.sizes(*counts));
+            let MeshCounts { vertices, .. } = *counts;
+            let ([vertices_at, indices_at], count) = (self.places(at, indices), indices[at]);
+            let sizes = self.sizes(*counts, count);
+            let mode = if self.strips { r#","mode":5"# } else { "" };
             let first = 5 * at;
             let named = [0, 1, 2, 3].map(|k| format!(r#""{}":{}"#, lists[k].name, first + k)).join(",");
             meshes.push(
                 format!(r#"{{"primitives":[{{"attributes":{{{named}}},"#)
-                    + &format!(r#""indices":{},"material":0}}]}}"#, first + 4),
+                    + &format!(r#""indices":{},"material":0{mode}}}]}}"#, first + 4),
             );
             views.push(
                 format!(r#"{{"buffer":0,"byteOffset":{vertices_at},"byteLength":{},"#, sizes[0])
@@ -170,7 +197,7 @@ impl GlbLayout {
             }
             accessors.push(
                 format!(r#"{{"bufferView":{},"componentType":5125,"#, 2 * at + 1)
-                    + &format!(r#""count":{},"type":"SCALAR"}}"#, 3 * triangles),
+                    + &format!(r#""count":{count},"type":"SCALAR"}}"#),
             );
         }
         let version = env!("CARGO_PKG_VERSION");
@@ -180,7 +207,7 @@ impl GlbLayout {
             + r#""materials":[{"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.5,0.5,1],"#
             + r#""metallicFactor":0}}],"#
             + &format!(r#""meshes":[{}],"#, meshes.join(","))
-            + &format!(r#""buffers":[{{"byteLength":{}}}],"#, self.buffer())
+            + &format!(r#""buffers":[{{"byteLength":{}}}],"#, self.buffer(indices))
             + &format!(r#""bufferViews":[{}],"accessors":[{}]}}"#, views.join(","), accessors.join(","))
     }
 

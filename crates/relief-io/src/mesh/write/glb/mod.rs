@@ -2,6 +2,7 @@
 //! side by side, its indices behind them.
 
 mod layout;
+mod strips;
 mod vertex;
 
 use std::io;
@@ -11,11 +12,12 @@ use relief_core::mesh::MeshBlock;
 
 use super::{MeshCounts, Regions};
 
+use self::strips::Strip;
 pub use layout::{GlbLayout, GlbLevel};
 pub use vertex::Quantization;
 
-/// Bytes of a triangle.
-const TRIANGLE: u64 = 12;
+/// Bytes of an index.
+const INDEX: u64 = 4;
 
 /// Bytes before the JSON, and between it and the buffer: the file's header and both chunks'.
 const HEADERS: [u64; 2] = [20, 8];
@@ -23,45 +25,42 @@ const HEADERS: [u64; 2] = [20, 8];
 /// A file that is being written.
 pub struct Glb<'a> {
     layout: &'a GlbLayout,
-    /// Bytes of a vertex.
+    /// Bytes of a vertex, and before the buffer.
     vertex: u64,
+    before: u64,
     /// The level that comes, and what there is of it.
     level: usize,
     found: MeshCounts,
+    /// The indices of each level that were written.
+    indices: Vec<u64>,
+    /// The strip of the level that comes.
+    strip: Strip,
     /// The least and the greatest numbers of the positions of each level, as they are stored.
     bounds: Vec<[Vec3; 2]>,
 }
 
 impl<'a> Glb<'a> {
-    pub fn begin(layout: &'a GlbLayout, regions: &mut Regions<'_, '_>) -> io::Result<Self> {
-        // It was checked that these fit into 32 bits.
-        let lengths = [layout.bytes(), layout.json_bytes()].map(|len| (len as u32).to_le_bytes());
-        let mut head = b"glTF\x02\0\0\0".to_vec();
-        head.extend(lengths[0]);
-        head.extend(lengths[1]);
-        head.extend(b"JSON");
-        regions.write_at(0, &head)?;
-        let mut chunk = (layout.buffer() as u32).to_le_bytes().to_vec();
-        chunk.extend(b"BIN\0");
-        regions.write_at(HEADERS[0] + layout.json_bytes(), &chunk)?;
+    pub fn begin(layout: &'a GlbLayout, regions: &mut Regions<'_, '_>) -> Self {
         let vertex = vertex::attributes(layout.quantization.as_ref()).1;
         let bounds = vec![[Vec3::INFINITY, Vec3::NEG_INFINITY]; layout.levels.len()];
         let nothing = MeshCounts { vertices: 0, triangles: 0 };
-        let glb = Self { layout, vertex, level: 0, found: nothing, bounds };
+        let (indices, strip) = (vec![0; layout.levels.len()], Strip::default());
+        let before = layout.before();
+        let glb = Self { layout, vertex, before, level: 0, found: nothing, indices, strip, bounds };
         glb.go_to(0, regions);
-        Ok(glb)
+        glb
     }
 
     /// Goes on at the beginning of a level.
     fn go_to(&self, level: usize, regions: &mut Regions<'_, '_>) {
-        let buffer = HEADERS[0] + self.layout.json_bytes() + HEADERS[1];
-        regions.next = self.layout.places(level).map(|place| buffer + place);
+        regions.next = self.layout.places(level, &self.indices).map(|place| self.before + place);
     }
 
     pub fn block(&mut self, block: &MeshBlock, regions: &mut Regions<'_, '_>) -> io::Result<()> {
         if self.found == self.layout.levels[self.level].counts && self.level + 1 < self.layout.levels.len() {
             self.level += 1;
             self.found = MeshCounts { vertices: 0, triangles: 0 };
+            self.strip = Strip::default();
             self.go_to(self.level, regions);
         }
         self.found.vertices += block.vertices.len() as u64;
@@ -85,12 +84,34 @@ impl<'a> Glb<'a> {
         self.bounds[self.level] = [least, greatest];
         regions.write(0, &bytes)?;
         bytes.clear();
-        bytes.extend(block.triangles.as_flattened().iter().flat_map(|corner| corner.to_le_bytes()));
+        let of_strip = self.layout.strips.then(|| self.strip.extended(&block.triangles));
+        let indices = of_strip.as_deref().unwrap_or(block.triangles.as_flattened());
+        self.indices[self.level] += indices.len() as u64;
+        if self.before + self.layout.buffer(&self.indices) > u64::from(u32::MAX) {
+            return Err(io::Error::other("the strips take more than the 4 GiB at which a GLB ends"));
+        }
+        bytes.extend(indices.iter().flat_map(|corner| corner.to_le_bytes()));
         regions.write(1, &bytes)
     }
 
-    /// Writes the JSON, when the least and the greatest position are known.
-    pub fn finish(self, regions: &mut Regions<'_, '_>) -> io::Result<()> {
-        regions.write_at(HEADERS[0], &self.layout.json_with(&self.bounds))
+    /// Writes what stands before the lists, when the least and the greatest position and the indices are
+    /// known, and gives the indices of each level.
+    pub fn finish(self, regions: &mut Regions<'_, '_>) -> io::Result<Vec<u64>> {
+        let Self { layout, before, indices, bounds, .. } = self;
+        if indices.contains(&0) {
+            return Err(io::Error::other("no triangle has three corners"));
+        }
+        // It was checked that these fit into 32 bits.
+        let bytes = |number: u64| (number as u32).to_le_bytes();
+        let (json, buffer) = (layout.json_with(&bounds, &indices), layout.buffer(&indices));
+        let mut head = b"glTF\x02\0\0\0".to_vec();
+        head.extend(bytes(before + buffer));
+        head.extend(bytes(json.len() as u64));
+        head.extend(b"JSON");
+        head.extend(json);
+        head.extend(bytes(buffer));
+        head.extend(b"BIN\0");
+        regions.write_at(0, &head)?;
+        Ok(indices)
     }
 }

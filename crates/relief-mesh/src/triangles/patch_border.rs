@@ -1,0 +1,43 @@
+//! The border of a patch.
+
+use glam::Vec3;
+
+use super::{AlongEdge, Numbered, Triangles};
+use crate::point;
+use crate::surface::Relief;
+
+/// The border of a patch, whose points are asked for one by one.
+#[derive(Debug)]
+pub struct PatchBorder<'a> {
+    base: &'a Triangles,
+    relief: &'a Relief,
+    patch: u32,
+    corners: [(Numbered, Vec3); 3],
+    /// Sides that have points between their ends.
+    sides: [Option<AlongEdge>; 3],
+}
+
+impl<'a> PatchBorder<'a> {
+    pub fn new(base: &'a Triangles, relief: &'a Relief, patch: u32) -> Self {
+        let corner = |vertex: u32| {
+            let position = relief.displaced(&base.at_corner(vertex));
+            (base.corners.numbered(vertex), point::stored(position))
+        };
+        let side = |edge: u32| (base.edges.parts(edge) > 1).then(|| AlongEdge::new(base, edge));
+        let corners = base.triangles[patch as usize].map(corner);
+        Self { base, relief, patch, corners, sides: base.edges.sides(patch).map(side) }
+    }
+
+    /// The number and the position of the point of a side that so many parts lie before.
+    #[inline(always)]
+    pub fn point(&self, side: u32, at: u32) -> (Numbered, Vec3) {
+        match (at, &self.sides[side as usize]) {
+            (0, _) | (_, None) => self.corners[side as usize],
+            (_, Some(along)) => {
+                let (edge, at) = self.base.on_side(self.patch, side, at);
+                let edges = &self.base.edges;
+                (edges.numbered(edge, at), along.position(self.relief, edges.place(edge, at)))
+            }
+        }
+    }
+}

@@ -1,0 +1,296 @@
+//! An open base made solid: an underside, and walls between it and the displaced surface.
+
+use glam::{DVec3, Vec3};
+use relief_core::mesh::Vertex;
+
+use super::{Numbered, PatchBorder, Triangles, counted};
+use crate::plane::Faces;
+use crate::surface::Relief;
+use crate::{BaseSurface, Directions, MesherError, point};
+
+/// The shortest that an interpolated direction is taken to be, in lengths of a normal. Where corners of a
+/// triangle face ways farther apart, an underside as deep as it would take is of no use.
+const SHORTEST: f64 = 0.5;
+
+/// Stands for a vertex that the underside does not have.
+const NONE: u32 = u32::MAX;
+
+/// The underside and the walls of the pieces that have a border.
+///
+/// The underside has one triangle for each of the base, displaced by the same everywhere, along directions
+/// that are interpolated, so that it is flat. A wall stands on each side of the border.
+#[derive(Debug)]
+pub struct Solid {
+    /// Vertices of the base that the underside has.
+    corners: Vec<u32>,
+    /// The place of each vertex in these.
+    places: Vec<u32>,
+    /// Triangles of the base that it has.
+    patches: Vec<u32>,
+    /// A triangle and its side for each wall.
+    walls: Vec<[u32; 2]>,
+    /// The number of the first vertex of the underside.
+    first: u32,
+    /// The number of the first vertex of each wall, and one more.
+    first_of_wall: Vec<u32>,
+    /// The displacement of the underside.
+    metres: f64,
+}
+
+impl Solid {
+    /// The solid under a base whose lowest displacement that is. Its vertices are numbered from `first` on.
+    pub fn new(
+        base: &Triangles,
+        relief: &Relief,
+        [lowest_m, solid_m]: [f64; 2],
+        first: u64,
+    ) -> Result<Self, MesherError> {
+        let (patches, walls) = base
+            .border
+            .as_ref()
+            .map(|border| (border.patches.clone(), border.sides.clone()))
+            .unwrap_or_default();
+        let mut places = vec![NONE; base.corners.count()];
+        let mut corners = Vec::new();
+        for vertex in patches.iter().flat_map(|&patch| base.triangles[patch as usize]) {
+            let place = &mut places[vertex as usize];
+            if *place == NONE {
+                *place = corners.len() as u32;
+                corners.push(vertex);
+            }
+        }
+        let mut next = first + corners.len() as u64;
+        let mut first_of_wall = Vec::with_capacity(walls.len() + 1);
+        for &wall in &walls {
+            first_of_wall.push(counted(next)?);
+            next += u64::from(base.parts_of(wall)) + 3;
+        }
+        first_of_wall.push(counted(next)?);
+        let metres = displacement(base, relief, &patches, [lowest_m, solid_m]);
+        Ok(Self { corners, places, patches, walls, first: counted(first)?, first_of_wall, metres })
+    }
+
+    /// Vertices of the underside.
+    pub fn corner_count(&self) -> u32 {
+        self.corners.len() as u32
+    }
+
+    /// Triangles of the underside.
+    pub fn patch_count(&self) -> u32 {
+        self.patches.len() as u32
+    }
+
+    /// Walls.
+    pub fn wall_count(&self) -> u32 {
+        self.walls.len() as u32
+    }
+
+    /// Vertices of a wall: as many as the border has there, and two below.
+    pub fn wall_vertices(&self, wall: u32) -> u64 {
+        let [first, end] = [0, 1].map(|more| self.first_of_wall[wall as usize + more]);
+        u64::from(end - first)
+    }
+
+    /// Triangles of a wall.
+    pub fn wall_triangles(&self, wall: u32) -> u64 {
+        self.wall_vertices(wall) - 2
+    }
+
+    /// The number after the last vertex.
+    pub fn end(&self) -> u64 {
+        self.first_of_wall.last().copied().map_or(0, u64::from)
+    }
+
+    /// Bytes that are held.
+    pub fn bytes(&self) -> u64 {
+        let Self { corners, places, patches, walls, first_of_wall, .. } = self;
+        let of_numbers = [corners, places, patches, first_of_wall].map(|list| size_of_val(&list[..]));
+        (of_numbers.iter().sum::<usize>() + size_of_val(&walls[..])) as u64
+    }
+
+    /// A vertex of the underside, by its place in it, and how it is numbered.
+    pub fn corner(&self, base: &Triangles, place: u32) -> (Vertex, Numbered) {
+        let vertex = self.corners[place as usize];
+        let Vertex { normal, tangent, bitangent, uv, .. } = *base.corners.vertex(vertex);
+        let normal = -normal.try_normalize().unwrap_or_default();
+        let position = self.below(base, vertex);
+        (Vertex { position, normal, tangent, bitangent, uv }, self.numbered(base, vertex))
+    }
+
+    /// A triangle of the underside, by its place in it: which of the base, and its corners. They turn as
+    /// those of the base do.
+    pub fn triangle(&self, base: &Triangles, place: u32) -> (u32, [(Numbered, Vec3); 3]) {
+        let patch = self.patches[place as usize];
+        let corners = base.triangles[patch as usize];
+        (patch, corners.map(|vertex| (self.numbered(base, vertex), self.below(base, vertex))))
+    }
+
+    /// The number of the first vertex of a wall.
+    pub fn first_of_wall(&self, wall: u32) -> u32 {
+        self.first_of_wall[wall as usize]
+    }
+
+    /// A wall: first the points of the border, then the two below its ends. Between them lies what is left of
+    /// a polygon when its corners are cut off as they come, each that stands out.
+    pub fn wall(&self, base: &Triangles, relief: &Relief, wall: u32) -> Faces {
+        let [patch, side] = self.walls[wall as usize];
+        let corners = base.triangles[patch as usize];
+        let ends = [0, 1].map(|end| corners[(side as usize + end) % 3]);
+        let parts = base.parts_of([patch, side]);
+        let of_ends = ends.map(|end| base.at_corner(end).base);
+        let along = of_ends[1].position - of_ends[0].position;
+        let up = (of_ends[0].normal + of_ends[1].normal).normalize_or_zero();
+        let normal = along.cross(up).normalize_or_zero();
+        let own = ends.map(|end| base.corners.base(end).uv);
+        let vertex = |position: Vec3, part: f64| Vertex {
+            position,
+            normal: normal.as_vec3(),
+            tangent: along.as_vec3(),
+            bitangent: up.as_vec3(),
+            uv: (own[0] * (1.0 - part) + own[1] * part).as_vec2(),
+        };
+        let border = PatchBorder::new(base, relief, patch);
+        let mut vertices = Vec::with_capacity(parts as usize + 3);
+        for at in 0..=parts {
+            let (side, at) = if at == parts { ((side + 1) % 3, 0) } else { (side, at) };
+            let (_, position) = border.point(side, at);
+            let part = if vertices.len() == parts as usize { 1.0 } else { base.part_of([patch, side], at) };
+            vertices.push(vertex(position, part));
+        }
+        for (end, part) in ends.into_iter().zip([0.0, 1.0]) {
+            vertices.push(vertex(self.below(base, end), part));
+        }
+        let [from, to] = [parts + 1, parts + 2];
+        let at = |corner: u32| vertices[corner as usize].position.as_dvec3();
+        let stands_out = |[a, b, c]: [u32; 3]| (at(c) - at(b)).cross(at(a) - at(b)).dot(normal) > 0.0;
+        let mut triangles = Vec::with_capacity(parts as usize + 1);
+        let mut open = vec![from];
+        for next in (0..=parts).chain([to]) {
+            while let [.., before, last] = open[..] {
+                if next != to && !stands_out([next, last, before]) {
+                    break;
+                }
+                triangles.push([next, last, before]);
+                open.pop();
+            }
+            open.push(next);
+        }
+        Faces { vertices, triangles }
+    }
+
+    /// The position below a vertex of the base.
+    fn below(&self, base: &Triangles, vertex: u32) -> Vec3 {
+        point::stored(base.at_corner(vertex).base.displaced(self.metres))
+    }
+
+    fn numbered(&self, base: &Triangles, vertex: u32) -> Numbered {
+        let number = |vertex: u32| self.first + self.places[vertex as usize];
+        let smooth = base.corners.first_smooth(vertex);
+        // A piece that is closed may touch one that is not.
+        let smooth = if self.places[smooth as usize] == NONE { vertex } else { smooth };
+        Numbered { number: number(vertex), smooth: number(smooth) }
+    }
+}
+
+/// By how much the underside is displaced.
+///
+/// A point of it lies `metres |N|` along its direction, `|N|` the length of the interpolated one there, and
+/// what is displaced lies `h |N|` along it, or `h` with directions of one length.
+fn displacement(base: &Triangles, relief: &Relief, patches: &[u32], [lowest_m, solid_m]: [f64; 2]) -> f64 {
+    let lengths = patches.iter().map(|&patch| lengths(base.directions(patch)));
+    let [shortest, longest] =
+        lengths.fold([f64::INFINITY, 0.0_f64], |[least, most], [low, high]| [least.min(low), most.max(high)]);
+    let shortest = shortest.max(SHORTEST);
+    let lowest_m = lowest_m - base.hollow(patches, shortest);
+    if relief.directions() == Directions::Raw {
+        return lowest_m - solid_m / shortest;
+    }
+    let metres = lowest_m - solid_m;
+    metres / if metres < 0.0 { shortest } else { longest.max(shortest) }
+}
+
+/// The least and the greatest length of directions that are interpolated between those.
+fn lengths([a, b, c]: [DVec3; 3]) -> [f64; 2] {
+    let longest = a.length().max(b.length()).max(c.length());
+    let on_side = |[a, b]: [DVec3; 2]| {
+        let along = b - a;
+        let part = (-a.dot(along) / along.length_squared()).clamp(0.0, 1.0);
+        // Of two that are the same any part is.
+        (a + along * if part.is_finite() { part } else { 0.0 }).length()
+    };
+    let mut shortest = on_side([a, b]).min(on_side([b, c])).min(on_side([c, a]));
+    let up = (b - a).cross(c - a);
+    let is_inside = [[a, b], [b, c], [c, a]].iter().all(|[from, to]| up.dot(from.cross(*to)) > 0.0);
+    if is_inside {
+        shortest = shortest.min(up.normalize_or_zero().dot(a).abs());
+    }
+    [shortest, longest]
+}
+
+impl Triangles {
+    /// The parts of a side.
+    fn parts_of(&self, [patch, side]: [u32; 2]) -> u32 {
+        self.edges.parts(self.edges.sides(patch)[side as usize])
+    }
+
+    /// The part of a side that lies before a point of it.
+    fn part_of(&self, [patch, side]: [u32; 2], at: u32) -> f64 {
+        if at == 0 {
+            return 0.0;
+        }
+        let (edge, is_forth) = self.side(patch, side);
+        let (_, at) = self.on_side(patch, side, at);
+        let [before, all] = self.edges.place(edge, at).map(f64::from);
+        if is_forth { before / all } else { 1.0 - before / all }
+    }
+
+    /// How far the smooth base lies below its triangles, at most, in metres of displacement along directions
+    /// that are as long at least.
+    fn hollow(&self, patches: &[u32], shortest: f64) -> f64 {
+        let sides = || patches.iter().flat_map(|&patch| self.edges.sides(patch));
+        let deepest = |depths: &mut dyn Iterator<Item = f64>| depths.fold(0.0, f64::max);
+        match self.base {
+            BaseSurface::Flat => 0.0,
+            // Of three weights the products of two are a third together, at most.
+            BaseSurface::Lift => deepest(&mut sides().map(|edge| -self.lift(self.seen(edge)))) / 3.0,
+            // It lies within the hull of its control points, which are off along the normals of the ends:
+            // these are as far from directions between as those are short.
+            BaseSurface::Pn => {
+                let depths = sides().flat_map(|edge| {
+                    let [a, b] = self.edges.ends(self.seen(edge)).map(|end| self.corners.base(end));
+                    let along = (b.position - a.position) / 3.0;
+                    [along.dot(a.normal.normalize_or_zero()), -along.dot(b.normal.normalize_or_zero())]
+                });
+                deepest(&mut depths.into_iter()) / (shortest * shortest)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_of_directions_are_those_of_samples() {
+        let triples = [
+            [DVec3::new(1.0, 0.1, 0.0), DVec3::new(0.0, 1.0, 0.2), DVec3::new(0.1, 0.0, 1.3)],
+            [DVec3::new(1.0, 0.1, 0.0), DVec3::new(-0.9, 0.3, 0.0), DVec3::new(0.1, 1.7, 0.4)],
+            [DVec3::Z, DVec3::Z, DVec3::X],
+            [DVec3::Z; 3],
+        ];
+        for [a, b, c] in triples {
+            let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+            for i in 0..=200 {
+                for j in 0..=200 - i {
+                    let [of_b, of_c] = [i, j].map(|part| f64::from(part) / 200.0);
+                    let length = (a * (1.0 - of_b - of_c) + b * of_b + c * of_c).length();
+                    (least, most) = (least.min(length), most.max(length));
+                }
+            }
+            let [shortest, longest] = lengths([a, b, c]);
+            assert!((shortest - least).abs() < 1e-4 && shortest <= least + 1e-12, "{a} {b} {c}");
+            assert!((longest - most).abs() < 1e-12, "{a} {b} {c}");
+        }
+    }
+}
