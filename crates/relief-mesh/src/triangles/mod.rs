@@ -4,6 +4,7 @@ mod adapted;
 mod corners;
 mod creases;
 mod cubic;
+mod cull;
 mod edges;
 mod halves;
 mod profile;
@@ -38,6 +39,8 @@ pub struct Triangles {
     can_fold: bool,
     /// The triangle of the whole mesh that each is a part of; empty where they are these.
     whole: Vec<u32>,
+    /// From where to where along the view axis all patches may lie, also those that were left out.
+    depths_m: Option<[f64; 2]>,
 }
 
 /// A vertex of the mesh that is made: its number, and which vertices have the same normal.
@@ -123,7 +126,18 @@ impl Triangles {
         let first = corners.used.first().map(|&vertex| corners.base(vertex).normal);
         let can_fold = corners.used.iter().any(|&vertex| Some(corners.base(vertex).normal) != first);
         let base = settings.base;
-        Ok(Self { corners, edges, triangles, voxels, footprints, base, is_welded, can_fold, whole })
+        Ok(Self {
+            corners,
+            edges,
+            triangles,
+            voxels,
+            footprints,
+            base,
+            is_welded,
+            can_fold,
+            whole,
+            depths_m: None,
+        })
     }
 
     /// What a vertex counts along the sides that it is an end of.
@@ -155,7 +169,7 @@ impl Triangles {
 
     /// Vertices between the ends of an edge.
     pub fn points_of_edge(&self, edge: u32) -> u32 {
-        self.edges.parts(edge) - 1
+        self.edges.points(edge)
     }
 
     /// Vertices at corners and along edges.

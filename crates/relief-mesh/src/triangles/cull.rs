@@ -1,0 +1,200 @@
+//! Patches that a camera cannot see are not made.
+
+use std::ops::{ControlFlow, Range};
+
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+use relief_core::HeightBounds;
+
+use super::{Triangles, cubic};
+use crate::cull::{Hull, Sight};
+use crate::interior::{Cut, Pattern};
+use crate::patch::PatchPoint;
+use crate::surface::Relief;
+use crate::view::log2;
+use crate::{BaseSurface, MeshSettings, MesherError};
+
+/// Texels beside its own that a point may have its height from, by rounding.
+const BESIDE_TEXELS: f64 = 1e-3;
+
+/// Levels beside its own that a point may have its height from, by rounding.
+const BESIDE_LEVELS: f64 = 1e-6;
+
+/// How far points are rounded beside the hull of exact ones, as a part of the largest coordinate.
+const ROUNDING: f64 = 1e-6;
+
+/// Triangles of a patch that are made at once, about, to see whether any shows its front.
+const AT_ONCE: u64 = 1 << 12;
+
+/// The heights of a relief: bounds of each level that may be seen.
+struct Bounds<'a> {
+    relief: &'a Relief,
+    levels: Vec<HeightBounds>,
+}
+
+impl Triangles {
+    /// The same without the patches that are to be left out, and without the points that none but these have.
+    /// Everything else is as it was: directions, levels, and who says where seams are.
+    pub fn culled(
+        mut self,
+        relief: &Relief,
+        pattern: &Pattern,
+        settings: &MeshSettings,
+    ) -> Result<Self, MesherError> {
+        let Some((cull, view)) = settings.cull.zip(settings.view) else { return Ok(self) };
+        let sight = Sight::new(&view);
+        let bounds = Bounds { relief, levels: relief.levels().map(HeightBounds::new).collect() };
+        let look = |patch: u32| {
+            let hull = self.hull(&bounds, patch);
+            let is_seen = !(cull.outside && sight.misses(&hull))
+                && !(cull.backs && self.turns_its_back(relief, pattern, &sight, patch));
+            (is_seen, sight.depths_m(&hull))
+        };
+        let looked: Vec<(bool, [f64; 2])> = (0..self.count()).into_par_iter().map(look).collect();
+        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+        let around =
+            |[near, far]: [f64; 2], &(_, [from, to]): &(bool, [f64; 2])| [near.min(from), far.max(to)];
+        self.depths_m = Some(looked.iter().fold(nothing, around));
+        let kept: Vec<u32> = (0..self.count()).filter(|&patch| looked[patch as usize].0).collect();
+        self.whole = kept.iter().map(|&patch| self.whole(patch)).collect();
+        self.triangles = kept.iter().map(|&patch| self.triangles[patch as usize]).collect();
+        self.corners.keep(&self.triangles);
+        self.edges.keep(&kept, &self.corners)?;
+        Ok(self)
+    }
+
+    /// From where to where along the view axis all patches may lie, also those that were left out, in metres
+    /// from the eye; none where nothing was to be left out.
+    pub fn depths_m(&self) -> Option<[f64; 2]> {
+        self.depths_m
+    }
+
+    /// What a displaced patch is within.
+    ///
+    /// A point of a flat base that is displaced along interpolated directions by a height between two others
+    /// lies in the hull of the corners at these two heights. What differs makes it wider.
+    fn hull(&self, bounds: &Bounds, patch: u32) -> Hull {
+        let corners = self.triangles[patch as usize];
+        let sides = self.edges.sides(patch);
+        let base = corners.map(|vertex| self.corners.base(vertex));
+        let [mut low_m, mut high_m] = self.metres(bounds, patch);
+        if self.base == BaseSurface::Lift {
+            // The sum of the products of weights, two by two, is at most a third.
+            let lifts = sides.map(|side| self.lift(self.seen(side)) / 3.0);
+            low_m += lifts.into_iter().fold(0.0, f64::min);
+            high_m += lifts.into_iter().fold(0.0, f64::max);
+        }
+        let farthest_m = low_m.abs().max(high_m.abs());
+        let mut radius_m = 0.0;
+        if self.base == BaseSurface::Pn {
+            // Control points of a cubic triangle are as far from those of the flat one as it is at most.
+            let flat = (base[0].position + base[1].position + base[2].position) / 3.0;
+            let mut sum = DVec3::ZERO;
+            for side in sides {
+                let [a, b] = self.edges.ends(self.seen(side)).map(|end| self.corners.base(end).position);
+                let bent = self.bent(side);
+                for (bent, flat) in bent.into_iter().zip([(a * 2.0 + b) / 3.0, (a + b * 2.0) / 3.0]) {
+                    radius_m = bent.distance(flat).max(radius_m);
+                    sum += bent;
+                }
+            }
+            radius_m = cubic::middle(flat, sum).distance(flat).max(radius_m);
+        }
+        let mut points = [DVec3::ZERO; 6];
+        let directions = bounds.relief.interpolated(base.map(|corner| corner.normal));
+        if directions.is_none() {
+            radius_m += farthest_m;
+        }
+        for (k, corner) in base.iter().enumerate() {
+            let direction = directions.map_or(DVec3::ZERO, |directions| directions[k]);
+            points[2 * k] = corner.position + direction * low_m;
+            points[2 * k + 1] = corner.position + direction * high_m;
+        }
+        let largest = points.iter().map(|point| point.abs().max_element()).fold(farthest_m, f64::max);
+        Hull { points, radius_m: radius_m + ROUNDING * largest }
+    }
+
+    /// The least and the greatest displacement of a patch, in metres: by the heights under it, and where
+    /// others at its seams say where points are, under these.
+    fn metres(&self, bounds: &Bounds, patch: u32) -> [f64; 2] {
+        let corners = self.triangles[patch as usize];
+        let ends = self.edges.sides(patch).map(|side| self.edges.ends(self.seen(side)));
+        let seen = corners.map(|vertex| self.corners.seen(vertex));
+        let levels = self.levels(corners.iter().chain(&seen).chain(ends.as_flattened()), bounds.levels.len());
+        let uv = |vertex: u32| self.corners.base(vertex).uv;
+        let mut heights = [f32::INFINITY, f32::NEG_INFINITY];
+        let mut add = |places: &[DVec2]| {
+            let [least, greatest] = places
+                .iter()
+                .fold([DVec2::INFINITY, DVec2::NEG_INFINITY], |[a, b], at| [a.min(*at), b.max(*at)]);
+            for level in &bounds.levels[levels.clone()] {
+                let [low, high] = level.between(least, greatest, DVec2::splat(BESIDE_TEXELS));
+                heights = [heights[0].min(low), heights[1].max(high)];
+            }
+        };
+        add(&corners.map(uv));
+        for seen in seen.into_iter().filter(|seen| !corners.contains(seen)) {
+            add(&[uv(seen)]);
+        }
+        for ends in ends.into_iter().filter(|ends| !ends.iter().all(|end| corners.contains(end))) {
+            add(&ends.map(uv));
+        }
+        let [a, b] = heights.map(|height| bounds.relief.metres(height.into()));
+        [a.min(b), a.max(b)]
+    }
+
+    /// The levels that are seen between some vertices, of so many.
+    fn levels<'a>(&self, vertices: impl Iterator<Item = &'a u32>, count: usize) -> Range<usize> {
+        if self.footprints.is_empty() {
+            return 0..1;
+        }
+        // Texels and depth are weighted means of the vertices', and their product says which level.
+        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+        let (mut texels, mut depths) = (nothing, nothing);
+        let add = |[least, greatest]: &mut [f64; 2], of: f64| {
+            (*least, *greatest) = (least.min(of), greatest.max(of));
+        };
+        for &vertex in vertices {
+            add(&mut texels, self.footprints[vertex as usize]);
+            add(&mut depths, 1.0 / self.share(vertex));
+        }
+        let last = (count - 1) as f64;
+        let level = |texels: f64, depth: f64| log2((texels * depth).max(1.0));
+        let first = (level(texels[0], depths[0]) - BESIDE_LEVELS).floor().clamp(0.0, last);
+        let end = (level(texels[1], depths[1]) + BESIDE_LEVELS).ceil().clamp(0.0, last);
+        first as usize..end as usize + 1
+    }
+
+    /// Whether all triangles that would be made of a patch turn their back.
+    fn turns_its_back(&self, relief: &Relief, pattern: &Pattern, sight: &Sight, patch: u32) -> bool {
+        let shape = self.patch(patch);
+        let (mut cut, mut points) = (Cut::default(), Vec::new());
+        let mut looked_at = |from: u32, to: u32| {
+            cut.clear();
+            points.clear();
+            // Numbers of inner points are no matter here.
+            (pattern.cut)(&shape, from..to, 0, &mut cut);
+            points.extend(cut.points.iter().map(|point| match *point {
+                PatchPoint::Border { side, at } => self.border(relief, patch, side, at).1,
+                PatchPoint::Inner { weights, .. } => self.inner(relief, patch, weights),
+            }));
+            let is_back = |corners: &[u32; 3]| sight.is_back(corners.map(|at| points[at as usize]));
+            if cut.triangles.iter().all(is_back) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        };
+        let steps = (pattern.steps)(&shape);
+        let (mut from, mut size) = (0, 0);
+        for step in 0..steps {
+            size += (pattern.counts)(&shape, step).triangles;
+            if size >= AT_ONCE || step + 1 == steps {
+                if looked_at(from, step + 1).is_break() {
+                    return false;
+                }
+                (from, size) = (step + 1, 0);
+            }
+        }
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests;
