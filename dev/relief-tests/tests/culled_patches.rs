@@ -46,7 +46,7 @@ fn cameras() -> [Camera; 6] {
 fn bases() -> Vec<(&'static str, Arc<Mesh>)> {
     let tiled = |mesh: Mesh, tiles| Arc::new(mesh.tiled(tiles).expect("tiles"));
     let mut bases = vec![
-        ("plane", tiled(Builtin::Plane.build([1.2, 0.8]).expect("a mesh"), Vec2::new(6.0, 6.0))),
+        ("plane", tiled(Builtin::Plane.build([1.2, 0.8]).expect("a mesh"), Vec2::splat(3.0))),
         ("torus", tiled(torus(24, 12).expect("a mesh"), Vec2::new(3.0, 1.0))),
         ("sphere", tiled(sphere(20, 10).expect("a mesh"), Vec2::new(2.0, 1.0))),
         ("cube", tiled(cube(4).expect("a mesh"), Vec2::ONE)),
@@ -98,6 +98,7 @@ fn same_pictures(renderer: &mut Renderer) -> [usize; 2] {
         for (c, camera) in cameras().into_iter().enumerate() {
             let way = b + c;
             let scene = scene(base, camera, way);
+            println!("{name}, camera {c}, way {way}");
             let culled = rendered(&scene, renderer);
             assert!(culled == rendered(&whole(&scene), renderer), "{name}, camera {c}, way {way}");
             let hits = culled.iter().filter(|pixel| pixel.hit == 1).count();
