@@ -1,8 +1,8 @@
 //! What a camera cannot see of a displaced mesh.
 //!
-//! Source: Gumhold and Hüttner 1999. Section 3.3 moves the planes of the view out by the greatest displacement
-//! of all (equations 7 and 8); here each patch is bounded by its own least and greatest one, along its own
-//! directions. Section 6 asks for cones of normals to tell patches that turn their backs. Slopes do not bound
+//! Source: Gumhold and Hüttner 1999. Section 3.3 moves the planes of the view out by the greatest
+//! displacement of all (equations 7 and 8); here each patch is bounded by its own least and greatest one,
+//! along its own directions. Section 6 asks for cones of normals to tell patches that turn their backs. Slopes do not bound
 //! how triangles of chords are turned, though: three points that are nearly on one line can make one that
 //! faces anywhere. So triangles themselves are looked at.
 
@@ -12,8 +12,11 @@ use relief_core::camera::Camera;
 use crate::edge::Divides;
 use crate::{MeshSettings, MesherError, Shading, View};
 
-/// What is not made of a mesh that one camera looks at, and nothing else: for pictures, not for files. Whatever
-/// is left has the same bits as in the whole mesh.
+/// What is not made of a mesh that one camera looks at, and nothing else: for pictures, not for files.
+/// Nothing that the camera sees is left out, and the rest has the same bits as with neither choice.
+///
+/// With either and with neither, flat base triangles that reach behind the eye in perspective are halved
+/// until few points are there, so that most of what is behind can be left out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cull {
     /// Patches that lie beside the picture, or behind the eye, whatever their relief.
@@ -79,8 +82,8 @@ impl Sight {
 
     /// Whether nothing within a hull is seen.
     ///
-    /// What is seen lies behind all of the planes, also behind those of the sides in perspective, as its depth
-    /// is not negative. A hull whose points are farther before one of them than its radius lies before it.
+    /// What is seen lies behind all of the planes, also behind those of the sides in perspective, as its
+    /// depth is not negative. A hull whose points are farther before one of them than its radius lies before it.
     pub fn misses(&self, hull: &Hull) -> bool {
         let eye = self.camera.eye();
         let largest = hull.points.iter().fold(eye, |most, point| most.abs().max(point.abs())).max_element();
@@ -105,8 +108,8 @@ impl Sight {
         [near - hull.radius_m, far + hull.radius_m]
     }
 
-    /// Whether no rasteriser sees the front of a triangle: it has no area, or its corners run clockwise in the
-    /// picture and are not so nearly in one line that rounding may turn it over.
+    /// Whether no rasteriser sees the front of a triangle: it has no area, or its corners run clockwise in
+    /// the picture and are not so nearly in one line that rounding may turn it over.
     pub fn is_back(&self, corners: [Vec3; 3]) -> bool {
         let [a, b, c] = corners.map(Vec3::as_dvec3);
         if (b - a).cross(c - a) == DVec3::ZERO {

@@ -65,7 +65,7 @@ struct DisplacedOf {
 enum Cut {
     Texels(u32),
     /// By the voxels of a view; of so many levels of the height map, without what is not seen.
-    Seen(View, u32, Cull),
+    Seen(View, u32, Option<Cull>),
 }
 
 impl DisplacedOf {
@@ -77,11 +77,9 @@ impl DisplacedOf {
             Geometry::Pixels(pixels) => {
                 let view = View::new(*scene.camera(), scene.size());
                 let view = View { pixels: pixels.into(), ..view };
-                let cull = if scene.culls() && !are_seen_by_lights(scene) {
-                    Cull { outside: true, backs: !surface.two_sided() }
-                } else {
-                    Cull::default()
-                };
+                let of_all = Cull { outside: true, backs: !surface.two_sided() };
+                let cull = if scene.culls() { of_all } else { Cull::default() };
+                let cull = (!are_seen_by_lights(scene)).then_some(cull);
                 Cut::Seen(no_finer(view, surface), selection.levels_of(map), cull)
             }
         };
@@ -110,15 +108,15 @@ impl DisplacedOf {
             }
             Cut::Seen(view, levels, cull) => {
                 let coarser: Vec<HeightMap> = (1..levels).map(|level| map.level(level)).collect();
-                let settings = MeshSettings { cull: Some(cull), ..MeshSettings::seen_by(view) };
+                let settings = MeshSettings { cull, ..MeshSettings::seen_by(view) };
                 Mesher::with_levels(mesh, map, &coarser, &settings, watch)
             }
         }
     }
 }
 
-/// Whether triangles throw shadows, also those that the camera does not see: in what lights see, or in the way
-/// of rays to them.
+/// Whether triangles throw shadows, also those that the camera does not see: in what lights see, or in the
+/// way of rays to them.
 fn are_seen_by_lights(scene: &Scene) -> bool {
     let looks = |surface: &Surface| {
         let selection = surface.selection();

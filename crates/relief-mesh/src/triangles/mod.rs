@@ -7,6 +7,7 @@ mod cubic;
 mod cull;
 mod edges;
 mod halves;
+mod near;
 mod profile;
 
 use glam::{DVec3, Vec3};
@@ -69,8 +70,12 @@ impl Triangles {
             let tolerance = relief.tolerance(settings.error_m, corners.longest());
             let found = Creases::new(relief, tolerance)?;
             found.check(relief, settings, corners.longest())?;
-            halved = halves::halved(mesh, relief, &found, settings)?;
+            halves::check(mesh, relief, settings)?;
+            halved = halves::halved(mesh, relief, |halves, triangles| halves.beyond(&found, triangles))?;
             creases = Some(found);
+        }
+        if let Divides::Voxels(parts) = settings.edges.divides {
+            halved = near::halved(mesh, relief, parts, settings)?;
         }
         if let Some(halved) = &halved {
             point_of = halved.mesh.welded();

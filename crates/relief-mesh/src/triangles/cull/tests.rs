@@ -1,12 +1,13 @@
 use glam::{DVec3, DVec4, Vec3};
 use relief_core::camera::{Camera, Projection};
 use relief_core::mesh::{Builtin, Mesh, Vertex, cube, cylinder, sphere, torus};
+use relief_core::raycast::{RayCaster, Sides};
 use relief_core::{HeightMap, Wrap};
 
 use super::*;
 use crate::interior::Fills;
 use crate::plane::Rectangle;
-use crate::{Cull, Directions, Mesher, Part, Seams, Shading, Stream, View, Watch};
+use crate::{CrackTest, Cull, Directions, Mesher, Part, Seams, Shading, Stream, View, Watch};
 
 const SIZE: [u32; 2] = [96, 72];
 
@@ -58,8 +59,10 @@ impl Case {
         }
     }
 
+    /// All patches, also those that are left out.
     fn whole(&self) -> Triangles {
-        Triangles::new(&self.mesh, &self.relief, &self.settings).expect("patches")
+        let settings = MeshSettings { cull: Some(Cull::default()), ..self.settings };
+        Triangles::new(&self.mesh, &self.relief, &settings).expect("patches")
     }
 
     fn view(&self) -> View {
@@ -69,8 +72,10 @@ impl Case {
     /// The patches that are left, by their numbers.
     fn kept(&self, cull: Cull) -> Vec<u32> {
         let settings = MeshSettings { cull: Some(cull), ..self.settings };
-        let culled = self.whole().culled(&self.relief, &self.pattern(), &settings).expect("patches");
-        (0..culled.count()).map(|patch| culled.whole(patch)).collect()
+        let mut whole = self.whole();
+        // Parts of a triangle are told apart.
+        whole.whole = (0..whole.count()).collect();
+        whole.culled(&self.relief, &self.pattern(), &settings).expect("patches").whole
     }
 
     /// The triangles of each patch.
@@ -238,8 +243,8 @@ fn planes_that_are_not_moved_out_and_backs_of_the_base_leave_out_what_is_seen() 
         for (patch, triangles) in (0u32..).zip(case.made()) {
             let hull = Hull { radius_m: 0.0, ..base.hull(&bounds, patch) };
             unmoved.add(sight.misses(&hull), sees(&view, CHOICES[0], &triangles));
-            let corners = base.triangles[patch as usize].map(|vertex| case.mesh.vertices()[vertex as usize]);
-            let is_back = sight.is_back(corners.map(|corner| corner.position));
+            let corners = base.triangles[patch as usize].map(|vertex| base.corners.vertex(vertex).position);
+            let is_back = sight.is_back(corners);
             corners_alone.add(is_back, sees(&view, CHOICES[1], &triangles));
         }
     }
@@ -267,7 +272,7 @@ fn by_vertices(mesher: &Mesher) -> Vec<[Vertex; 3]> {
 
 #[test]
 fn what_is_left_has_the_bits_that_it_has_in_the_whole_mesh() {
-    let (mut left, mut all, mut empty) = (0, 0, 0);
+    let (mut left, mut all, mut empty, mut uncut) = (0, 0, 0, 0);
     for case in cases().into_iter().step_by(3) {
         let coarser: Vec<HeightMap> = case.relief.levels().skip(1).cloned().collect();
         let mesher = |cull: Cull| {
@@ -279,7 +284,11 @@ fn what_is_left_has_the_bits_that_it_has_in_the_whole_mesh() {
         let plain = Mesher::with_levels(&case.mesh, &case.map, &coarser, &case.settings, &Watch::NOBODY);
         let plain = plain.expect("a mesh");
         let triangles = by_vertices(&whole);
-        assert!(triangles == by_vertices(&plain) && plain.depths_m().is_none(), "{}", case.what);
+        assert!(plain.depths_m().is_none());
+        if case.whole().triangles.len() == case.mesh.triangles().len() {
+            assert!(triangles == by_vertices(&plain), "{}", case.what);
+            uncut += 1;
+        }
         let [near, far] = whole.depths_m().expect("it is for a view");
         let camera = case.view().camera;
         for corner in triangles.iter().flatten() {
@@ -296,8 +305,11 @@ fn what_is_left_has_the_bits_that_it_has_in_the_whole_mesh() {
             empty += usize::from(kept.is_empty());
         }
     }
-    println!("{left} of {all}, {empty} empty");
-    assert!(left < all * 2 / 3 && left > all / 50 && empty > 0, "{left} of {all}, {empty} empty");
+    println!("{left} of {all}, {empty} empty, {uncut} uncut");
+    assert!(
+        left < all * 2 / 3 && left > all / 50 && empty > 0 && uncut > 5,
+        "{left} of {all}, {empty} empty"
+    );
 }
 
 #[test]
@@ -325,4 +337,38 @@ fn triangles_that_rounding_may_turn_over_are_no_backs() {
     assert!(!sight.is_back([b, a, Vec3::Y * 1e-4]) && sight.is_back([b, a, Vec3::Y * 1e-3]));
     // Without an area nothing is seen, and what reaches behind the eye has no place in the picture.
     assert!(sight.is_back([a, b, b]) && !sight.is_back([b, a, Vec3::new(0.0, 1.0, 3.0)]));
+}
+
+#[test]
+fn bases_that_reach_behind_the_eye_are_cut_without_a_crack() {
+    let eyes = [([0.1, 0.55, 0.2], [0.4, 0.5, 0.1]), ([0.51, 0.1, 0.3], [0.5, -0.3, -0.2])];
+    for (eye, target) in eyes {
+        let camera = Camera::new(DVec3::from(eye), DVec3::from(target), 50.0).expect("a camera");
+        let view = View { pixels: 3.0, near_m: 0.03, ..View::new(camera, SIZE) };
+        let waves = |i: u32, j: u32| (i as f32 * 0.4).sin() * (j as f32 * 0.3).cos() * 0.5 + 0.5;
+        let map = HeightMap::from_fn(48, 40, Wrap::Mirror, waves).expect("heights");
+        let (mesh, map) = (cube(1).expect("a mesh"), map.with_displacement(0.03, -0.01).expect("lengths"));
+        let mesher = |cull: Option<Cull>| {
+            let settings = MeshSettings { cull, ..MeshSettings::seen_by(view) };
+            Mesher::new(&mesh, &map, &settings).expect("a mesh")
+        };
+        let [whole, cut, seen] = [None, Some(Cull::default()), Some(CHOICES[2])].map(mesher);
+        println!("{} triangles, {} cut, {} seen", whole.triangles(), cut.triangles(), seen.triangles());
+        assert!(10 * seen.triangles() < whole.triangles() && 2 * cut.triangles() > whole.triangles());
+        let cut = cut.mesh().expect("finite");
+        let cracks = CrackTest::of_mesh(&cut);
+        assert!(cracks.is_closed() && cracks.pieces == 1, "{cracks:?}");
+        // The surface is the same but for where its points are.
+        let [whole, seen] = [&whole, &seen].map(|mesher| RayCaster::new(&mesher.mesh().expect("finite")));
+        let (mut hits, mut apart) = (0, 0);
+        for at in 0..SIZE[0] * SIZE[1] {
+            let ray = camera.ray(at % SIZE[0], at / SIZE[0], SIZE[0], SIZE[1]);
+            let [a, b] = [&whole, &seen].map(|caster| caster.next_hit(&ray, Sides::Front, None));
+            let depths = [a, b].map(|hit| hit.map_or(f64::INFINITY, |hit| hit.t));
+            hits += u32::from(depths[0].is_finite());
+            apart += u32::from(depths[0] != depths[1] && (depths[0] - depths[1]).abs() > 0.01);
+        }
+        println!("{apart} of {hits} apart");
+        assert!(hits > 1000 && apart * 20 < hits, "{apart} of {hits}");
+    }
 }
