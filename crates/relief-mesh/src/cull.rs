@@ -88,14 +88,12 @@ impl Sight {
         let eye = self.camera.eye();
         let largest = hull.points.iter().fold(eye, |most, point| most.abs().max(point.abs())).max_element();
         // What is displaced beyond what is stored is kept, and refused when it is made.
-        if !(largest + hull.radius_m <= f64::from(f32::MAX)) {
-            return false;
-        }
+        let is_stored = largest + hull.radius_m <= f64::from(f32::MAX);
         let room = hull.radius_m + ROUNDING * largest;
         let is_before = |(normal, out): &(DVec3, f64)| {
             hull.points.iter().all(|point| normal.dot(*point - eye) > out + room)
         };
-        self.planes.iter().any(is_before)
+        is_stored && self.planes.iter().any(is_before)
     }
 
     /// From where to where something within a hull may lie along the view axis, in metres from the eye.
@@ -120,7 +118,7 @@ impl Sight {
         for (place, corner) in places.iter_mut().zip(corners) {
             let from_eye = corner.as_dvec3() - camera.eye();
             let depth = if camera.is_orthographic() { 1.0 } else { camera.forward().dot(from_eye) };
-            if !(depth > 0.0) {
+            if depth.is_nan() || depth <= 0.0 {
                 return false;
             }
             *place = [camera.right(), camera.up()].map(|axis| axis.dot(from_eye) / depth * pixels);

@@ -205,7 +205,7 @@ impl Mesher {
                 let mesh = tiles.as_ref().unwrap_or(mesh);
                 patches = mesh.triangles().len();
                 let base = Triangles::new(mesh, &relief, settings)?;
-                Base::Triangles(base.culled(&relief, &pattern, settings)?, pattern)
+                Base::Triangles(base.culled(&relief, &pattern, settings, watch)?, pattern)
             }
             (Fills::Patch(pattern), _, None) => {
                 Base::Triangles(Triangles::new(mesh, &relief, settings)?, pattern)

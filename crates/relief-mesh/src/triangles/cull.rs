@@ -1,6 +1,7 @@
 //! Patches that a camera cannot see are not made.
 
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
+use std::sync::atomic::Ordering;
 
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
@@ -12,7 +13,7 @@ use crate::interior::{Cut, Pattern};
 use crate::patch::PatchPoint;
 use crate::surface::Relief;
 use crate::view::log2;
-use crate::{BaseSurface, MeshSettings, MesherError};
+use crate::{BaseSurface, MeshSettings, MesherError, Watch};
 
 /// Texels beside its own that a point may have its height from, by rounding.
 const BESIDE_TEXELS: f64 = 1e-3;
@@ -23,8 +24,13 @@ const BESIDE_LEVELS: f64 = 1e-6;
 /// How far points are rounded beside the hull of exact ones, as a part of the largest coordinate.
 const ROUNDING: f64 = 1e-6;
 
-/// Triangles of a patch that are made at once, about, to see whether any shows its front.
-const AT_ONCE: u64 = 1 << 12;
+/// Steps of a patch that are made at once to see whether any triangle shows its front, and in how many rounds
+/// through the patch.
+const STEPS: u32 = 4;
+const ROUNDS: u32 = 8;
+
+/// A number of an inner point where these are no matter: others are counted from it, up and down.
+const ANY_NUMBER: u32 = 1 << 31;
 
 /// The heights of a relief: bounds of each level that may be seen.
 struct Bounds<'a> {
@@ -40,22 +46,28 @@ impl Triangles {
         relief: &Relief,
         pattern: &Pattern,
         settings: &MeshSettings,
+        watch: &Watch,
     ) -> Result<Self, MesherError> {
         let Some((cull, view)) = settings.cull.zip(settings.view) else { return Ok(self) };
         let sight = Sight::new(&view);
         let bounds = Bounds { relief, levels: relief.levels().map(HeightBounds::new).collect() };
         let look = |patch: u32| {
+            if watch.cancel.load(Ordering::Relaxed) {
+                return Err(MesherError::Cancelled);
+            }
             let hull = self.hull(&bounds, patch);
-            let is_seen = !(cull.outside && sight.misses(&hull))
-                && !(cull.backs && self.turns_its_back(relief, pattern, &sight, patch));
-            (is_seen, sight.depths_m(&hull))
+            let is_out = (cull.outside && sight.misses(&hull))
+                || (cull.backs && self.turns_its_back(relief, pattern, &sight, patch));
+            Ok((is_out, sight.depths_m(&hull)))
         };
-        let looked: Vec<(bool, [f64; 2])> = (0..self.count()).into_par_iter().map(look).collect();
+        let looked: Result<Vec<(bool, [f64; 2])>, MesherError> =
+            (0..self.count()).into_par_iter().map(look).collect();
+        let looked = looked?;
         let nothing = [f64::INFINITY, f64::NEG_INFINITY];
         let around =
             |[near, far]: [f64; 2], &(_, [from, to]): &(bool, [f64; 2])| [near.min(from), far.max(to)];
         self.depths_m = Some(looked.iter().fold(nothing, around));
-        let kept: Vec<u32> = (0..self.count()).filter(|&patch| looked[patch as usize].0).collect();
+        let kept: Vec<u32> = (0..self.count()).filter(|&patch| !looked[patch as usize].0).collect();
         self.whole = kept.iter().map(|&patch| self.whole(patch)).collect();
         self.triangles = kept.iter().map(|&patch| self.triangles[patch as usize]).collect();
         self.corners.keep(&self.triangles);
@@ -169,30 +181,21 @@ impl Triangles {
     fn turns_its_back(&self, relief: &Relief, pattern: &Pattern, sight: &Sight, patch: u32) -> bool {
         let shape = self.patch(patch);
         let (mut cut, mut points) = (Cut::default(), Vec::new());
-        let mut looked_at = |from: u32, to: u32| {
+        let steps = (pattern.steps)(&shape);
+        let are_backs = |part: u32| {
+            let from = part * STEPS;
             cut.clear();
             points.clear();
-            // Numbers of inner points are no matter here.
-            (pattern.cut)(&shape, from..to, 0, &mut cut);
+            (pattern.cut)(&shape, from..steps.min(from + STEPS), ANY_NUMBER, &mut cut);
             points.extend(cut.points.iter().map(|point| match *point {
                 PatchPoint::Border { side, at } => self.border(relief, patch, side, at).1,
                 PatchPoint::Inner { weights, .. } => self.inner(relief, patch, weights),
             }));
-            let is_back = |corners: &[u32; 3]| sight.is_back(corners.map(|at| points[at as usize]));
-            if cut.triangles.iter().all(is_back) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+            cut.triangles.iter().all(|corners| sight.is_back(corners.map(|at| points[at as usize])))
         };
-        let steps = (pattern.steps)(&shape);
-        let (mut from, mut size) = (0, 0);
-        for step in 0..steps {
-            size += (pattern.counts)(&shape, step).triangles;
-            if size >= AT_ONCE || step + 1 == steps {
-                if looked_at(from, step + 1).is_break() {
-                    return false;
-                }
-                (from, size) = (step + 1, 0);
-            }
-        }
-        true
+        // Parts all over the patch come first, so that what is turned is found soon.
+        let parts = steps.div_ceil(STEPS);
+        (0..ROUNDS).flat_map(|round| (round..parts).step_by(ROUNDS as usize)).all(are_backs)
     }
 }
 

@@ -1,3 +1,5 @@
+use std::sync::atomic::AtomicBool;
+
 use glam::{DVec3, DVec4, Vec3};
 use relief_core::camera::{Camera, Projection};
 use relief_core::mesh::{Builtin, Mesh, Vertex, cube, cylinder, sphere, torus};
@@ -75,7 +77,8 @@ impl Case {
         let mut whole = self.whole();
         // Parts of a triangle are told apart.
         whole.whole = (0..whole.count()).collect();
-        whole.culled(&self.relief, &self.pattern(), &settings).expect("patches").whole
+        let culled = whole.culled(&self.relief, &self.pattern(), &settings, &Watch::NOBODY);
+        culled.expect("patches").whole
     }
 
     /// The triangles of each patch.
@@ -204,7 +207,7 @@ const CHOICES: [Cull; 3] = [
 /// Whether brute force sees a patch.
 fn sees(view: &View, cull: Cull, triangles: &[[DVec3; 3]]) -> bool {
     triangles.iter().any(|corners| {
-        !(cull.outside && !is_in_picture(view, *corners)) && !(cull.backs && !is_front(view, *corners))
+        (!cull.outside || is_in_picture(view, *corners)) && (!cull.backs || is_front(view, *corners))
     })
 }
 
@@ -323,8 +326,12 @@ fn nothing_is_left_out_where_there_is_no_view_or_normals_need_all_triangles() {
         MesherError::CullOfNoView { edges: "texels" }
     );
     let view = View::new(cameras()[0], SIZE);
-    let settings = MeshSettings { cull, shading: Shading::Mesh, ..MeshSettings::seen_by(view) };
-    assert_eq!(refused(settings), MesherError::CullOfMeshNormals);
+    let settings = MeshSettings { cull, ..MeshSettings::seen_by(view) };
+    let of_mesh = MeshSettings { shading: Shading::Mesh, ..settings };
+    assert_eq!(refused(of_mesh), MesherError::CullOfMeshNormals);
+    let stopped = Watch { tell: &|_| {}, cancel: &AtomicBool::new(true) };
+    let stopped = Mesher::watched(&mesh, &map, &settings, &stopped);
+    assert_eq!(stopped.err(), Some(MesherError::Cancelled));
 }
 
 #[test]
