@@ -13,6 +13,7 @@ pub mod camera;
 pub mod encoding;
 pub mod exact;
 mod found;
+mod height_bounds;
 mod height_map;
 mod heights_hash;
 mod hit;
@@ -33,6 +34,7 @@ pub use baked_map::{
 pub use byte_size::{BadByteSize, ByteSize};
 pub use encoding::Rounding;
 pub use found::FoundState;
+pub use height_bounds::HeightBounds;
 pub use height_map::{HeightMap, HeightMapError, MAX_SIDE, MAX_TEXELS};
 pub use heights_hash::HeightsHash;
 pub use hit::{Cost, Hit};

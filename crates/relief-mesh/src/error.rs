@@ -50,6 +50,18 @@ pub enum MesherError {
         /// Name of the edge rule.
         edges: &'static str,
     },
+    /// Something to be left out that no view says.
+    #[error("the edges '{edges}' are those of no view: nothing can be left out of the mesh as not seen")]
+    CullOfNoView {
+        /// Name of the edge rule.
+        edges: &'static str,
+    },
+    /// Something left out where normals are those of all triangles.
+    #[error(
+        "where triangles are left out as not seen, normals cannot be those of the triangles: normals of the \
+         relief can be had"
+    )]
+    CullOfMeshNormals,
     /// A view that sees nothing.
     #[error(
         "a view of {width}x{height} pixels, {pixels} to a voxel, near {near_m} m cannot be used: all must be \

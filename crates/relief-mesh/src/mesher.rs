@@ -14,6 +14,7 @@ use relief_core::mesh::{Mesh, MeshBlock};
 use self::block::Made;
 use self::solid::Solid;
 use crate::crack::CrackTest;
+use crate::cull;
 use crate::edge::Divides;
 use crate::error::MOST;
 use crate::filling::Filling;
@@ -181,6 +182,7 @@ impl Mesher {
         if matches!(settings.edges.divides, Divides::Voxels(_)) && settings.solid_m.is_some() {
             return Err(MesherError::SolidOfView);
         }
+        cull::check(settings)?;
         settings.weights.check()?;
         let interior = settings.interior;
         if settings.weights != Weights::NONE && !interior.takes.contains(&Spacing::Even) {
@@ -191,10 +193,12 @@ impl Mesher {
             (Fills::Patch(pattern), Divides::Evenly(evenly), Some(rectangle)) => {
                 Base::Grid(Grid::new(rectangle, &relief, &evenly, settings)?, pattern)
             }
-            (Fills::Patch(pattern), Divides::Voxels(_), Some(rectangle)) => {
-                let tiles = rectangle.tiles(&relief, settings.part)?;
-                patches = tiles.triangles().len();
-                Base::Triangles(Triangles::new(&tiles, &relief, settings, most, watch)?, pattern)
+            (Fills::Patch(pattern), Divides::Voxels(_), rectangle) => {
+                let tiles = rectangle.map(|plane| plane.tiles(&relief, settings.part)).transpose()?;
+                let mesh = tiles.as_ref().unwrap_or(mesh);
+                patches = mesh.triangles().len();
+                let base = Triangles::new(mesh, &relief, settings, most, watch)?;
+                Base::Triangles(base.culled(&relief, &pattern, settings, watch)?, pattern)
             }
             (Fills::Patch(pattern), _, None) => {
                 Base::Triangles(Triangles::new(mesh, &relief, settings, most, watch)?, pattern)
@@ -266,6 +270,12 @@ impl Mesher {
     /// Triangles of the mesh.
     pub fn triangles(&self) -> u64 {
         self.triangles
+    }
+
+    /// From where to where along the view axis the mesh may reach, in metres from the eye, with what was left
+    /// out of it; none where no view says what is left out.
+    pub fn depths_m(&self) -> Option<[f64; 2]> {
+        self.base.triangles().and_then(Triangles::depths_m)
     }
 
     /// The most memory that it takes to hand the mesh over, in bytes, besides the height map and whatever the

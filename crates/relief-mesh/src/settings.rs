@@ -1,7 +1,7 @@
 //! How a mesh is made.
 
 use crate::{
-    BaseSurface, Directions, EdgeRule, Fit, Interior, Judge, Seams, Shading, Side, View, Weights, edge,
+    BaseSurface, Cull, Directions, EdgeRule, Fit, Interior, Judge, Seams, Shading, Side, View, Weights, edge,
     interior,
 };
 
@@ -16,6 +16,8 @@ pub struct MeshSettings {
     pub texels: u32,
     /// For the edge rule `pixels`: where the mesh is looked at from.
     pub view: Option<View>,
+    /// For the same: what is not made of the mesh since that view does not see it.
+    pub cull: Option<Cull>,
     /// For the same, with the interior `dice`: edges that have more or fewer points than voxels.
     pub weights: Weights,
     /// For the edge rule `error` and the interior `adapt`: the farthest that the relief may lie from the
@@ -96,6 +98,7 @@ impl Default for MeshSettings {
             interior: &interior::DICE,
             texels: 1,
             view: None,
+            cull: None,
             weights: Weights::NONE,
             error_m: f64::INFINITY,
             judge: Judge::default(),

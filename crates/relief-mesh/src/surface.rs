@@ -113,6 +113,11 @@ impl Relief {
         !self.coarser.is_empty()
     }
 
+    /// The levels of the height map, from the finest on.
+    pub fn levels(&self) -> impl Iterator<Item = &HeightMap> {
+        std::iter::once(&self.map).chain(&self.coarser)
+    }
+
     /// Columns and rows of the map.
     pub fn sides(&self) -> [f64; 2] {
         [self.map.width(), self.map.height()].map(f64::from)
@@ -139,6 +144,11 @@ impl Relief {
     /// Along what points are displaced.
     pub fn directions(&self) -> Directions {
         self.directions
+    }
+
+    /// The directions at the corners of a triangle, where those between are sums of them by their weights.
+    pub fn interpolated(&self, normals: [DVec3; 3]) -> Option<[DVec3; 3]> {
+        (self.directions == Directions::Raw).then_some(normals)
     }
 
     /// How far one metre of displacement goes along a normal of that length.

@@ -80,6 +80,11 @@ impl Voxels {
         1.0 / self.per_m
     }
 
+    /// Whether a point is nearer to the eye than grid space is, or behind it.
+    pub fn is_before(&self, position: DVec3) -> bool {
+        self.camera.forward().dot(position - self.camera.eye()) < self.near_m
+    }
+
     pub fn of(&self, position: DVec3) -> Voxel {
         let Self { camera, middle, per_m, per_doubling, near_m } = self;
         let from_eye = position - camera.eye();

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use relief_core::HeightMap;
 use relief_core::mesh::{Mesh, Vertex};
-use relief_mesh::{MeshSettings, Mesher, MesherError, Stream, StreamError, View, Watch};
+use relief_mesh::{Cull, MeshSettings, Mesher, MesherError, Stream, StreamError, View, Watch};
 use relief_shaders::cpu::{Corner, Shell};
 use relief_shaders::geometry::Geometry;
 
@@ -64,8 +64,8 @@ struct DisplacedOf {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Cut {
     Texels(u32),
-    /// By the voxels of a view; of so many levels of the height map.
-    Seen(View, u32),
+    /// By the voxels of a view; of so many levels of the height map, without what is not seen.
+    Seen(View, u32, Option<Cull>),
 }
 
 impl DisplacedOf {
@@ -77,7 +77,10 @@ impl DisplacedOf {
             Geometry::Pixels(pixels) => {
                 let view = View::new(*scene.camera(), scene.size());
                 let view = View { pixels: pixels.into(), ..view };
-                Cut::Seen(no_finer(view, surface), selection.levels_of(map))
+                let of_all = Cull { outside: true, backs: !surface.two_sided() };
+                let cull = if scene.culls() { of_all } else { Cull::default() };
+                let cull = (!are_seen_by_lights(scene)).then_some(cull);
+                Cut::Seen(no_finer(view, surface), selection.levels_of(map), cull)
             }
         };
         Some(Self { mesh: Arc::clone(surface.mesh()), map: Arc::clone(map), cut })
@@ -103,12 +106,23 @@ impl DisplacedOf {
                 let settings = MeshSettings { texels, ..MeshSettings::default() };
                 Mesher::watched(mesh, map, &settings, watch)
             }
-            Cut::Seen(view, levels) => {
+            Cut::Seen(view, levels, cull) => {
                 let coarser: Vec<HeightMap> = (1..levels).map(|level| map.level(level)).collect();
-                Mesher::with_levels(mesh, map, &coarser, &MeshSettings::seen_by(view), watch)
+                let settings = MeshSettings { cull, ..MeshSettings::seen_by(view) };
+                Mesher::with_levels(mesh, map, &coarser, &settings, watch)
             }
         }
     }
+}
+
+/// Whether triangles throw shadows, also those that the camera does not see: in what lights see, or in the
+/// way of rays to them.
+fn are_seen_by_lights(scene: &Scene) -> bool {
+    let looks = |surface: &Surface| {
+        let selection = surface.selection();
+        selection.light_views().is_some() || selection.rays_through_scene().is_some()
+    };
+    !scene.lights().is_empty() && scene.surfaces().iter().any(looks)
 }
 
 /// The view with voxels that are nowhere smaller than a part of a texel.
@@ -206,7 +220,7 @@ fn made(
         Err(_) => return Err(Some(GeometryError::NotFinite)),
     }
     let faces = faces.into_iter().zip(std::iter::repeat(Shell::whole()));
-    Ok((Arc::new(Triangles::new(corners, faces)), bytes))
+    Ok((Arc::new(Triangles::new(corners, faces).between(mesher.depths_m())), bytes))
 }
 
 /// A vertex as the shaders have it.
@@ -258,6 +272,13 @@ mod tests {
         assert!(is_same(&first[0], &moved[0]) && !is_same(&first[1], &moved[1]));
         let other = scene.to_builder().size(120, 60).build().expect("a scene");
         assert!(!is_same(&moved[1], &made(&other)[1]));
+        // Shadows are looked up in all triangles, and without lights there are none.
+        let len = |made: &[Option<Arc<Triangles>>]| made[1].as_ref().map_or(0, |triangles| triangles.len());
+        let dark = scene.to_builder().lights(Vec::new()).build().expect("a scene");
+        let seen = made(&dark);
+        assert!(!is_same(&moved[1], &seen[1]) && len(&seen) < len(&moved));
+        let whole = made(&dark.to_builder().culls(false).build().expect("a scene"));
+        assert!(!is_same(&seen[1], &whole[1]) && len(&whole) == len(&moved));
         // Another displacement is another map, and what was cancelled is not there.
         let map = HeightMap::with_displacement((*map).clone(), 0.03, 0.0).expect("lengths");
         let surface = of("vertex").with_height_map(map);

@@ -1,7 +1,7 @@
 //! The heights under triangles: as high and as low as their shells must reach.
 
 use glam::DVec2;
-use relief_core::{HeightMap, MaxPyramid, MinPyramid};
+use relief_core::{HeightBounds, HeightMap};
 
 /// Texels of the map's finest level beyond a triangle's own that its segments may read, in any level: they
 /// reach beyond it by rounding, and by as much as they may be beside the ray.
@@ -13,13 +13,11 @@ pub struct HeightsUnder {
     levels: Vec<Level>,
 }
 
-/// The lowest and the highest nodes of a level of a map.
+/// What is known of a level of a map.
 struct Level {
-    size: DVec2,
     /// Texels of this level that may be read beyond a triangle's own.
     beyond: DVec2,
-    lowest: MinPyramid,
-    highest: MaxPyramid,
+    bounds: HeightBounds,
 }
 
 impl HeightsUnder {
@@ -29,8 +27,7 @@ impl HeightsUnder {
         let level = |number| {
             let level = map.level(number);
             let beyond = size(&level) / size(map) * BEYOND_TEXELS;
-            let (lowest, highest) = (MinPyramid::new(&level), MaxPyramid::new(&level));
-            Level { size: size(&level), beyond, lowest, highest }
+            Level { beyond, bounds: HeightBounds::new(&level) }
         };
         Self { levels: (0..levels.max(1)).map(level).collect() }
     }
@@ -48,11 +45,8 @@ impl HeightsUnder {
 
 impl Level {
     fn under(&self, uv: [DVec2; 3]) -> [f32; 2] {
-        let [a, b, c] = uv.map(|corner| corner * self.size - 0.5);
-        let cells = |corner: DVec2| [corner.x.floor() as i64, corner.y.floor() as i64];
-        let first = cells(a.min(b).min(c) - self.beyond);
-        let last = cells(a.max(b).max(c) + self.beyond);
-        [self.lowest.bound(first, last).0, self.highest.bound(first, last).0]
+        let [a, b, c] = uv;
+        self.bounds.between(a.min(b).min(c), a.max(b).max(c), self.beyond)
     }
 }
 

@@ -178,8 +178,12 @@ fn frame(scene: &Scene, surfaces: &[JobSurface]) -> Frame {
 /// What the depth buffer holds, as the shaders take it.
 fn clip(scene: &Scene, surfaces: &[JobSurface]) -> [f32; 4] {
     let camera = scene.camera();
-    let depths = surfaces.iter().flat_map(relief_points);
-    let depths = depths.map(|point| camera.forward().dot(point - camera.eye()));
+    let depths = surfaces.iter().flat_map(|surface| {
+        let known = surface.triangles.depths_m();
+        let points = relief_points(surface).take(if known.is_some() { 0 } else { usize::MAX });
+        let depths = points.map(|point| camera.forward().dot(point - camera.eye()));
+        depths.chain(known.into_iter().flatten())
+    });
     let [near, far] =
         depths.fold([f64::INFINITY, 0.0], |[near, far], depth| [depth.min(near), depth.max(far)]);
     let (far, is_orthographic) = (if far > 0.0 { far * 1.01 } else { 1.0 }, camera.is_orthographic());
@@ -239,10 +243,14 @@ fn view_projection(scene: &Scene, surfaces: &[JobSurface]) -> (DMat4, f64) {
     let depths = |toward: f64| {
         scene.surfaces().iter().zip(surfaces).flat_map(move |(surface, made)| {
             let moved = toward * f64::from(moved_out_m(surface));
+            // The same planes whatever was left out.
+            let known = made.triangles.depths_m();
+            let is_displaced = surface.selection().geometry().is_some() && known.is_none();
             let displaced = made.triangles.corners().iter().map(corner_position);
-            let displaced = displaced.filter(|_| surface.selection().geometry().is_some());
+            let displaced = displaced.filter(move |_| is_displaced);
             let base = surface.mesh().vertices().iter().map(|vertex| vertex.position.as_dvec3());
-            base.chain(displaced).map(move |point| depth(point) + moved)
+            let depths = base.chain(displaced).map(move |point| depth(point) + moved);
+            depths.chain(known.into_iter().flatten())
         })
     };
     let farthest = depths(1.0).fold(0.0, f64::max);

@@ -9,13 +9,26 @@ use relief_shaders::cpu::{Corner, Face, Shell, Triangle};
 pub struct Triangles {
     corners: Vec<Corner>,
     faces: Vec<Face>,
+    depths_m: Option<[f64; 2]>,
 }
 
 impl Triangles {
     /// Triangles by the places of their corners, which all exist.
     pub(crate) fn new(corners: Vec<Corner>, faces: impl Iterator<Item = ([u32; 3], Shell)>) -> Self {
         let faces = faces.map(|(corners, shell)| Face { corners: corners.into(), shell });
-        Self { corners, faces: faces.collect() }
+        Self { corners, faces: faces.collect(), depths_m: None }
+    }
+
+    /// The same, made for a camera that sees them, and others that were left out, between these depths.
+    #[must_use]
+    pub(crate) fn between(self, depths_m: Option<[f64; 2]>) -> Self {
+        Self { depths_m, ..self }
+    }
+
+    /// The metres from the eye, along the view axis, to the nearest and to the farthest of them and of those
+    /// that were left out, where they were made for a camera.
+    pub(crate) fn depths_m(&self) -> Option<[f64; 2]> {
+        self.depths_m
     }
 
     /// How many there are.
@@ -70,7 +83,7 @@ impl FromIterator<Triangle> for Triangles {
             faces.push(Face { corners: [first, first + 1, first + 2].into(), shell });
             corners.extend([a, b, c]);
         }
-        Self { corners, faces }
+        Self { corners, faces, depths_m: None }
     }
 }
 

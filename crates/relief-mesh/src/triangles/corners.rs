@@ -38,27 +38,36 @@ pub struct Corners {
 impl Corners {
     pub fn new(mesh: &Mesh, point_of: &[u32], is_welded: bool) -> Self {
         let vertices = mesh.vertices().to_vec();
+        let directions = if is_welded { welded_directions(mesh, point_of) } else { Vec::new() };
+        let (between, turns, seen, used) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (numbers, smooth) = (Vec::new(), Vec::new());
+        let mut corners = Self { vertices, directions, between, turns, seen, used, numbers, smooth };
+        corners.keep(mesh.triangles());
+        if is_welded {
+            corners.seen = first_used(point_of, &corners.used);
+        }
+        corners.turns = corners.turns_of(mesh);
+        corners
+    }
+
+    /// Numbers the vertices that some triangles have, and no others. What these say of others stays.
+    pub fn keep(&mut self, triangles: &[[u32; 3]]) {
+        let vertices = &self.vertices;
         let mut is_used = vec![false; vertices.len()];
-        for &vertex in mesh.triangles().as_flattened() {
+        for &vertex in triangles.as_flattened() {
             is_used[vertex as usize] = true;
         }
-        let used: Vec<u32> = (0..vertices.len() as u32).filter(|&at| is_used[at as usize]).collect();
-        let mut numbers = vec![UNUSED; vertices.len()];
-        for (number, &vertex) in used.iter().enumerate() {
-            numbers[vertex as usize] = number as u32;
+        self.used = (0..vertices.len() as u32).filter(|&at| is_used[at as usize]).collect();
+        self.numbers = vec![UNUSED; vertices.len()];
+        for (number, &vertex) in self.used.iter().enumerate() {
+            self.numbers[vertex as usize] = number as u32;
         }
-        let seen = if is_welded { first_used(point_of, &used) } else { Vec::new() };
-        let directions = if is_welded { welded_directions(mesh, point_of) } else { Vec::new() };
         let mut first = HashMap::new();
-        let smooth = vertices.iter().enumerate().map(|(at, vertex)| match numbers[at] {
+        let smooth = vertices.iter().zip(&self.numbers).map(|(vertex, &number)| match number {
             UNUSED => UNUSED,
             number => *first.entry(surface_bits(vertex)).or_insert(number),
         });
-        let smooth = smooth.collect();
-        let (between, turns) = (Vec::new(), Vec::new());
-        let mut corners = Self { vertices, directions, between, turns, seen, used, numbers, smooth };
-        corners.turns = corners.turns_of(mesh);
-        corners
+        self.smooth = smooth.collect();
     }
 
     /// The same with vertices that lie half-way between others: the first ones are those of a whole mesh, and

@@ -21,12 +21,17 @@ pub fn on_side([from, to]: [DVec3; 2], [first, second]: [DVec3; 2], [a, b]: [f64
     from * (a * a * a) + (first * a + second * b) * (3.0 * a * b) + to * (b * b * b)
 }
 
+/// The inner control point of a triangle, by the middle of its corners and the sum of its sides' control
+/// points.
+pub fn middle(flat: DVec3, sum: DVec3) -> DVec3 {
+    sum / 4.0 - flat / 2.0
+}
+
 /// The point of a triangle with those weights of its corners; side `k` goes from corner `k` to the next.
 pub fn inside(corners: [DVec3; 3], sides: [[DVec3; 2]; 3], weights: [f64; 3]) -> DVec3 {
     let sum: DVec3 = sides.as_flattened().iter().sum();
     let flat = (corners[0] + corners[1] + corners[2]) / 3.0;
-    let middle = sum / 4.0 - flat / 2.0;
-    let mut point = middle * (6.0 * weights[0] * weights[1] * weights[2]);
+    let mut point = middle(flat, sum) * (6.0 * weights[0] * weights[1] * weights[2]);
     for k in 0..3 {
         let [a, b] = [weights[k], weights[(k + 1) % 3]];
         point += corners[k] * (a * a * a) + (sides[k][0] * a + sides[k][1] * b) * (3.0 * a * b);

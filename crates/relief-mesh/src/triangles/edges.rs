@@ -58,6 +58,8 @@ pub struct Edges {
     /// The points of seams that are not divided evenly.
     steps: Vec<u16>,
     sides: Vec<[u32; 3]>,
+    /// Which edges have points of their own; empty where all have.
+    is_used: Vec<bool>,
     /// The number after the last inner point.
     end: u64,
 }
@@ -126,7 +128,7 @@ impl Edges {
                 }
             }
         }
-        let mut edges = Self { edges, seams, steps: all_steps, sides, end: 0 };
+        let mut edges = Self { edges, seams, steps: all_steps, sides, is_used: Vec::new(), end: 0 };
         edges.number(corners)?;
         Ok(edges)
     }
@@ -136,7 +138,9 @@ impl Edges {
         let mut next = corners.used.len() as u64;
         let mut first_of: HashMap<[u32; 2], u32> = HashMap::new();
         let mut seam = u32::MAX;
-        for edge in &mut self.edges {
+        for number in 0..self.count() {
+            let points = self.points(number);
+            let edge = &mut self.edges[number as usize];
             if edge.seam != seam {
                 first_of.clear();
                 seam = edge.seam;
@@ -144,15 +148,31 @@ impl Edges {
             edge.first = counted(next)?;
             let surface = edge.ends.map(|end| corners.numbered(end).smooth);
             edge.smooth = *first_of.entry(surface).or_insert(edge.first);
-            next += u64::from(self.seams[seam as usize].parts - 1);
+            next += u64::from(points);
         }
         counted(next)?;
         self.end = next;
         Ok(())
     }
 
+    /// Leaves out all triangles but some, and the points of edges that none of these has. How seams are
+    /// divided stays.
+    pub fn keep(&mut self, triangles: &[u32], corners: &Corners) -> Result<(), MesherError> {
+        self.sides = triangles.iter().map(|&triangle| self.sides(triangle)).collect();
+        self.is_used = vec![false; self.edges.len()];
+        for &edge in self.sides.as_flattened() {
+            self.is_used[edge as usize] = true;
+        }
+        self.number(corners)
+    }
+
     pub fn count(&self) -> u32 {
         self.edges.len() as u32
+    }
+
+    /// The inner points of an edge.
+    pub fn points(&self, edge: u32) -> u32 {
+        if self.is_used.get(edge as usize).is_none_or(|is_used| *is_used) { self.parts(edge) - 1 } else { 0 }
     }
 
     pub fn end(&self) -> u64 {

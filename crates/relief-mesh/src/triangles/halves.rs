@@ -1,4 +1,4 @@
-//! Large base triangles are halved along their longer sides until none is too large to be filled at once.
+//! Base triangles are halved along the sides that are too long, until none is: see `Creases` and `near`.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::atomic::Ordering;
@@ -41,6 +41,9 @@ impl Limits<'_> {
     }
 }
 
+/// Two positions of a mesh.
+type Ends = [u32; 2];
+
 /// A mesh whose sides are halved.
 #[derive(Debug)]
 pub struct Halved {
@@ -52,9 +55,8 @@ pub struct Halved {
 }
 
 /// A mesh while it is halved.
-struct Halves<'a> {
+pub struct Halves<'a> {
     relief: &'a Relief,
-    creases: &'a Creases,
     vertices: Vec<Vertex>,
     /// The position that each vertex is at, and how many there are.
     points: Vec<u32>,
@@ -65,18 +67,25 @@ struct Halves<'a> {
     middle_points: HashMap<[u32; 2], u32>,
 }
 
-/// The mesh with no side that is too long for its lattice; none where it has no such side. A side is halved
-/// in all triangles that have it.
+/// Refuses a mesh with more sides that are too long for their lattice than can be halved.
+pub fn check(mesh: &Mesh, relief: &Relief, limits: &Limits) -> Result<(), MesherError> {
+    // Before memory is taken for them.
+    let place = |vertex: u32| relief.place(mesh.vertices()[vertex as usize].uv.as_dvec2());
+    let fewest = mesh.triangles().iter().map(|corners| Creases::fewest(corners.map(place)));
+    limits.check(fewest.fold(0, u64::saturating_add))
+}
+
+/// The mesh with no side that is too long, as `long` says of some triangles by the positions at its ends;
+/// none where it has no such side. A side is halved in all triangles that have it.
 pub fn halved(
     mesh: &Mesh,
     relief: &Relief,
-    creases: &Creases,
     limits: &Limits,
+    long: impl Fn(&Halves, &[[u32; 3]]) -> HashSet<Ends>,
 ) -> Result<Option<Halved>, MesherError> {
     let points = mesh.welded();
     let mut halves = Halves {
         relief,
-        creases,
         vertices: mesh.vertices().to_vec(),
         count: points.len() as u32,
         points,
@@ -86,14 +95,8 @@ pub fn halved(
     };
     let mut triangles = mesh.triangles().to_vec();
     let mut whole: Vec<u32> = (0..triangles.len() as u32).collect();
-    // Before memory is taken for them.
-    let count = triangles
-        .iter()
-        .map(|corners| Creases::fewest(corners.map(|at| halves.place(at))))
-        .fold(0, u64::saturating_add);
-    limits.check(count)?;
     loop {
-        let long = halves.long(&triangles);
+        let long = long(&halves, &triangles);
         if long.is_empty() {
             break;
         }
@@ -140,12 +143,21 @@ impl Halves<'_> {
         sorted(ends.map(|end| self.points[end as usize]))
     }
 
-    /// The sides that are too long in some triangle, by their positions.
-    fn long(&self, triangles: &[[u32; 3]]) -> HashSet<[u32; 2]> {
+    /// The sides of triangles that are too long, by their positions.
+    pub fn sides(&self, triangles: &[[u32; 3]], is_long: impl Fn([u32; 2]) -> bool) -> HashSet<Ends> {
         let all = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-        let long = all.filter(|ends| self.creases.is_long(ends.map(|end| self.place(end))));
+        let long = all.filter(|ends| is_long(*ends)).map(|ends| self.points_of(ends));
         // One without a length has no middle.
-        long.map(|ends| self.points_of(ends)).filter(|[a, b]| a != b).collect()
+        long.filter(|[a, b]| a != b).collect()
+    }
+
+    /// The sides that are too long for their lattice.
+    pub fn beyond(&self, creases: &Creases, triangles: &[[u32; 3]]) -> HashSet<Ends> {
+        self.sides(triangles, |ends| creases.is_long(ends.map(|end| self.place(end))))
+    }
+
+    pub fn vertex(&self, vertex: u32) -> &Vertex {
+        &self.vertices[vertex as usize]
     }
 
     /// The vertex between two.
@@ -173,12 +185,12 @@ impl Halves<'_> {
     }
 
     /// Which sides of a triangle are long.
-    fn are_long(&self, [a, b, c]: [u32; 3], long: &HashSet<[u32; 2]>) -> [bool; 3] {
+    fn are_long(&self, [a, b, c]: [u32; 3], long: &HashSet<Ends>) -> [bool; 3] {
         [[a, b], [b, c], [c, a]].map(|ends| long.contains(&self.points_of(ends)))
     }
 
     /// Cuts a triangle at the middles of its long sides.
-    fn cut(&mut self, [a, b, c]: [u32; 3], long: &HashSet<[u32; 2]>, into: &mut Vec<[u32; 3]>) {
+    fn cut(&mut self, [a, b, c]: [u32; 3], long: &HashSet<Ends>, into: &mut Vec<[u32; 3]>) {
         let is_long = self.are_long([a, b, c], long);
         // Turned so that the sides that stay come last.
         let turned = match is_long {

@@ -6,9 +6,11 @@ mod border;
 mod corners;
 mod creases;
 mod cubic;
+mod cull;
 mod edges;
 mod halves;
 mod inside;
+mod near;
 mod patch_border;
 mod profile;
 mod solid;
@@ -23,7 +25,7 @@ use self::border::Border;
 use self::corners::Corners;
 use self::creases::Creases;
 use self::edges::{Division, Edges};
-use self::halves::Limits;
+use self::halves::{Halves, Limits};
 pub use self::inside::Inside;
 pub use self::patch_border::PatchBorder;
 pub use self::solid::Solid;
@@ -52,6 +54,8 @@ pub struct Triangles {
     whole: Vec<u32>,
     /// Its border, where it is to be made solid.
     border: Option<Border>,
+    /// From where to where along the view axis all patches may lie, also those that were left out.
+    depths_m: Option<[f64; 2]>,
 }
 
 /// A vertex of the mesh that is made: its number, and which vertices have the same normal.
@@ -82,14 +86,19 @@ impl Triangles {
         let sides = relief.sides();
         let mut point_of = mesh.welded();
         let mut corners = Corners::new(mesh, &point_of, is_welded);
+        let limits = Limits { most, max_bytes: settings.max_bytes, watch: *watch };
         let (mut creases, mut halved) = (None, None);
         if let Divides::Along(_) = settings.edges.divides {
             let tolerance = relief.tolerance(settings.error_m, corners.longest());
             let found = Creases::new(relief, tolerance)?;
             found.check(relief, settings, corners.longest())?;
-            let limits = Limits { most, max_bytes: settings.max_bytes, watch: *watch };
-            halved = halves::halved(mesh, relief, &found, &limits)?;
+            halves::check(mesh, relief, &limits)?;
+            let long = |halves: &Halves, triangles: &[[u32; 3]]| halves.beyond(&found, triangles);
+            halved = halves::halved(mesh, relief, &limits, long)?;
             creases = Some(found);
+        }
+        if let Divides::Voxels(parts) = settings.edges.divides {
+            halved = near::halved(mesh, relief, parts, settings, &limits)?;
         }
         if let Some(halved) = &halved {
             point_of = halved.mesh.welded();
@@ -147,7 +156,19 @@ impl Triangles {
         let first = corners.used.first().map(|&vertex| corners.base(vertex).normal);
         let can_fold = corners.used.iter().any(|&vertex| Some(corners.base(vertex).normal) != first);
         let base = settings.base;
-        Ok(Self { corners, edges, triangles, voxels, footprints, base, is_welded, can_fold, whole, border })
+        Ok(Self {
+            corners,
+            edges,
+            triangles,
+            voxels,
+            footprints,
+            base,
+            is_welded,
+            can_fold,
+            whole,
+            border,
+            depths_m: None,
+        })
     }
 
     /// What a vertex counts along the sides that it is an end of.
@@ -179,7 +200,7 @@ impl Triangles {
 
     /// Vertices between the ends of an edge.
     pub fn points_of_edge(&self, edge: u32) -> u32 {
-        self.edges.parts(edge) - 1
+        self.edges.points(edge)
     }
 
     /// Vertices at corners and along edges.

@@ -47,6 +47,7 @@ pub struct SceneBuilder {
     backend: BackendChoice,
     sampling: Sampling,
     geometry_memory: ByteSize,
+    culls: bool,
 }
 
 /// A camera, or how one is to be fitted.
@@ -88,6 +89,7 @@ impl SceneBuilder {
             backend: BackendChoice::default(),
             sampling: Sampling::default(),
             geometry_memory: DEFAULT_MAX_MEMORY,
+            culls: true,
         }
     }
 
@@ -107,6 +109,7 @@ impl SceneBuilder {
             backend: scene.backend,
             sampling: scene.sampling,
             geometry_memory: scene.geometry_memory,
+            culls: scene.culls,
         }
     }
 
@@ -214,6 +217,13 @@ impl SceneBuilder {
         self
     }
 
+    /// Whether displaced triangles that are made for the camera (the geometry `remesh`) are left out where it
+    /// cannot see them, if no light looks at them either. By default they are; the picture is the same.
+    pub fn culls(mut self, culls: bool) -> Self {
+        self.culls = culls;
+        self
+    }
+
     /// The scene.
     ///
     /// # Errors
@@ -300,6 +310,7 @@ impl SceneBuilder {
             backend: self.backend,
             sampling: self.sampling,
             geometry_memory: self.geometry_memory,
+            culls: self.culls,
         })
     }
 }

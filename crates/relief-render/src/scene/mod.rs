@@ -63,6 +63,7 @@ pub struct Scene {
     pub(crate) backend: BackendChoice,
     pub(crate) sampling: Sampling,
     pub(crate) geometry_memory: ByteSize,
+    pub(crate) culls: bool,
 }
 
 impl Scene {
@@ -137,6 +138,11 @@ impl Scene {
     /// The most memory that all displaced triangles may take, with what is built on them.
     pub fn geometry_memory(&self) -> ByteSize {
         self.geometry_memory
+    }
+
+    /// Whether displaced triangles that nothing sees are left out.
+    pub fn culls(&self) -> bool {
+        self.culls
     }
 }
 

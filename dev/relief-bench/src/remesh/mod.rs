@@ -2,6 +2,7 @@
 
 mod claims;
 mod silhouettes;
+mod unseen;
 
 use clap::Args;
 
@@ -19,6 +20,7 @@ pub struct Arguments {
 /// Prints the tables.
 pub fn run(arguments: &Arguments) -> Result<(), String> {
     println!("{}\n", claims::table(arguments.triangles));
-    println!("{}", silhouettes::table(arguments.width)?);
+    println!("{}\n", silhouettes::table(arguments.width)?);
+    println!("{}", unseen::table(arguments.width)?);
     Ok(())
 }

@@ -1,0 +1,204 @@
+//! Patches that a camera cannot see are not made.
+
+use std::ops::Range;
+use std::sync::atomic::Ordering;
+
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+use relief_core::HeightBounds;
+
+use super::{Inside, PatchBorder, Triangles, cubic};
+use crate::cull::{Hull, Sight};
+use crate::interior::{Cut, Pattern};
+use crate::patch::PatchPoint;
+use crate::surface::Relief;
+use crate::view::log2;
+use crate::{BaseSurface, MeshSettings, MesherError, Watch};
+
+/// Texels beside its own that a point may have its height from, by rounding.
+const BESIDE_TEXELS: f64 = 1e-3;
+
+/// Levels beside its own that a point may have its height from, by rounding.
+const BESIDE_LEVELS: f64 = 1e-6;
+
+/// How far points are rounded beside the hull of exact ones, as a part of the largest coordinate.
+const ROUNDING: f64 = 1e-6;
+
+/// Steps of a patch that are made at once to see whether any triangle shows its front, and in how many rounds
+/// through the patch.
+const STEPS: u32 = 4;
+const ROUNDS: u32 = 8;
+
+/// A number of an inner point where these are no matter: others are counted from it, up and down.
+const ANY_NUMBER: u32 = 1 << 31;
+
+/// The heights of a relief: bounds of each level that may be seen.
+struct Bounds<'a> {
+    relief: &'a Relief,
+    levels: Vec<HeightBounds>,
+}
+
+impl Triangles {
+    /// The same without the patches that are to be left out, and without the points that none but these have.
+    /// Everything else is as it was: directions, levels, and who says where seams are.
+    pub fn culled(
+        mut self,
+        relief: &Relief,
+        pattern: &Pattern,
+        settings: &MeshSettings,
+        watch: &Watch,
+    ) -> Result<Self, MesherError> {
+        let Some((cull, view)) = settings.cull.zip(settings.view) else { return Ok(self) };
+        let sight = Sight::new(&view);
+        let bounds = Bounds { relief, levels: relief.levels().map(HeightBounds::new).collect() };
+        let look = |patch: u32| {
+            if watch.cancel.load(Ordering::Relaxed) {
+                return Err(MesherError::Cancelled);
+            }
+            let hull = self.hull(&bounds, patch);
+            let is_out = (cull.outside && sight.misses(&hull))
+                || (cull.backs && self.turns_its_back(relief, pattern, &sight, patch));
+            Ok((is_out, sight.depths_m(&hull)))
+        };
+        let looked: Result<Vec<(bool, [f64; 2])>, MesherError> =
+            (0..self.count()).into_par_iter().map(look).collect();
+        let looked = looked?;
+        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+        let around =
+            |[near, far]: [f64; 2], &(_, [from, to]): &(bool, [f64; 2])| [near.min(from), far.max(to)];
+        self.depths_m = Some(looked.iter().fold(nothing, around));
+        let kept: Vec<u32> = (0..self.count()).filter(|&patch| !looked[patch as usize].0).collect();
+        self.whole = kept.iter().map(|&patch| self.whole(patch)).collect();
+        self.triangles = kept.iter().map(|&patch| self.triangles[patch as usize]).collect();
+        self.corners.keep(&self.triangles);
+        self.edges.keep(&kept, &self.corners)?;
+        Ok(self)
+    }
+
+    /// From where to where along the view axis all patches may lie, also those that were left out, in metres
+    /// from the eye; none where nothing was to be left out.
+    pub fn depths_m(&self) -> Option<[f64; 2]> {
+        self.depths_m
+    }
+
+    /// What a displaced patch is within.
+    ///
+    /// A point of a flat base that is displaced along interpolated directions by a height between two others
+    /// lies in the hull of the corners at these two heights. What differs makes it wider.
+    fn hull(&self, bounds: &Bounds, patch: u32) -> Hull {
+        let corners = self.triangles[patch as usize];
+        let sides = self.edges.sides(patch);
+        let base = corners.map(|vertex| self.corners.base(vertex));
+        let [mut low_m, mut high_m] = self.metres(bounds, patch);
+        if self.base == BaseSurface::Lift {
+            // The sum of the products of weights, two by two, is at most a third.
+            let lifts = sides.map(|side| self.lift(self.seen(side)) / 3.0);
+            low_m += lifts.into_iter().fold(0.0, f64::min);
+            high_m += lifts.into_iter().fold(0.0, f64::max);
+        }
+        let farthest_m = low_m.abs().max(high_m.abs());
+        let mut radius_m = 0.0;
+        if self.base == BaseSurface::Pn {
+            // Control points of a cubic triangle are as far from those of the flat one as it is at most.
+            let flat = (base[0].position + base[1].position + base[2].position) / 3.0;
+            let mut sum = DVec3::ZERO;
+            for side in sides {
+                let [a, b] = self.edges.ends(self.seen(side)).map(|end| self.corners.base(end).position);
+                let bent = self.bent(side);
+                for (bent, flat) in bent.into_iter().zip([(a * 2.0 + b) / 3.0, (a + b * 2.0) / 3.0]) {
+                    radius_m = bent.distance(flat).max(radius_m);
+                    sum += bent;
+                }
+            }
+            radius_m = cubic::middle(flat, sum).distance(flat).max(radius_m);
+        }
+        let mut points = [DVec3::ZERO; 6];
+        let directions = bounds.relief.interpolated(base.map(|corner| corner.normal));
+        if directions.is_none() {
+            radius_m += farthest_m;
+        }
+        for (k, corner) in base.iter().enumerate() {
+            let direction = directions.map_or(DVec3::ZERO, |directions| directions[k]);
+            points[2 * k] = corner.position + direction * low_m;
+            points[2 * k + 1] = corner.position + direction * high_m;
+        }
+        let largest = points.iter().map(|point| point.abs().max_element()).fold(farthest_m, f64::max);
+        Hull { points, radius_m: radius_m + ROUNDING * largest }
+    }
+
+    /// The least and the greatest displacement of a patch, in metres: by the heights under it, and where
+    /// others at its seams say where points are, under these.
+    fn metres(&self, bounds: &Bounds, patch: u32) -> [f64; 2] {
+        let corners = self.triangles[patch as usize];
+        let ends = self.edges.sides(patch).map(|side| self.edges.ends(self.seen(side)));
+        let seen = corners.map(|vertex| self.corners.seen(vertex));
+        let levels = self.levels(corners.iter().chain(&seen).chain(ends.as_flattened()), bounds.levels.len());
+        let uv = |vertex: u32| self.corners.base(vertex).uv;
+        let mut heights = [f32::INFINITY, f32::NEG_INFINITY];
+        let mut add = |places: &[DVec2]| {
+            let [least, greatest] = places
+                .iter()
+                .fold([DVec2::INFINITY, DVec2::NEG_INFINITY], |[a, b], at| [a.min(*at), b.max(*at)]);
+            for level in &bounds.levels[levels.clone()] {
+                let [low, high] = level.between(least, greatest, DVec2::splat(BESIDE_TEXELS));
+                heights = [heights[0].min(low), heights[1].max(high)];
+            }
+        };
+        add(&corners.map(uv));
+        for seen in seen.into_iter().filter(|seen| !corners.contains(seen)) {
+            add(&[uv(seen)]);
+        }
+        for ends in ends.into_iter().filter(|ends| !ends.iter().all(|end| corners.contains(end))) {
+            add(&ends.map(uv));
+        }
+        let [a, b] = heights.map(|height| bounds.relief.metres(height.into()));
+        [a.min(b), a.max(b)]
+    }
+
+    /// The levels that are seen between some vertices, of so many.
+    fn levels<'a>(&self, vertices: impl Iterator<Item = &'a u32>, count: usize) -> Range<usize> {
+        if self.footprints.is_empty() {
+            return 0..1;
+        }
+        // Texels and depth are weighted means of the vertices', and their product says which level.
+        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+        let (mut texels, mut depths) = (nothing, nothing);
+        let add = |[least, greatest]: &mut [f64; 2], of: f64| {
+            (*least, *greatest) = (least.min(of), greatest.max(of));
+        };
+        for &vertex in vertices {
+            add(&mut texels, self.footprints[vertex as usize]);
+            add(&mut depths, 1.0 / self.share(vertex));
+        }
+        let last = (count - 1) as f64;
+        let level = |texels: f64, depth: f64| log2((texels * depth).max(1.0));
+        let first = (level(texels[0], depths[0]) - BESIDE_LEVELS).floor().clamp(0.0, last);
+        let end = (level(texels[1], depths[1]) + BESIDE_LEVELS).ceil().clamp(0.0, last);
+        first as usize..end as usize + 1
+    }
+
+    /// Whether all triangles that would be made of a patch turn their back.
+    fn turns_its_back(&self, relief: &Relief, pattern: &Pattern, sight: &Sight, patch: u32) -> bool {
+        let shape = self.patch(patch);
+        let (border, inside) = (PatchBorder::new(self, relief, patch), Inside::new(self, patch));
+        let (mut cut, mut points) = (Cut::default(), Vec::new());
+        let steps = (pattern.steps)(&shape);
+        let are_backs = |part: u32| {
+            let from = part * STEPS;
+            cut.clear();
+            points.clear();
+            (pattern.cut)(&shape, from..steps.min(from + STEPS), ANY_NUMBER, &mut cut);
+            points.extend(cut.points.iter().map(|point| match *point {
+                PatchPoint::Border { side, at } => border.point(side, at).1,
+                PatchPoint::Inner { weights, .. } => inside.position(relief, weights),
+            }));
+            cut.triangles.iter().all(|corners| sight.is_back(corners.map(|at| points[at as usize])))
+        };
+        // Parts all over the patch come first, so that what is turned is found soon.
+        let parts = steps.div_ceil(STEPS);
+        (0..ROUNDS).flat_map(|round| (round..parts).step_by(ROUNDS as usize)).all(are_backs)
+    }
+}
+
+#[cfg(test)]
+mod tests;

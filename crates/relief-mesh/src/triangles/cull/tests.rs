@@ -1,0 +1,381 @@
+use std::sync::atomic::AtomicBool;
+
+use glam::{DVec3, DVec4, Vec3};
+use relief_core::camera::{Camera, Projection};
+use relief_core::mesh::{Builtin, Mesh, Vertex, cube, cylinder, sphere, torus};
+use relief_core::raycast::{RayCaster, Sides};
+use relief_core::{HeightMap, Wrap};
+
+use super::*;
+use crate::interior::Fills;
+use crate::plane::Rectangle;
+use crate::{CrackTest, Cull, Directions, Mesher, Part, Seams, Shading, Stream, View, Watch};
+
+const SIZE: [u32; 2] = [96, 72];
+
+/// Bumps, and a few needles that the levels of detail do not have.
+fn rough(wrap: Wrap, scale_m: f64) -> HeightMap {
+    let map = HeightMap::from_fn(48, 40, wrap, |i, j| {
+        let waves = (i as f32 * 0.7).sin() * (j as f32 * 0.5).cos() * 0.25 + 0.4;
+        if (i * 7 + j * 13) % 61 == 0 { 1.0 } else { waves }
+    });
+    map.expect("heights from 0 to 1").with_displacement(scale_m, -scale_m / 3.0).expect("lengths")
+}
+
+/// Cameras around the origin, beside what is there, within its relief, and close to it.
+fn cameras() -> Vec<Camera> {
+    let perspective = |fov_degrees| Projection::Perspective { fov_degrees };
+    let parallel = |height_m| Projection::Orthographic { height_m };
+    [
+        ([0.7, 1.0, 1.3], [0.0, 0.0, 0.0], perspective(40.0)),
+        ([0.3, 0.4, 0.9], [0.3, 0.1, 0.2], perspective(15.0)),
+        ([0.9, -0.6, -1.1], [0.2, 0.1, 0.0], perspective(30.0)),
+        ([0.35, 0.02, 0.3], [0.9, 0.0, -0.4], perspective(60.0)),
+        ([0.0, 0.001, 0.5], [0.3, 0.0, 0.1], perspective(90.0)),
+        ([0.0, 2.0, 0.1], [0.0, 0.0, 0.0], perspective(6.0)),
+        ([0.0, 3.0, 0.0], [0.1, 6.0, 0.0], perspective(40.0)),
+        ([1.0, 1.0, 1.0], [0.2, 0.0, 0.1], parallel(0.5)),
+        ([0.1, 0.3, -2.0], [0.0, 0.3, 0.0], parallel(0.9)),
+        ([0.0, -1.0, 0.0], [0.0, 0.0, 0.05], parallel(1.5)),
+    ]
+    .map(|(eye, target, projection)| {
+        Camera::with(DVec3::from(eye), DVec3::from(target), projection).expect("a camera")
+    })
+    .to_vec()
+}
+
+/// A base, a relief and a view of them.
+struct Case {
+    what: String,
+    mesh: Mesh,
+    map: HeightMap,
+    relief: Relief,
+    settings: MeshSettings,
+}
+
+impl Case {
+    fn pattern(&self) -> Pattern {
+        match self.settings.interior.fills {
+            Fills::Patch(pattern) => pattern,
+            Fills::Ground(_) => panic!("patterns alone are for views"),
+        }
+    }
+
+    /// All patches, also those that are left out.
+    fn whole(&self) -> Triangles {
+        let settings = MeshSettings { cull: Some(Cull::default()), ..self.settings };
+        Triangles::new(&self.mesh, &self.relief, &settings).expect("patches")
+    }
+
+    fn view(&self) -> View {
+        self.settings.view.expect("it has a view")
+    }
+
+    /// The patches that are left, by their numbers.
+    fn kept(&self, cull: Cull) -> Vec<u32> {
+        let settings = MeshSettings { cull: Some(cull), ..self.settings };
+        let mut whole = self.whole();
+        // Parts of a triangle are told apart.
+        whole.whole = (0..whole.count()).collect();
+        let culled = whole.culled(&self.relief, &self.pattern(), &settings, &Watch::NOBODY);
+        culled.expect("patches").whole
+    }
+
+    /// The triangles of each patch.
+    fn made(&self) -> Vec<Vec<[DVec3; 3]>> {
+        let (base, pattern) = (self.whole(), self.pattern());
+        let of_patch = |patch: u32| {
+            let (shape, mut cut) = (base.patch(patch), Cut::default());
+            (pattern.cut)(&shape, 0..(pattern.steps)(&shape), 0, &mut cut);
+            let position = |at: u32| match cut.points[at as usize] {
+                PatchPoint::Border { side, at } => base.border(&self.relief, patch, side, at).1,
+                PatchPoint::Inner { weights, .. } => base.inner(&self.relief, patch, weights),
+            };
+            cut.triangles.iter().map(|corners| corners.map(|at| position(at).as_dvec3())).collect()
+        };
+        (0..base.count()).into_par_iter().map(of_patch).collect()
+    }
+}
+
+fn cases() -> Vec<Case> {
+    let bases = [
+        ("torus", torus(16, 8)),
+        ("fine torus", torus(48, 24)),
+        ("sphere", sphere(14, 8)),
+        ("cube", cube(3)),
+        ("cylinder", cylinder(12, 3)),
+        ("plane", Builtin::Plane.build([1.2, 0.9])),
+        ("tiles", Builtin::Plane.build([1.2, 0.9])),
+    ];
+    let mut cases = Vec::new();
+    for (b, (name, mesh)) in bases.into_iter().enumerate() {
+        let mesh = mesh.expect("a mesh");
+        for (c, camera) in cameras().into_iter().enumerate() {
+            let at = b + c;
+            let map = rough(Wrap::ALL[at % Wrap::ALL.len()], [0.15, 0.02, 0.1][c % 3]);
+            let (mesh, map) = match name {
+                // Of many texels, so that there is more than one tile.
+                "tiles" => {
+                    let map = HeightMap::from_fn(700, 500, Wrap::Clamp, |i, j| {
+                        map.height_at_place(f64::from(i) / 9.0, f64::from(j) / 9.0) as f32
+                    });
+                    (mesh.clone(), map.expect("heights").with_displacement(0.1, -0.03).expect("lengths"))
+                }
+                _ => (mesh.clone(), map),
+            };
+            // Bases that reach behind the eye have few points there.
+            let view = View { pixels: [2.0, 5.0][c % 2], near_m: 0.1, ..View::new(camera, SIZE) };
+            let settings = MeshSettings {
+                base: BaseSurface::ALL[at % 5 % 3],
+                directions: Directions::ALL[usize::from(at % 7 == 3)],
+                seams: Seams::ALL[usize::from(at % 4 == 1)],
+                ..MeshSettings::seen_by(view)
+            };
+            let coarser: Vec<HeightMap> =
+                if at % 3 == 1 { (1..map.levels()).map(|k| map.level(k)).collect() } else { Vec::new() };
+            let relief = Relief::new(&map, settings.directions, settings.shading).with_levels(&coarser);
+            let mesh = match Rectangle::of_mesh(&mesh) {
+                Some(plane) => plane.tiles(&relief, Part::WHOLE).expect("tiles"),
+                None => mesh,
+            };
+            let what = format!("{name}, camera {c}, {}, {}", settings.base, settings.directions);
+            cases.push(Case { what, mesh, map, relief, settings });
+        }
+    }
+    cases
+}
+
+/// Whether anything of a triangle is in the picture: cut off by one plane of clip space after the other.
+fn is_in_picture(view: &View, corners: [DVec3; 3]) -> bool {
+    let camera = &view.camera;
+    let [width, height] = view.size.map(f64::from);
+    let place = |point: DVec3| {
+        let from_eye = point - camera.eye();
+        let depth = camera.forward().dot(from_eye);
+        let w = if camera.is_orthographic() { 1.0 } else { depth };
+        let half = camera.half_height();
+        let (x, y) = (camera.right().dot(from_eye) * height / width / half, camera.up().dot(from_eye) / half);
+        DVec4::new(x, y, depth, w)
+    };
+    let mut polygon: Vec<DVec4> = corners.map(place).to_vec();
+    let planes: [fn(DVec4) -> f64; 5] = [|p| p.w - p.x, |p| p.w + p.x, |p| p.w - p.y, |p| p.w + p.y, |p| p.z];
+    for inside in planes {
+        let mut rest = Vec::new();
+        for (k, &to) in polygon.iter().enumerate() {
+            let from = polygon[(k + polygon.len() - 1) % polygon.len()];
+            let (a, b) = (inside(from), inside(to));
+            if (a < 0.0) != (b < 0.0) {
+                rest.push(from + (to - from) * (a / (a - b)));
+            }
+            if b >= 0.0 {
+                rest.push(to);
+            }
+        }
+        polygon = rest;
+    }
+    !polygon.is_empty()
+}
+
+fn is_front(view: &View, [a, b, c]: [DVec3; 3]) -> bool {
+    let camera = &view.camera;
+    let toward = if camera.is_orthographic() { -camera.forward() } else { camera.eye() - a };
+    (b - a).cross(c - a).dot(toward) > 0.0
+}
+
+/// How many patches that are left out are seen, that are left out, and that nothing is seen of.
+#[derive(Debug, Default)]
+struct Found {
+    seen: usize,
+    out: usize,
+    unseen: usize,
+}
+
+impl Found {
+    fn add(&mut self, is_out: bool, is_seen: bool) {
+        self.seen += usize::from(is_out && is_seen);
+        self.out += usize::from(is_out);
+        self.unseen += usize::from(!is_seen);
+    }
+}
+
+const CHOICES: [Cull; 3] = [
+    Cull { outside: true, backs: false },
+    Cull { outside: false, backs: true },
+    Cull { outside: true, backs: true },
+];
+
+/// Whether brute force sees a patch.
+fn sees(view: &View, cull: Cull, triangles: &[[DVec3; 3]]) -> bool {
+    triangles.iter().any(|corners| {
+        (!cull.outside || is_in_picture(view, *corners)) && (!cull.backs || is_front(view, *corners))
+    })
+}
+
+#[test]
+fn nothing_that_is_seen_is_left_out_and_most_that_is_not_is() {
+    let mut all = [(); 3].map(|()| Found::default());
+    for case in cases() {
+        let (view, made) = (case.view(), case.made());
+        let nothing = case.kept(Cull::default());
+        assert!(nothing.into_iter().eq(0..made.len() as u32), "{}", case.what);
+        for (cull, all) in CHOICES.into_iter().zip(&mut all) {
+            let kept = case.kept(cull);
+            let mut found = Found::default();
+            for (patch, triangles) in made.iter().enumerate() {
+                let is_out = kept.binary_search(&(patch as u32)).is_err();
+                found.add(is_out, sees(&view, cull, triangles));
+            }
+            println!("{}: {cull:?}: {found:?}", case.what);
+            assert_eq!(found.seen, 0, "{}: {cull:?}: {found:?}", case.what);
+            (all.out, all.unseen) = (all.out + found.out, all.unseen + found.unseen);
+        }
+    }
+    println!("{all:?}");
+    assert!(all.iter().all(|all| 2 * all.out > all.unseen && all.out > 1000), "{all:?}");
+}
+
+#[test]
+fn planes_that_are_not_moved_out_and_backs_of_the_base_leave_out_what_is_seen() {
+    let [mut unmoved, mut corners_alone] = [(); 2].map(|()| Found::default());
+    for case in cases() {
+        let (view, base) = (case.view(), case.whole());
+        let sight = Sight::new(&view);
+        let flat = case.map.clone().with_displacement(0.0, 0.0).expect("lengths");
+        let flat = Relief::new(&flat, case.settings.directions, Shading::Exact);
+        let bounds = Bounds { relief: &flat, levels: vec![HeightBounds::new(&case.map)] };
+        for (patch, triangles) in (0u32..).zip(case.made()) {
+            let hull = Hull { radius_m: 0.0, ..base.hull(&bounds, patch) };
+            unmoved.add(sight.misses(&hull), sees(&view, CHOICES[0], &triangles));
+            let corners = base.triangles[patch as usize].map(|vertex| base.corners.vertex(vertex).position);
+            let is_back = sight.is_back(corners);
+            corners_alone.add(is_back, sees(&view, CHOICES[1], &triangles));
+        }
+    }
+    println!("{unmoved:?} {corners_alone:?}");
+    assert!(unmoved.seen > 5 && corners_alone.seen > 50, "{unmoved:?} {corners_alone:?}");
+}
+
+/// A triangle by its vertices.
+fn by_vertices(mesher: &Mesher) -> Vec<[Vertex; 3]> {
+    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+    let watch = Watch::NOBODY;
+    let how = Stream { size: 1.0, check: false, grid: None, cache_order: false, watch };
+    let streamed = mesher.stream(&how, |block| {
+        vertices.extend_from_slice(&block.vertices);
+        triangles.extend_from_slice(&block.triangles);
+        Ok::<(), ()>(())
+    });
+    assert!(streamed.is_ok());
+    assert_eq!([vertices.len() as u64, triangles.len() as u64], [mesher.vertices(), mesher.triangles()]);
+    let mut is_used = vec![false; vertices.len()];
+    triangles.as_flattened().iter().for_each(|&at: &u32| is_used[at as usize] = true);
+    assert!(is_used.into_iter().all(|is_used| is_used), "a vertex of no triangle");
+    triangles.into_iter().map(|corners: [u32; 3]| corners.map(|at| vertices[at as usize])).collect()
+}
+
+#[test]
+fn what_is_left_has_the_bits_that_it_has_in_the_whole_mesh() {
+    let (mut left, mut all, mut empty, mut uncut) = (0, 0, 0, 0);
+    for case in cases().into_iter().step_by(3) {
+        let coarser: Vec<HeightMap> = case.relief.levels().skip(1).cloned().collect();
+        let mesher = |cull: Cull| {
+            let settings = MeshSettings { cull: Some(cull), ..case.settings };
+            let mesher = Mesher::with_levels(&case.mesh, &case.map, &coarser, &settings, &Watch::NOBODY);
+            mesher.expect("a mesh")
+        };
+        let whole = mesher(Cull::default());
+        let plain = Mesher::with_levels(&case.mesh, &case.map, &coarser, &case.settings, &Watch::NOBODY);
+        let plain = plain.expect("a mesh");
+        let triangles = by_vertices(&whole);
+        assert!(plain.depths_m().is_none());
+        if case.whole().triangles.len() == case.mesh.triangles().len() {
+            assert!(triangles == by_vertices(&plain), "{}", case.what);
+            uncut += 1;
+        }
+        let [near, far] = whole.depths_m().expect("it is for a view");
+        let camera = case.view().camera;
+        for corner in triangles.iter().flatten() {
+            let depth = camera.forward().dot(corner.position.as_dvec3() - camera.eye());
+            assert!((near..=far).contains(&depth), "{}: {depth} of {near} to {far}", case.what);
+        }
+        for cull in CHOICES {
+            let culled = mesher(cull);
+            assert_eq!(culled.depths_m(), whole.depths_m(), "{}", case.what);
+            let kept = by_vertices(&culled);
+            let mut rest = triangles.iter();
+            assert!(kept.iter().all(|one| rest.any(|of_all| of_all == one)), "{}: {cull:?}", case.what);
+            (left, all) = (left + kept.len(), all + triangles.len());
+            empty += usize::from(kept.is_empty());
+        }
+    }
+    println!("{left} of {all}, {empty} empty, {uncut} uncut");
+    assert!(
+        left < all * 2 / 3 && left > all / 50 && empty > 0 && uncut > 5,
+        "{left} of {all}, {empty} empty"
+    );
+}
+
+#[test]
+fn nothing_is_left_out_where_there_is_no_view_or_normals_need_all_triangles() {
+    let mesh = torus(6, 4).expect("a mesh");
+    let map = rough(Wrap::Repeat, 0.1);
+    let cull = Some(CHOICES[2]);
+    let refused = |settings: MeshSettings| Mesher::new(&mesh, &map, &settings).expect_err("it is refused");
+    assert_eq!(
+        refused(MeshSettings { cull, ..MeshSettings::default() }),
+        MesherError::CullOfNoView { edges: "texels" }
+    );
+    let view = View::new(cameras()[0], SIZE);
+    let settings = MeshSettings { cull, ..MeshSettings::seen_by(view) };
+    let of_mesh = MeshSettings { shading: Shading::Mesh, ..settings };
+    assert_eq!(refused(of_mesh), MesherError::CullOfMeshNormals);
+    let stopped = Watch { tell: &|_| {}, cancel: &AtomicBool::new(true) };
+    let stopped = Mesher::watched(&mesh, &map, &settings, &stopped);
+    assert_eq!(stopped.err(), Some(MesherError::Cancelled));
+}
+
+#[test]
+fn triangles_that_rounding_may_turn_over_are_no_backs() {
+    let camera = Camera::new(DVec3::Z, DVec3::ZERO, 90.0).expect("a camera");
+    let sight = Sight::new(&View::new(camera, [200, 200]));
+    let [a, b] = [Vec3::ZERO, Vec3::X];
+    // A hundred pixels to a metre at this depth.
+    assert!(!sight.is_back([a, b, Vec3::Y]) && sight.is_back([b, a, Vec3::Y]));
+    assert!(!sight.is_back([b, a, Vec3::Y * 1e-4]) && sight.is_back([b, a, Vec3::Y * 1e-3]));
+    // Without an area nothing is seen, and what reaches behind the eye has no place in the picture.
+    assert!(sight.is_back([a, b, b]) && !sight.is_back([b, a, Vec3::new(0.0, 1.0, 3.0)]));
+}
+
+#[test]
+fn bases_that_reach_behind_the_eye_are_cut_without_a_crack() {
+    let eyes = [([0.1, 0.55, 0.2], [0.4, 0.5, 0.1]), ([0.51, 0.1, 0.3], [0.5, -0.3, -0.2])];
+    for (eye, target) in eyes {
+        let camera = Camera::new(DVec3::from(eye), DVec3::from(target), 50.0).expect("a camera");
+        let view = View { pixels: 3.0, near_m: 0.03, ..View::new(camera, SIZE) };
+        let waves = |i: u32, j: u32| (i as f32 * 0.4).sin() * (j as f32 * 0.3).cos() * 0.5 + 0.5;
+        let map = HeightMap::from_fn(48, 40, Wrap::Mirror, waves).expect("heights");
+        let (mesh, map) = (cube(1).expect("a mesh"), map.with_displacement(0.03, -0.01).expect("lengths"));
+        let mesher = |cull: Option<Cull>| {
+            let settings = MeshSettings { cull, ..MeshSettings::seen_by(view) };
+            Mesher::new(&mesh, &map, &settings).expect("a mesh")
+        };
+        let [whole, cut, seen] = [None, Some(Cull::default()), Some(CHOICES[2])].map(mesher);
+        println!("{} triangles, {} cut, {} seen", whole.triangles(), cut.triangles(), seen.triangles());
+        assert!(10 * seen.triangles() < whole.triangles() && 2 * cut.triangles() > whole.triangles());
+        let cut = cut.mesh().expect("finite");
+        let cracks = CrackTest::of_mesh(&cut);
+        assert!(cracks.is_closed() && cracks.pieces == 1, "{cracks:?}");
+        // The surface is the same but for where its points are.
+        let [whole, seen] = [&whole, &seen].map(|mesher| RayCaster::new(&mesher.mesh().expect("finite")));
+        let (mut hits, mut apart) = (0, 0);
+        for at in 0..SIZE[0] * SIZE[1] {
+            let ray = camera.ray(at % SIZE[0], at / SIZE[0], SIZE[0], SIZE[1]);
+            let [a, b] = [&whole, &seen].map(|caster| caster.next_hit(&ray, Sides::Front, None));
+            let depths = [a, b].map(|hit| hit.map_or(f64::INFINITY, |hit| hit.t));
+            hits += u32::from(depths[0].is_finite());
+            apart += u32::from(depths[0] != depths[1] && (depths[0] - depths[1]).abs() > 0.01);
+        }
+        println!("{apart} of {hits} apart");
+        assert!(hits > 1000 && apart * 20 < hits, "{apart} of {hits}");
+    }
+}

@@ -1,0 +1,60 @@
+//! Base triangles that reach behind the eye are cut where what is behind it can be left out.
+//!
+//! Grid space ends near the eye, and whatever lies behind is divided as if it were there: as finely as
+//! nothing else. Triangles that are clipped at a plane have corners that depend on the plane, and points of
+//! other bits on either side of an edge; halves of a side depend on its ends alone.
+
+use relief_core::mesh::Mesh;
+
+use super::halves::{Halved, Limits, halved as halved_where};
+use crate::cull::{Hull, Sight};
+use crate::surface::Relief;
+use crate::{BaseSurface, MeshSettings, MesherError};
+
+/// Parts of a side that are not too many.
+const PARTS: u64 = 64;
+
+/// Triangles that are not too many: with more nothing is halved any further.
+const TRIANGLES: usize = 1 << 20;
+
+/// The mesh whose triangles that reach nearer to the eye than grid space, and may be seen, have no sides of
+/// many parts; none where there is nothing to be halved. A base that is bent is not halved: its halves bend
+/// in other ways.
+pub fn halved(
+    mesh: &Mesh,
+    relief: &Relief,
+    parts: fn([[i32; 3]; 2]) -> u64,
+    settings: &MeshSettings,
+    limits: &Limits,
+) -> Result<Option<Halved>, MesherError> {
+    let Some((_, view)) = settings.cull.zip(settings.view) else { return Ok(None) };
+    if settings.base != BaseSurface::Flat || view.camera.is_orthographic() {
+        return Ok(None);
+    }
+    let (grid, sight) = (view.voxels()?, Sight::new(&view));
+    let heights = relief.levels().map(|level| level.extremes().map(f64::from));
+    let [low, high] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [least, greatest]| {
+        [low.min(least), high.max(greatest)]
+    });
+    let reach_m = relief.metres(low).abs().max(relief.metres(high).abs());
+    halved_where(mesh, relief, limits, |halves, triangles| {
+        let position = |vertex: u32| halves.vertex(vertex).position;
+        let voxel = |vertex: u32| grid.of(position(vertex).as_dvec3()).at;
+        let is_near = |corners: &&[u32; 3]| {
+            let places = corners.map(|vertex| position(vertex).as_dvec3());
+            let [a, b, c] = places;
+            let hull = Hull { points: [a, b, c, a, b, c], radius_m: reach_m };
+            places.iter().any(|place| grid.is_before(*place)) && !sight.misses(&hull)
+        };
+        let near = if triangles.len() > TRIANGLES.max(2 * mesh.triangles().len()) {
+            Vec::new()
+        } else {
+            triangles.iter().filter(is_near).copied().collect()
+        };
+        halves.sides(&near, |ends| {
+            let [a, b] = ends.map(position);
+            let middle = a * 0.5 + b * 0.5;
+            parts(ends.map(voxel)) > PARTS && middle != a && middle != b
+        })
+    })
+}
