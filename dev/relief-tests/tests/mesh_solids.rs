@@ -3,6 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use glam::{DVec3, Vec2, Vec3};
+use rayon::ThreadPoolBuilder;
 use relief_core::mesh::{Mesh, Vertex, cube, rectangle, square, torus};
 use relief_core::{HeightMap, Wrap};
 use relief_mesh::{
@@ -361,4 +362,42 @@ fn closed_pieces_stay_and_undersides_that_fold_are_counted() {
     assert_eq!(folds(&panel, 0.2), 0);
     assert_eq!(folds(&panel, 0.9), panel.triangles().len() as u64);
     assert_eq!(folds(&rectangle([1.0, 1.0], 3).expect("a mesh"), 9.0), 0);
+}
+
+#[test]
+fn solids_do_not_depend_on_threads() {
+    let map = relief("natural 101x67", Wrap::Repeat);
+    let base = tube(40, 30, 1.0).tiled(Vec2::new(4.0, 3.0)).expect("tiled");
+    for settings in [MeshSettings::default(), MeshSettings::within(0.02 * SCALE_M)] {
+        let settings = MeshSettings { solid_m: Some(SOLID_M), ..settings };
+        let mesh = || Mesher::new(&base, &map, &settings).expect("a solid").mesh().expect("finite");
+        let pool = ThreadPoolBuilder::new().num_threads(1).build().expect("a pool");
+        let (one, all) = (pool.install(mesh), mesh());
+        assert_eq!(one.triangles(), all.triangles());
+        assert_eq!(one.vertices(), all.vertices());
+        // Of several blocks.
+        assert!(all.triangles().len() > 1 << 15 && CrackTest::of_mesh(&all).is_closed());
+    }
+}
+
+#[test]
+fn triangles_without_an_area_open_nothing() {
+    let map = relief("natural 101x67", Wrap::Repeat);
+    let panel = tube(5, 4, 0.3);
+    let mut vertices = panel.vertices().to_vec();
+    let mut triangles = panel.triangles().to_vec();
+    // One along an inner side, one along the border, one in a corner, by vertices of their own.
+    for ends in [[7, 8], [0, 1], [0, 0]] {
+        let first = vertices.len() as u32;
+        vertices.extend(ends.iter().chain(&ends[..1]).map(|end| panel.vertices()[*end as usize]));
+        triangles.push([first, first + 1, first + 2]);
+    }
+    let base = Mesh::new(vertices, triangles).expect("a mesh");
+    for (how, settings) in all_settings() {
+        let (mesh, ..) = made(&base, &map, &settings);
+        let cracks = CrackTest::of_mesh(&mesh);
+        assert_eq!(cracks.open, 0, "{how}: {cracks:?}");
+        let (plain, ..) = made(&panel, &map, &settings);
+        assert!((volume(&mesh) - volume(&plain)).abs() < 1e-6 * volume(&plain), "{how}");
+    }
 }
