@@ -2,9 +2,9 @@
 //!
 //! Source: Gumhold and Hüttner 1999. Section 3.3 moves the planes of the view out by the greatest
 //! displacement of all (equations 7 and 8); here each patch is bounded by its own least and greatest one,
-//! along its own directions. Section 6 asks for cones of normals to tell patches that turn their backs. Slopes do not bound
-//! how triangles of chords are turned, though: three points that are nearly on one line can make one that
-//! faces anywhere. So triangles themselves are looked at.
+//! along its own directions. Section 6 asks for cones of normals to tell patches that turn their backs.
+//! Slopes do not bound how triangles of chords are turned, though: three points that are nearly on one line
+//! can make one that faces anywhere. So triangles themselves are looked at.
 
 use glam::{DVec3, Vec3};
 use relief_core::camera::Camera;
@@ -83,7 +83,8 @@ impl Sight {
     /// Whether nothing within a hull is seen.
     ///
     /// What is seen lies behind all of the planes, also behind those of the sides in perspective, as its
-    /// depth is not negative. A hull whose points are farther before one of them than its radius lies before it.
+    /// depth is not negative. A hull whose points are farther before one of them than its radius lies before
+    /// it.
     pub fn misses(&self, hull: &Hull) -> bool {
         let eye = self.camera.eye();
         let largest = hull.points.iter().fold(eye, |most, point| most.abs().max(point.abs())).max_element();
