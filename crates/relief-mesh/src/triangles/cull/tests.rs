@@ -7,6 +7,7 @@ use relief_core::raycast::{RayCaster, Sides};
 use relief_core::{HeightMap, Wrap};
 
 use super::*;
+use crate::error::MOST;
 use crate::interior::Fills;
 use crate::plane::Rectangle;
 use crate::{CrackTest, Cull, Directions, Mesher, Part, Seams, Shading, Stream, View, Watch};
@@ -64,7 +65,8 @@ impl Case {
     /// All patches, also those that are left out.
     fn whole(&self) -> Triangles {
         let settings = MeshSettings { cull: Some(Cull::default()), ..self.settings };
-        Triangles::new(&self.mesh, &self.relief, &settings).expect("patches")
+        let made = Triangles::new(&self.mesh, &self.relief, &settings, MOST, &Watch::NOBODY);
+        made.expect("patches")
     }
 
     fn view(&self) -> View {
@@ -87,9 +89,11 @@ impl Case {
         let of_patch = |patch: u32| {
             let (shape, mut cut) = (base.patch(patch), Cut::default());
             (pattern.cut)(&shape, 0..(pattern.steps)(&shape), 0, &mut cut);
+            let border = PatchBorder::new(&base, &self.relief, patch);
+            let inside = Inside::new(&base, patch);
             let position = |at: u32| match cut.points[at as usize] {
-                PatchPoint::Border { side, at } => base.border(&self.relief, patch, side, at).1,
-                PatchPoint::Inner { weights, .. } => base.inner(&self.relief, patch, weights),
+                PatchPoint::Border { side, at } => border.point(side, at).1,
+                PatchPoint::Inner { weights, .. } => inside.position(&self.relief, weights),
             };
             cut.triangles.iter().map(|corners| corners.map(|at| position(at).as_dvec3())).collect()
         };
