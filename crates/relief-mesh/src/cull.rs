@@ -6,7 +6,7 @@
 //! Slopes do not bound how triangles of chords are turned, though: three points that are nearly on one line
 //! can make one that faces anywhere. So triangles themselves are looked at.
 
-use glam::{DVec3, Vec3};
+use glam::{DVec3, DVec4, Vec3};
 use relief_core::camera::Camera;
 
 use crate::edge::Divides;
@@ -17,12 +17,53 @@ use crate::{MeshSettings, MesherError, Shading, View};
 ///
 /// With either and with neither, flat base triangles that reach behind the eye in perspective are halved
 /// until few points are there, so that most of what is behind can be left out.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cull {
     /// Patches that lie beside the picture, or behind the eye, whatever their relief.
-    pub outside: bool,
+    pub outside: Outside,
     /// Patches of which all triangles turn their back to the eye, by more than a rasteriser rounds.
     pub backs: bool,
+}
+
+/// Where all of a mesh may lie, also what was left out of it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Everything {
+    /// From where to where along the view axis, in metres from the eye.
+    pub depths_m: [f64; 2],
+    /// Points whose hull has all of it within, but for rounding.
+    pub around: Vec<DVec3>,
+}
+
+/// Beyond which planes of a view nothing is made: those of its four sides, and that of the eye.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Outside {
+    planes: [bool; 5],
+    beside_m: f64,
+}
+
+impl Outside {
+    /// Beyond none of them.
+    pub const NOTHING: Self = Self { planes: [false; 5], beside_m: 0.0 };
+
+    /// Beyond all of them.
+    pub const ALL: Self = Self { planes: [true; 5], beside_m: 0.0 };
+
+    /// Beyond those that no light lies beyond: nothing there is in the way from what is seen to a light, nor
+    /// nearer to that way than `beside_m` metres. A light is its position and 1, or the direction toward it
+    /// and 0 where it is infinitely far away.
+    ///
+    /// What is seen lies behind each of the planes. If a light does, too, then so does all of the way to it.
+    pub fn of_ways_to(lights: impl IntoIterator<Item = DVec4>, view: &View, beside_m: f64) -> Self {
+        let sight = Sight::new(view);
+        let mut planes = [true; 5];
+        for light in lights {
+            for (is_left_out, (normal, out)) in planes.iter_mut().zip(sight.planes) {
+                let from_eye = light.truncate() - sight.camera.eye() * light.w;
+                *is_left_out &= normal.dot(from_eye) <= out * light.w;
+            }
+        }
+        Self { planes, beside_m }
+    }
 }
 
 /// Refuses to leave something out where that makes no sense.
@@ -39,18 +80,36 @@ pub fn check(settings: &MeshSettings) -> Result<(), MesherError> {
 /// How far beside the picture something may be seen, in pixels: more than rays and rasterisers round.
 const BESIDE_PIXELS: f64 = 1.0;
 
-/// What shaders round positions and the eye by, as a part of the largest coordinate.
-const ROUNDING: f64 = 1e-6;
+/// What shaders round positions and the eye by, and points are rounded by beside the hull of exact ones, as a
+/// part of the largest coordinate.
+const ROUNDING: f64 = 2e-6;
 
 /// The least distance of a corner from the opposite side of a triangle that is taken to turn its back, in
 /// pixels: nearer, and a rasteriser that rounds corners to a 256th of a pixel may see its front.
 const LEAST_PIXELS: f64 = 1.0 / 64.0;
 
-/// What a patch is within: no point of it is farther from the hull of the points.
+/// What a patch is within: no point of it is farther from the hull of the points, but by rounding.
 #[derive(Clone, Copy, Debug)]
 pub struct Hull {
     pub points: [DVec3; 6],
     pub radius_m: f64,
+}
+
+impl Hull {
+    /// Points whose hull has all of it within.
+    pub fn around(&self) -> impl Iterator<Item = DVec3> {
+        // A ball lies within the octahedron whose sides touch it.
+        let reach = self.radius_m * 3.0_f64.sqrt();
+        let beside = DVec3::AXES.into_iter().flat_map(move |axis| [axis * reach, -axis * reach]);
+        let beside = beside.take(if reach > 0.0 { 6 } else { 1 });
+        self.points.into_iter().flat_map(move |point| beside.clone().map(move |beside| point + beside))
+    }
+
+    /// The largest coordinate of its points, and of another.
+    fn largest(&self, other: DVec3) -> f64 {
+        self.points.iter().fold(other.abs(), |most, point| most.max(point.abs())).max_element()
+            + self.radius_m
+    }
 }
 
 /// What the camera of a view sees.
@@ -80,21 +139,22 @@ impl Sight {
         Self { camera, planes, pixels }
     }
 
-    /// Whether nothing within a hull is seen.
+    /// Whether nothing within a hull is to be made.
     ///
     /// What is seen lies behind all of the planes, also behind those of the sides in perspective, as its
     /// depth is not negative. A hull whose points are farther before one of them than its radius lies before
     /// it.
-    pub fn misses(&self, hull: &Hull) -> bool {
+    pub fn misses(&self, hull: &Hull, outside: &Outside) -> bool {
         let eye = self.camera.eye();
-        let largest = hull.points.iter().fold(eye, |most, point| most.abs().max(point.abs())).max_element();
+        let largest = hull.largest(eye);
         // What is displaced beyond what is stored is kept, and refused when it is made.
-        let is_stored = largest + hull.radius_m <= f64::from(f32::MAX);
-        let room = hull.radius_m + ROUNDING * largest;
+        let is_stored = largest <= f64::from(f32::MAX);
+        let room = hull.radius_m + ROUNDING * largest + outside.beside_m;
         let is_before = |(normal, out): &(DVec3, f64)| {
             hull.points.iter().all(|point| normal.dot(*point - eye) > out + room)
         };
-        is_stored && self.planes.iter().any(is_before)
+        let planes = self.planes.iter().zip(outside.planes).filter(|(_, is_left_out)| *is_left_out);
+        is_stored && planes.map(|(plane, _)| plane).any(is_before)
     }
 
     /// From where to where something within a hull may lie along the view axis, in metres from the eye.
@@ -104,7 +164,8 @@ impl Sight {
             let depth = self.camera.forward().dot(*point - self.camera.eye());
             [near.min(depth), far.max(depth)]
         });
-        [near - hull.radius_m, far + hull.radius_m]
+        let room = hull.radius_m + ROUNDING * hull.largest(DVec3::ZERO);
+        [near - room, far + room]
     }
 
     /// Whether no rasteriser sees the front of a triangle: it has no area, or its corners run clockwise in

@@ -55,7 +55,7 @@ pub use cache_order::cache_misses;
 pub use certificate::Certificate;
 pub use choices::{BaseSurface, Directions, Fit, Judge, Seams, Shading, Side};
 pub use crack::{CrackPart, CrackTest, Cracks};
-pub use cull::Cull;
+pub use cull::{Cull, Everything, Outside};
 pub use edge::{EDGE_RULES, EdgeRule, Spacing, Weights, edge_rule};
 pub use error::{MesherError, StreamError};
 pub use folds::{FoldedBase, Folds};

@@ -14,7 +14,7 @@ use relief_core::mesh::{Mesh, MeshBlock};
 use self::block::Made;
 use self::solid::Solid;
 use crate::crack::CrackTest;
-use crate::cull;
+use crate::cull::{self, Everything};
 use crate::edge::Divides;
 use crate::error::MOST;
 use crate::filling::Filling;
@@ -272,10 +272,9 @@ impl Mesher {
         self.triangles
     }
 
-    /// From where to where along the view axis the mesh may reach, in metres from the eye, with what was left
-    /// out of it; none where no view says what is left out.
-    pub fn depths_m(&self) -> Option<[f64; 2]> {
-        self.base.triangles().and_then(Triangles::depths_m)
+    /// Where all of the mesh may lie, also what was left out of it; none where no view says what is left out.
+    pub fn everything(&self) -> Option<&Everything> {
+        self.base.triangles().and_then(Triangles::everything)
     }
 
     /// The most memory that it takes to hand the mesh over, in bytes, besides the height map and whatever the

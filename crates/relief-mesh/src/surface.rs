@@ -258,8 +258,8 @@ impl Relief {
         self.shaded(position, &placed.base, self.seen(placed), frame)
     }
 
-    /// The vertex at a position: its normal is that of the displaced surface, its tangents are the derivatives
-    /// of the position by `u` and `v`.
+    /// The vertex at a position: its normal is that of the displaced surface, its tangents are the
+    /// derivatives of the position by `u` and `v`.
     ///
     /// With the displacement `D` along `M` they are `T + D_u M + D M_u`, and the same for `v`: equation 9 of
     /// Szirmay-Kalos and Umenhoffer 2008 without its last simplification, that `M` does not turn; the shading

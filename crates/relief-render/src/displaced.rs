@@ -5,10 +5,13 @@ use std::sync::atomic::AtomicBool;
 
 use relief_core::HeightMap;
 use relief_core::mesh::{Mesh, Vertex};
-use relief_mesh::{Cull, MeshSettings, Mesher, MesherError, Stream, StreamError, View, Watch};
+use relief_mesh::{Cull, MeshSettings, Mesher, MesherError, Outside, Stream, StreamError, View, Watch};
+use relief_shaders::Selection;
 use relief_shaders::cpu::{Corner, Shell};
 use relief_shaders::geometry::Geometry;
 
+use crate::light::Light;
+use crate::light_views;
 use crate::raycast::RayCaster;
 use crate::renderer::RenderError;
 use crate::scene::{Scene, Surface};
@@ -77,10 +80,8 @@ impl DisplacedOf {
             Geometry::Pixels(pixels) => {
                 let view = View::new(*scene.camera(), scene.size());
                 let view = View { pixels: pixels.into(), ..view };
-                let of_all = Cull { outside: true, backs: !surface.two_sided() };
-                let cull = if scene.culls() { of_all } else { Cull::default() };
-                let cull = (!are_seen_by_lights(scene)).then_some(cull);
-                Cut::Seen(no_finer(view, surface), selection.levels_of(map), cull)
+                let view = no_finer(view, surface);
+                Cut::Seen(view, selection.levels_of(map), cull(scene, surface, &view))
             }
         };
         Some(Self { mesh: Arc::clone(surface.mesh()), map: Arc::clone(map), cut })
@@ -115,14 +116,33 @@ impl DisplacedOf {
     }
 }
 
-/// Whether triangles throw shadows, also those that the camera does not see: in what lights see, or in the
-/// way of rays to them.
-fn are_seen_by_lights(scene: &Scene) -> bool {
-    let looks = |surface: &Surface| {
-        let selection = surface.selection();
-        selection.light_views().is_some() || selection.rays_through_scene().is_some()
-    };
-    !scene.lights().is_empty() && scene.surfaces().iter().any(looks)
+/// What of a surface is not made for the camera; none where all is made, also what lies behind the eye.
+///
+/// What throws shadows is made, whether the camera sees it or not. Shadows that are looked up in what lights
+/// see need what is nearly on the way to the centres of lights; rays through the scene go to all of their
+/// discs.
+fn cull(scene: &Scene, surface: &Surface, view: &View) -> Option<Cull> {
+    let (lights, surfaces) = (scene.lights(), scene.surfaces());
+    let any = |of: fn(&Selection) -> bool| surfaces.iter().any(|surface| of(surface.selection()));
+    if !lights.is_empty() && any(|selection| selection.rays_through_scene().is_some()) {
+        return None;
+    }
+    let are_seen = !lights.is_empty() && any(|selection| selection.light_views().is_some());
+    if !scene.culls() {
+        return Some(Cull::default());
+    }
+    if !are_seen {
+        return Some(Cull { outside: Outside::ALL, backs: !surface.two_sided() });
+    }
+    let beside_m = light_views::beside_m(scene);
+    let places = lights.iter().map(|light| match *light {
+        Light::Directional { toward, .. } => toward.extend(0.0),
+        Light::Point { position_m, .. } => position_m.extend(1.0),
+    });
+    // What is no number leaves nothing out.
+    let outside = Outside::of_ways_to(places, view, beside_m);
+    let outside = if beside_m.is_finite() { outside } else { Outside::NOTHING };
+    Some(Cull { outside, backs: false })
 }
 
 /// The view with voxels that are nowhere smaller than a part of a texel.
@@ -220,7 +240,7 @@ fn made(
         Err(_) => return Err(Some(GeometryError::NotFinite)),
     }
     let faces = faces.into_iter().zip(std::iter::repeat(Shell::whole()));
-    Ok((Arc::new(Triangles::new(corners, faces).between(mesher.depths_m())), bytes))
+    Ok((Arc::new(Triangles::new(corners, faces).among(mesher.everything().cloned())), bytes))
 }
 
 /// A vertex as the shaders have it.
@@ -241,7 +261,6 @@ mod tests {
     use relief_core::Wrap;
     use relief_core::camera::Camera;
     use relief_core::mesh::torus;
-    use relief_shaders::Selection;
 
     use super::*;
 

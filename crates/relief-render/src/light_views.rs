@@ -9,11 +9,12 @@ use std::ops::RangeInclusive;
 use glam::{DMat4, DVec3, DVec4};
 use relief_shaders::cpu::{Corner, Frame, LightView, Vec4};
 use relief_shaders::surface::Proposal;
-use relief_shaders::{LIGHT_FACES, SHADOW};
+use relief_shaders::{LIGHT_FACES, SHADOW, Selection};
 
 use crate::camera::Camera;
 use crate::job::JobSurface;
 use crate::light::Light;
+use crate::scene::{Scene, Surface};
 
 /// Texels at a picture's border besides half a filter: what rounding may need.
 const BORDER: f64 = 2.0;
@@ -51,14 +52,12 @@ pub struct LightViews {
 impl LightViews {
     /// The views of lights that surfaces look up their shadows in; none where none does.
     pub(crate) fn new(lights: &[Light], camera: &Camera, aspect: f64, surfaces: &[JobSurface]) -> Self {
-        let asked = surfaces.iter().filter_map(|surface| surface.selection.light_views());
-        let Some([size, cascades]) = asked.reduce(|[a, b], [c, d]| [a.max(c), b.max(d)]) else {
+        let Some(Asked { picture, cascades, .. }) =
+            Asked::by(surfaces.iter().map(|surface| &surface.selection))
+        else {
             return Self::default();
         };
-        let filter = surfaces.iter().filter(|surface| surface.selection.light_views().is_some());
-        let filter = filter.map(|surface| surface.selection.choices[SHADOW].params[2]).fold(0.0, f32::max);
-        let inside = f64::from(size) - 2.0 * (0.5 * f64::from(filter) + BORDER);
-        let picture = Picture { size, inside: (inside / f64::from(size)).max(LEAST_INSIDE) };
+        let size = picture.size;
         let points: Vec<DVec3> = surfaces.iter().flat_map(relief_points).collect();
         let mut made = Self { size, ..Self::default() };
         for light in lights {
@@ -92,15 +91,73 @@ impl LightViews {
     }
 }
 
+/// What surfaces ask of the pictures that lights see.
+struct Asked {
+    picture: Picture,
+    cascades: u32,
+    /// Texels beside a point's own that may be looked up for it.
+    beside: f64,
+}
+
+impl Asked {
+    /// What these ask together; none where none does.
+    fn by<'a>(selections: impl Iterator<Item = &'a Selection> + Clone) -> Option<Self> {
+        let asked = selections.clone().filter_map(Selection::light_views);
+        let [size, cascades] = asked.reduce(|[a, b], [c, d]| [a.max(c), b.max(d)])?;
+        let filters = selections.filter(|selection| selection.light_views().is_some());
+        let filter = filters.map(|selection| selection.choices[SHADOW].params[2]).fold(0.0, f32::max);
+        let beside = 0.5 * f64::from(filter) + BORDER;
+        let inside = (f64::from(size) - 2.0 * beside) / f64::from(size);
+        let picture = Picture { size, inside: inside.max(LEAST_INSIDE) };
+        Some(Self { picture, cascades, beside })
+    }
+}
+
+/// How far from the way between what is seen and a light something may be that its shadows are looked up in,
+/// in metres; 0 where none are.
+pub fn beside_m(scene: &Scene) -> f64 {
+    let Some(Asked { picture, beside, .. }) = Asked::by(scene.surfaces().iter().map(Surface::selection))
+    else {
+        return 0.0;
+    };
+    // All of the scene, with room: directions of displacement are at most twice as long as normals.
+    let boxes = scene.surfaces().iter().map(|surface| {
+        let map = surface.height_map();
+        let room = DVec3::splat(4.0 * (map.bias_m().abs() + map.scale_m().abs()));
+        let nothing = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+        let [least, greatest] =
+            surface.mesh().vertices().iter().fold(nothing, |[least, greatest], vertex| {
+                let at = vertex.position.as_dvec3();
+                [least.min(at), greatest.max(at)]
+            });
+        [least - room, greatest + room]
+    });
+    let all = boxes.reduce(|[a, b], [c, d]| [a.min(c), b.max(d)]);
+    let [least, greatest] = all.unwrap_or([DVec3::ZERO; 2]);
+    let widest = scene.lights().iter().map(|light| match *light {
+        Light::Directional { .. } => least.distance(greatest),
+        // Pictures of a cube are twice as wide as they are deep.
+        Light::Point { position_m, .. } => {
+            2.0 * (least - position_m).abs().max((greatest - position_m).abs()).max_element()
+        }
+    });
+    // One texel more for the way's own place in its texel.
+    let texels = f64::from(picture.size) * picture.inside;
+    widest.fold(0.0, f64::max) / texels * (beside + 1.0) * 2.0_f64.sqrt()
+}
+
 /// Points around all of a surface's relief: none of it is beyond their hull by more than rounding.
 pub fn relief_points(surface: &JobSurface) -> impl Iterator<Item = DVec3> {
     let settings = &surface.settings;
     let (bias, scale) = (settings.bias_m, settings.scale_m);
     let shell_m = [settings.shell_m.x, settings.shell_m.y];
     let (proposal, both) = (surface.selection.paths().proposal, surface.two_sided);
-    // Where no relief lies on triangles, their corners are enough.
+    // Where no relief lies on triangles, their corners are enough; or what is known to be around these and
+    // others that were left out.
+    let around = surface.triangles.around();
     let (bare, count) = match surface.selection.paths().has_relief {
         true => (&[][..], surface.triangles.len()),
+        false if around.is_some() => (&[][..], 0),
         false => (surface.triangles.corners(), 0),
     };
     let under_relief = surface.triangles.iter().take(count).flat_map(move |triangle| {
@@ -115,7 +172,7 @@ pub fn relief_points(surface: &JobSurface) -> impl Iterator<Item = DVec3> {
             ends.map(|offset| position + normal * f64::from(offset))
         })
     });
-    bare.iter().map(corner_position).chain(under_relief)
+    bare.iter().map(corner_position).chain(around.unwrap_or_default().iter().copied()).chain(under_relief)
 }
 
 fn three(v: relief_shaders::cpu::Vec3<f32>) -> DVec3 {

@@ -1,5 +1,7 @@
 //! Triangles that share their corners.
 
+use glam::DVec3;
+use relief_mesh::Everything;
 use relief_shaders::cpu::{Corner, Face, Shell, Triangle};
 
 /// The triangles of a mesh as the shaders have them, in the order of the mesh.
@@ -9,26 +11,31 @@ use relief_shaders::cpu::{Corner, Face, Shell, Triangle};
 pub struct Triangles {
     corners: Vec<Corner>,
     faces: Vec<Face>,
-    depths_m: Option<[f64; 2]>,
+    everything: Option<Everything>,
 }
 
 impl Triangles {
     /// Triangles by the places of their corners, which all exist.
     pub(crate) fn new(corners: Vec<Corner>, faces: impl Iterator<Item = ([u32; 3], Shell)>) -> Self {
         let faces = faces.map(|(corners, shell)| Face { corners: corners.into(), shell });
-        Self { corners, faces: faces.collect(), depths_m: None }
+        Self { corners, faces: faces.collect(), everything: None }
     }
 
-    /// The same, made for a camera that sees them, and others that were left out, between these depths.
+    /// The same, made for a camera with others that were left out, all of which lie there.
     #[must_use]
-    pub(crate) fn between(self, depths_m: Option<[f64; 2]>) -> Self {
-        Self { depths_m, ..self }
+    pub(crate) fn among(self, everything: Option<Everything>) -> Self {
+        Self { everything, ..self }
     }
 
     /// The metres from the eye, along the view axis, to the nearest and to the farthest of them and of those
     /// that were left out, where they were made for a camera.
     pub(crate) fn depths_m(&self) -> Option<[f64; 2]> {
-        self.depths_m
+        self.everything.as_ref().map(|all| all.depths_m)
+    }
+
+    /// Points around them and those that were left out, where they were made for a camera.
+    pub(crate) fn around(&self) -> Option<&[DVec3]> {
+        self.everything.as_ref().map(|all| &all.around[..])
     }
 
     /// How many there are.
@@ -83,7 +90,7 @@ impl FromIterator<Triangle> for Triangles {
             faces.push(Face { corners: [first, first + 1, first + 2].into(), shell });
             corners.extend([a, b, c]);
         }
-        Self { corners, faces, depths_m: None }
+        Self { corners, faces, everything: None }
     }
 }
 

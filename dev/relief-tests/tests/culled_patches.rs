@@ -9,7 +9,7 @@ use relief_core::mesh::{Builtin, Mesh, cube, cylinder, sphere, torus};
 use relief_core::raycast::{RayCaster, Sides};
 use relief_core::{HeightMap, Wrap};
 use relief_maps::Maps;
-use relief_mesh::{Cull, MeshSettings, Mesher, View};
+use relief_mesh::{Cull, MeshSettings, Mesher, Outside, View};
 use relief_render::Renderer;
 use relief_render::gpu::AdapterChoice;
 use relief_render::light::Light;
@@ -73,17 +73,33 @@ fn rendered(scene: &Scene, renderer: &mut Renderer) -> Vec<PixelOut> {
     renderer.render(scene, &mut Maps::in_memory(), &|_, _| ()).expect("a picture").rendering.pixels
 }
 
-/// A scene of a base without shadows, in one of a few ways.
-fn scene(base: &Arc<Mesh>, camera: Camera, way: usize) -> Scene {
+/// Some lights, far away and near.
+fn lights(way: usize) -> Vec<Light> {
+    let far = |toward: [f64; 3]| Light::directional(toward.into(), Vec3::ONE).expect("a light");
+    let near = |at: [f64; 3]| Light::point(at.into(), Vec3::ONE).expect("a light");
+    match way % 4 {
+        0 => vec![far([0.4, 1.0, 0.3])],
+        1 => vec![near([0.6, 1.1, 0.9])],
+        2 => vec![far([-0.9, 0.5, 0.2]), near([-0.5, 1.4, 0.6])],
+        _ => vec![far([0.1, 0.3, -1.0])],
+    }
+}
+
+/// A scene of a base in one of a few ways, lit or without shadows.
+fn scene(base: &Arc<Mesh>, camera: Camera, way: usize, is_lit: bool) -> Scene {
     // Bases beside the eye or behind it have many points there.
     let is_beside = camera.eye().length() < 0.5 || camera.eye().length() > 2.5;
     let pixels = [1.0, 2.5][way % 2] * if is_beside { 4.0 } else { 1.0 };
     let detail = ["none", "footprint"][way % 2];
-    let selection = remesh(&[("shadow", "none"), ("detail", detail)], &[("geometry.pixels", pixels)]);
+    let shadow = if is_lit { "map" } else { "none" };
+    let mut selection = remesh(&[("shadow", shadow), ("detail", detail)], &[("geometry.pixels", pixels)]);
+    if is_lit {
+        selection.set("shadow.size", 256.0).expect("a setting");
+    }
     let map = map(Wrap::ALL[way % Wrap::ALL.len()], [0.06, 0.15][way / 2 % 2]);
     let surface = Surface::new(Arc::clone(base), map).with_selection(selection);
     let surface = surface.with_two_sided(way % 3 == 2);
-    let builder = Scene::builder(surface).camera(camera).size(SIZE[0], SIZE[1]);
+    let builder = Scene::builder(surface).camera(camera).size(SIZE[0], SIZE[1]).lights(lights(way));
     builder.samples([1, 4][usize::from(way % 4 == 3)]).build().expect("a scene")
 }
 
@@ -97,7 +113,7 @@ fn same_pictures(renderer: &mut Renderer) -> [usize; 2] {
     for (b, (name, base)) in bases().iter().enumerate() {
         for (c, camera) in cameras().into_iter().enumerate() {
             let way = b + c;
-            let scene = scene(base, camera, way);
+            let scene = scene(base, camera, way, (b + c / 2) % 2 == 1);
             println!("{name}, camera {c}, way {way}");
             let culled = rendered(&scene, renderer);
             assert!(culled == rendered(&whole(&scene), renderer), "{name}, camera {c}, way {way}");
@@ -172,14 +188,14 @@ fn what_another_view_or_another_side_leaves_out_is_missed() {
                 mesher if mesher.triangles() == 0 => None,
                 mesher => Some(depths(&mesher.mesh().expect("finite"), view, sides)),
             };
-            let all = Cull { outside: true, backs: true };
+            let all = Cull { outside: Outside::ALL, backs: true };
             let front = shown(Cull::default(), &view, Sides::Front);
             assert!(shown(all, &view, Sides::Front) == front, "{name}");
             same += 1;
             // Seen from both sides the backs are missed, and farther aside what lies beside the picture.
             let both = shown(Cull::default(), &view, Sides::Both);
             turned += usize::from(shown(all, &view, Sides::Both) != both);
-            let outside = Cull { outside: true, backs: false };
+            let outside = Cull { outside: Outside::ALL, backs: false };
             assert!(shown(outside, &view, Sides::Both) == both, "{name}");
             let wide = View { size: [SIZE[0] * 3, SIZE[1]], ..view };
             let beside = shown(outside, &wide, Sides::Both) != shown(Cull::default(), &wide, Sides::Both);

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use relief_core::HeightBounds;
 
 use super::{Inside, PatchBorder, Triangles, cubic};
-use crate::cull::{Hull, Sight};
+use crate::cull::{Everything, Hull, Sight};
 use crate::interior::{Cut, Pattern};
 use crate::patch::PatchPoint;
 use crate::surface::Relief;
@@ -20,9 +20,6 @@ const BESIDE_TEXELS: f64 = 1e-3;
 
 /// Levels beside its own that a point may have its height from, by rounding.
 const BESIDE_LEVELS: f64 = 1e-6;
-
-/// How far points are rounded beside the hull of exact ones, as a part of the largest coordinate.
-const ROUNDING: f64 = 1e-6;
 
 /// Steps of a patch that are made at once to see whether any triangle shows its front, and in how many rounds
 /// through the patch.
@@ -56,17 +53,20 @@ impl Triangles {
                 return Err(MesherError::Cancelled);
             }
             let hull = self.hull(&bounds, patch);
-            let is_out = (cull.outside && sight.misses(&hull))
+            let is_out = sight.misses(&hull, &cull.outside)
                 || (cull.backs && self.turns_its_back(relief, pattern, &sight, patch));
-            Ok((is_out, sight.depths_m(&hull)))
+            Ok((is_out, hull))
         };
-        let looked: Result<Vec<(bool, [f64; 2])>, MesherError> =
+        let looked: Result<Vec<(bool, Hull)>, MesherError> =
             (0..self.count()).into_par_iter().map(look).collect();
         let looked = looked?;
         let nothing = [f64::INFINITY, f64::NEG_INFINITY];
-        let around =
-            |[near, far]: [f64; 2], &(_, [from, to]): &(bool, [f64; 2])| [near.min(from), far.max(to)];
-        self.depths_m = Some(looked.iter().fold(nothing, around));
+        let depths_m = looked.iter().fold(nothing, |[near, far], (_, hull)| {
+            let [from, to] = sight.depths_m(hull);
+            [near.min(from), far.max(to)]
+        });
+        let around = looked.iter().flat_map(|(_, hull)| hull.around()).collect();
+        self.everything = Some(Everything { depths_m, around });
         let kept: Vec<u32> = (0..self.count()).filter(|&patch| !looked[patch as usize].0).collect();
         self.whole = kept.iter().map(|&patch| self.whole(patch)).collect();
         self.triangles = kept.iter().map(|&patch| self.triangles[patch as usize]).collect();
@@ -75,10 +75,9 @@ impl Triangles {
         Ok(self)
     }
 
-    /// From where to where along the view axis all patches may lie, also those that were left out, in metres
-    /// from the eye; none where nothing was to be left out.
-    pub fn depths_m(&self) -> Option<[f64; 2]> {
-        self.depths_m
+    /// Where all patches may lie, also those that were left out; none where nothing was to be left out.
+    pub fn everything(&self) -> Option<&Everything> {
+        self.everything.as_ref()
     }
 
     /// What a displaced patch is within.
@@ -122,8 +121,7 @@ impl Triangles {
             points[2 * k] = corner.position + direction * low_m;
             points[2 * k + 1] = corner.position + direction * high_m;
         }
-        let largest = points.iter().map(|point| point.abs().max_element()).fold(farthest_m, f64::max);
-        Hull { points, radius_m: radius_m + ROUNDING * largest }
+        Hull { points, radius_m }
     }
 
     /// The least and the greatest displacement of a patch, in metres: by the heights under it, and where

@@ -16,8 +16,8 @@ pub struct Inside {
     /// What the corners count in the picture, where sides go by that.
     shares: Option<[f64; 3]>,
     smooth: Smooth,
-    /// The corners' depths in the picture, and texels of the map in a voxel where the depth is 1; none where no
-    /// coarser level is seen.
+    /// The corners' depths in the picture, and texels of the map in a voxel where the depth is 1; none where
+    /// no coarser level is seen.
     footprints: Option<[[f64; 3]; 2]>,
 }
 

@@ -29,6 +29,7 @@ use self::halves::{Halves, Limits};
 pub use self::inside::Inside;
 pub use self::patch_border::PatchBorder;
 pub use self::solid::Solid;
+use crate::cull::Everything;
 use crate::edge::Divides;
 use crate::error::MOST;
 use crate::patch::{Patch, PatchPoint};
@@ -54,8 +55,8 @@ pub struct Triangles {
     whole: Vec<u32>,
     /// Its border, where it is to be made solid.
     border: Option<Border>,
-    /// From where to where along the view axis all patches may lie, also those that were left out.
-    depths_m: Option<[f64; 2]>,
+    /// Where all patches may lie, also those that were left out.
+    everything: Option<Everything>,
 }
 
 /// A vertex of the mesh that is made: its number, and which vertices have the same normal.
@@ -167,7 +168,7 @@ impl Triangles {
             can_fold,
             whole,
             border,
-            depths_m: None,
+            everything: None,
         })
     }
 
@@ -307,8 +308,8 @@ impl Triangles {
     }
 }
 
-/// The level whose texels are as wide as a voxel, where corners lie at those depths in the picture and have so
-/// many texels in a voxel where the depth is 1.
+/// The level whose texels are as wide as a voxel, where corners lie at those depths in the picture and have
+/// so many texels in a voxel where the depth is 1.
 fn level<const N: usize>(depths: [f64; N], texels: [f64; N], weights: [f64; N]) -> f64 {
     let (mut depth, mut sum) = (0.0, 0.0);
     for k in 0..N {

@@ -7,7 +7,7 @@
 use relief_core::mesh::Mesh;
 
 use super::halves::{Halved, Limits, halved as halved_where};
-use crate::cull::{Hull, Sight};
+use crate::cull::{Hull, Outside, Sight};
 use crate::surface::Relief;
 use crate::{BaseSurface, MeshSettings, MesherError};
 
@@ -44,7 +44,7 @@ pub fn halved(
             let places = corners.map(|vertex| position(vertex).as_dvec3());
             let [a, b, c] = places;
             let hull = Hull { points: [a, b, c, a, b, c], radius_m: reach_m };
-            places.iter().any(|place| grid.is_before(*place)) && !sight.misses(&hull)
+            places.iter().any(|place| grid.is_before(*place)) && !sight.misses(&hull, &Outside::ALL)
         };
         let near = if triangles.len() > TRIANGLES.max(2 * mesh.triangles().len()) {
             Vec::new()

@@ -7,7 +7,7 @@ use glam::DVec3;
 use relief_core::HeightMap;
 use relief_core::camera::{Camera, Projection};
 use relief_core::mesh::{Builtin, Mesh};
-use relief_mesh::{Cull, MeshSettings, Mesher, View};
+use relief_mesh::{Cull, MeshSettings, Mesher, Outside, View};
 use relief_tests::accuracy::maps;
 
 use crate::surfaces::bases::{Base, cobbles};
@@ -114,7 +114,7 @@ impl Sums {
         let view = View::new(*camera, size);
         let voxel = 2.0 * camera.half_height() / f64::from(size[1]);
         let view = View { near_m: view.near_m.max(FINEST_TEXELS * subject.texel_m / voxel), ..view };
-        for (k, cull) in [None, Some(Cull { outside: true, backs: true })].into_iter().enumerate() {
+        for (k, cull) in [None, Some(Cull { outside: Outside::ALL, backs: true })].into_iter().enumerate() {
             let settings = MeshSettings { cull, ..MeshSettings::seen_by(view) };
             let started = Instant::now();
             let made = Mesher::new(&subject.mesh, &subject.map, &settings);

@@ -10,7 +10,7 @@ use super::*;
 use crate::error::MOST;
 use crate::interior::Fills;
 use crate::plane::Rectangle;
-use crate::{CrackTest, Cull, Directions, Mesher, Part, Seams, Shading, Stream, View, Watch};
+use crate::{CrackTest, Cull, Directions, Mesher, Outside, Part, Seams, Shading, Stream, View, Watch};
 
 const SIZE: [u32; 2] = [96, 72];
 
@@ -203,15 +203,16 @@ impl Found {
 }
 
 const CHOICES: [Cull; 3] = [
-    Cull { outside: true, backs: false },
-    Cull { outside: false, backs: true },
-    Cull { outside: true, backs: true },
+    Cull { outside: Outside::ALL, backs: false },
+    Cull { outside: Outside::NOTHING, backs: true },
+    Cull { outside: Outside::ALL, backs: true },
 ];
 
 /// Whether brute force sees a patch.
 fn sees(view: &View, cull: Cull, triangles: &[[DVec3; 3]]) -> bool {
     triangles.iter().any(|corners| {
-        (!cull.outside || is_in_picture(view, *corners)) && (!cull.backs || is_front(view, *corners))
+        (cull.outside == Outside::NOTHING || is_in_picture(view, *corners))
+            && (!cull.backs || is_front(view, *corners))
     })
 }
 
@@ -249,7 +250,7 @@ fn planes_that_are_not_moved_out_and_backs_of_the_base_leave_out_what_is_seen() 
         let bounds = Bounds { relief: &flat, levels: vec![HeightBounds::new(&case.map)] };
         for (patch, triangles) in (0u32..).zip(case.made()) {
             let hull = Hull { radius_m: 0.0, ..base.hull(&bounds, patch) };
-            unmoved.add(sight.misses(&hull), sees(&view, CHOICES[0], &triangles));
+            unmoved.add(sight.misses(&hull, &Outside::ALL), sees(&view, CHOICES[0], &triangles));
             let corners = base.triangles[patch as usize].map(|vertex| base.corners.vertex(vertex).position);
             let is_back = sight.is_back(corners);
             corners_alone.add(is_back, sees(&view, CHOICES[1], &triangles));
@@ -291,12 +292,12 @@ fn what_is_left_has_the_bits_that_it_has_in_the_whole_mesh() {
         let plain = Mesher::with_levels(&case.mesh, &case.map, &coarser, &case.settings, &Watch::NOBODY);
         let plain = plain.expect("a mesh");
         let triangles = by_vertices(&whole);
-        assert!(plain.depths_m().is_none());
+        assert!(plain.everything().is_none());
         if case.whole().triangles.len() == case.mesh.triangles().len() {
             assert!(triangles == by_vertices(&plain), "{}", case.what);
             uncut += 1;
         }
-        let [near, far] = whole.depths_m().expect("it is for a view");
+        let [near, far] = whole.everything().expect("it is for a view").depths_m;
         let camera = case.view().camera;
         for corner in triangles.iter().flatten() {
             let depth = camera.forward().dot(corner.position.as_dvec3() - camera.eye());
@@ -304,7 +305,7 @@ fn what_is_left_has_the_bits_that_it_has_in_the_whole_mesh() {
         }
         for cull in CHOICES {
             let culled = mesher(cull);
-            assert_eq!(culled.depths_m(), whole.depths_m(), "{}", case.what);
+            assert!(culled.everything() == whole.everything(), "{}", case.what);
             let kept = by_vertices(&culled);
             let mut rest = triangles.iter();
             assert!(kept.iter().all(|one| rest.any(|of_all| of_all == one)), "{}: {cull:?}", case.what);
@@ -336,6 +337,53 @@ fn nothing_is_left_out_where_there_is_no_view_or_normals_need_all_triangles() {
     let stopped = Watch { tell: &|_| {}, cancel: &AtomicBool::new(true) };
     let stopped = Mesher::watched(&mesh, &map, &settings, &stopped);
     assert_eq!(stopped.err(), Some(MesherError::Cancelled));
+}
+
+#[test]
+fn nothing_on_the_way_from_what_is_seen_to_a_light_is_left_out() {
+    let lights = [
+        [DVec4::new(0.3, 0.9, 0.2, 0.0), DVec4::new(-0.7, 0.4, 0.5, 0.0)],
+        [DVec4::new(0.2, 1.5, 0.4, 1.0), DVec4::new(0.1, 1.0, 0.9, 0.0)],
+        [DVec4::new(0.0, -0.3, 0.9, 0.0), DVec4::new(1.5, 0.2, -0.3, 1.0)],
+    ];
+    let (mut ways, mut out, mut met_by_all) = (0, 0, 0);
+    for (at, case) in cases().into_iter().enumerate().filter(|(at, _)| at % 4 == 1) {
+        let (view, made, lights) = (case.view(), case.made(), lights[at % 3]);
+        let outside = Outside::of_ways_to(lights, &view, 0.0);
+        let of = |outside: Outside| -> Vec<usize> {
+            let kept = case.kept(Cull { outside, backs: false });
+            (0..made.len()).filter(|patch| kept.binary_search(&(*patch as u32)).is_err()).collect()
+        };
+        let meet = |patches: &[usize], from: DVec3, light: DVec4| {
+            let way = light.truncate() - from * light.w;
+            let all = patches.iter().flat_map(|patch| &made[*patch]);
+            all.clone().any(|corners| meets(from, way, light.w, *corners))
+        };
+        let [left_out, beside] = [of(outside), of(Outside::ALL)];
+        assert!(left_out.iter().all(|patch| beside.contains(patch)), "{}", case.what);
+        out += left_out.len();
+        let seen = made.iter().flatten().map(|[a, b, c]| (*a + *b + *c) / 3.0);
+        let seen = seen.filter(|point| is_in_picture(&view, [*point; 3])).step_by(29);
+        for from in seen {
+            for light in lights {
+                assert!(!meet(&left_out, from, light), "{}: {from} {light}", case.what);
+                met_by_all += usize::from(meet(&beside, from, light));
+                ways += 1;
+            }
+        }
+    }
+    println!("{ways} ways, {out} patches left out; what is only beside is met {met_by_all} times");
+    assert!(ways > 1000 && out > 300 && met_by_all > 10, "{ways} {out} {met_by_all}");
+}
+
+/// Whether the way from a point meets a triangle: along all of it, or for lights at a point up to these.
+fn meets(from: DVec3, way: DVec3, w: f64, [a, b, c]: [DVec3; 3]) -> bool {
+    let (ab, ac) = (b - a, c - a);
+    let across = way.cross(ac);
+    let volume = ab.dot(across);
+    let (aside, up) = (from - a, (from - a).cross(ab));
+    let [u, v, t] = [aside.dot(across), way.dot(up), ac.dot(up)].map(|part| part / volume);
+    volume != 0.0 && u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 1e-9 && (w == 0.0 || t < 1.0)
 }
 
 #[test]
