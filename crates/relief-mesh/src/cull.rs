@@ -12,8 +12,9 @@ use relief_core::camera::Camera;
 use crate::edge::Divides;
 use crate::{MeshSettings, MesherError, Shading, View};
 
-/// What is not made of a mesh that one camera looks at, and nothing else: for pictures, not for files.
-/// Nothing that the camera sees is left out, and the rest has the same bits as with neither choice.
+/// What is not made of a mesh that one camera looks at: for pictures, not for files.
+/// Nothing that the camera sees is left out, and the rest has the same bits as with neither choice. Where
+/// what is seen may lie in the shadow of what is not, see [`Outside::of_ways_to`], and backs are to be made.
 ///
 /// With either and with neither, flat base triangles that reach behind the eye in perspective are halved
 /// until few points are there, so that most of what is behind can be left out.

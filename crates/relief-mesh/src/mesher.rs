@@ -196,8 +196,9 @@ impl Mesher {
             (Fills::Patch(pattern), Divides::Voxels(_), rectangle) => {
                 let tiles = rectangle.map(|plane| plane.tiles(&relief, settings.part)).transpose()?;
                 let mesh = tiles.as_ref().unwrap_or(mesh);
-                patches = mesh.triangles().len();
                 let base = Triangles::new(mesh, &relief, settings, most, watch)?;
+                // Also those that are halved, and left out.
+                patches = base.count() as usize;
                 Base::Triangles(base.culled(&relief, &pattern, settings, watch)?, pattern)
             }
             (Fills::Patch(pattern), _, None) => {
@@ -380,8 +381,8 @@ impl Mesher {
         tell: &dyn Fn(f32),
         mut take: impl FnMut(&mut Made) -> Result<(), StreamError<E>>,
     ) -> Result<(), StreamError<E>> {
-        let each = rayon::current_num_threads() * BLOCKS_PER_THREAD;
-        let mut groups = self.blocks.chunks(each);
+        let at_once = rayon::current_num_threads() * BLOCKS_PER_THREAD;
+        let mut groups = self.blocks.chunks(at_once);
         let (mut done, mut ready) = (0, Vec::new());
         let mut spare: Vec<MeshBlock> = Vec::new();
         loop {
@@ -410,7 +411,8 @@ impl Mesher {
                 })
             });
             taken?;
-            tell(done as f32 / self.blocks.len() as f32);
+            // There may be none at all.
+            tell(done as f32 / self.blocks.len().max(1) as f32);
             if group.is_empty() {
                 return Ok(());
             }

@@ -129,10 +129,14 @@ pub struct MeshFile {
 ///
 /// | format | what is read |
 /// | --- | --- |
-/// | glTF | all triangles of the default scene, or the first one, in the places of their nodes; strips (without the triangles that join them), fans, sparse and quantised accessors; the first texture coordinates; no poses of skins and morphs, no compressed meshes |
+/// | glTF | all triangles of the default scene, see below; the first texture coordinates |
 /// | OBJ | faces of any number of corners, with `vt` and `vn`; `v` is turned over, as it runs up there |
 /// | PLY | faces of any number of corners; `u` and `v`, `s` and `t` or `texture_u` and `texture_v` of vertices, or `texcoord` of faces, turned over; normals |
 /// | STL | triangles; their normals are not used |
+///
+/// A glTF without a default scene has its first one read. Triangles are in the places of their nodes; they may
+/// be strips, of which the triangles that join them are left out, or fans, and accessors sparse or quantised.
+/// Poses of skins and morphs are not read, nor are compressed meshes.
 ///
 /// Files that a glTF names have to lie in its folder or below. Bytes in memory have no folder: there all
 /// buffers are in the file itself.

@@ -9,7 +9,10 @@ use crate::stages::{STAGES, stage};
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SelectionError {
     /// No stage has that key.
-    #[error("no stage has the key '{0}'; the keys are {keys}", keys = STAGES.map(|stage| stage.key).join(", "))]
+    #[error(
+        "no stage has the key '{0}'; the keys are {keys}",
+        keys = STAGES.map(|stage| stage.key).join(", ")
+    )]
     NoStage(String),
     /// No variant has that name.
     #[error(transparent)]
@@ -30,7 +33,10 @@ pub enum SelectionError {
         entries: Vec<&'static str>,
     },
     /// The value is not accepted.
-    #[error("{key} is {value}: it must be {} from {min} to {max}", if *integer { "a whole number" } else { "a number" })]
+    #[error(
+        "{key} is {value}: it must be {} from {min} to {max}",
+        if *integer { "a whole number" } else { "a number" }
+    )]
     Value {
         /// The setting.
         key: String,

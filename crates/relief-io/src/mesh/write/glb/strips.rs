@@ -197,6 +197,8 @@ impl Waiting {
 
 #[cfg(test)]
 mod tests {
+    use relief_core::mesh::square;
+
     use super::*;
 
     /// The triangles of a strip, each with its least corner first, in order.
@@ -215,12 +217,9 @@ mod tests {
         all
     }
 
-    fn grid(across: u32, down: u32) -> Vec<[u32; 3]> {
-        let cell = |i: u32, j: u32| {
-            let [here, below] = [j * (across + 1) + i, (j + 1) * (across + 1) + i];
-            [[here, below, below + 1], [here, below + 1, here + 1]]
-        };
-        (0..down).flat_map(|j| (0..across).flat_map(move |i| cell(i, j))).collect()
+    /// Rows of so many cells.
+    fn grid(cells: u32) -> Vec<[u32; 3]> {
+        square(cells).expect("a mesh").triangles().to_vec()
     }
 
     #[test]
@@ -228,7 +227,7 @@ mod tests {
         let mut fan: Vec<[u32; 3]> = (1..9).map(|k| [0, k, k + 1]).collect();
         fan.push([0, 9, 1]);
         let lists = [
-            grid(40, 30),
+            grid(35),
             fan,
             // Pieces apart, one twice, sides that run the same way, and three at an edge.
             vec![[9, 7, 8], [1, 2, 3], [1, 2, 3], [2, 3, 5], [3, 2, 6], [3, 2, 4], [10, 11, 12]],
@@ -254,7 +253,7 @@ mod tests {
 
     #[test]
     fn rows_take_little_more_than_an_index_a_triangle() {
-        let triangles = grid(100, 80);
+        let triangles = grid(90);
         let count = Strip::default().extended(&triangles).len();
         assert!(count * 100 < triangles.len() * 105, "{count}");
         // Around one corner each triangle but the first turns.
