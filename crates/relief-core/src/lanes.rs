@@ -62,9 +62,10 @@ impl Lanes {
         }
     }
 
-    /// Runs something in vectors of these lanes, one by one where the machine lacks them.
+    /// Runs something in vectors of these lanes: what it does is compiled for them as far as it is inlined.
+    /// Where the machine lacks them it runs one by one, or on other processors than x86 in those that it has.
     #[inline(always)]
-    pub(crate) fn run<Op: WithSimd>(self, op: Op) -> Op::Output {
+    pub fn run<Op: WithSimd>(self, op: Op) -> Op::Output {
         #[cfg(target_arch = "x86_64")]
         match self {
             Self::One => {}
@@ -78,6 +79,10 @@ impl Lanes {
                     return Simd::vectorize(simd, op);
                 }
             }
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        if self != Self::One {
+            return pulp::Arch::new().dispatch(op);
         }
         op.with_simd(pulp::Scalar::new())
     }

@@ -42,6 +42,8 @@ pub use hit::{Cost, Hit};
 pub use lanes::{Lanes, LanesError};
 pub use metric::{Metric, MetricError};
 pub use path::{Path, PathMetric, RayUse};
+/// The vectors that [`Lanes::run`] runs something in.
+pub use pulp;
 pub use pyramid::{MaxPyramid, MinPyramid};
 pub use tangent_frame::{TangentFrame, TangentFrameError};
 pub use texel_mask::TexelMask;

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use pulp::{Arch, Simd, WithSimd};
+use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
 use relief_core::HeightMap;
 
@@ -68,19 +68,20 @@ impl<'a> Search<'a> {
         let width = self.field.map.width() as usize;
         let mut ratios = vec![0.0f32; self.field.map.texels().len()];
         let (total, done) = (ratios.len() as f32, AtomicUsize::new(0));
-        let arch = Arch::new();
+        // Not wider ones: eight texels are searched for together.
+        let lanes = relief_core::Lanes::Eight;
         ratios.par_chunks_mut(width * ROWS).enumerate().try_for_each(|(band, ratios)| {
             let mut state = State { group: Group::new(), seeds: vec![None; width] };
             let columns = if K::NEAR { width } else { 0 };
             let mut near = [NearRow::new(columns), NearRow::new(columns)];
             let top = (band * ROWS) as i64;
             if K::NEAR {
-                arch.dispatch(Above { search: self, row: top - 1, near: &mut near[1] });
+                lanes.run(Above { search: self, row: top - 1, near: &mut near[1] });
             }
             for (row, ratios) in ratios.chunks_mut(width).enumerate() {
                 near.swap(0, 1);
                 let row = top + row as i64;
-                arch.dispatch(Row { search: self, sort, row, near: &mut near, state: &mut state, ratios });
+                lanes.run(Row { search: self, sort, row, near: &mut near, state: &mut state, ratios });
                 let before = done.fetch_add(width, Ordering::Relaxed);
                 progress.at((before + width) as f32 / total)?;
             }

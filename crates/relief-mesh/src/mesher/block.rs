@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use glam::{DVec3, Vec3};
-use pulp::Arch;
+use relief_core::Lanes;
 use relief_core::mesh::{MeshBlock, PositionGrid, Vertex};
 
 use super::solid::Solid;
@@ -161,7 +161,7 @@ impl Mesher {
             let (border, inside) = (PatchBorder::new(base, &self.relief, patch), Inside::new(base, patch));
             let mut own = 0;
             // Compiled for the vectors that the machine has; the bits are the same.
-            Arch::new().dispatch(|| {
+            Lanes::Eight.run(|| {
                 for point in &cut.points {
                     points.push(match *point {
                         PatchPoint::Border { side, at } => border.point(side, at),
