@@ -67,6 +67,26 @@ impl Outside {
     }
 }
 
+impl Cull {
+    /// The planes beyond which something is left out, for a program that tests points of 32 bits, none of
+    /// whose coordinates is larger than that many metres: what is left out has a positive sum of the plane's
+    /// parts times the point's and 1.
+    pub fn planes(&self, view: &View, largest_m: f64) -> [DVec4; 5] {
+        let sight = Sight::new(view);
+        let eye = sight.camera.eye();
+        let room = self.outside.beside_m + ROUNDING_TWICE * largest_m.max(eye.abs().max_element());
+        let mut planes = [DVec4::new(0.0, 0.0, 0.0, -1.0); 5];
+        for (plane, ((normal, out), is_left_out)) in
+            planes.iter_mut().zip(sight.planes.into_iter().zip(self.outside.planes))
+        {
+            if is_left_out && room.is_finite() {
+                *plane = normal.extend(-(normal.dot(eye) + out + room));
+            }
+        }
+        planes
+    }
+}
+
 /// Refuses to leave something out where that makes no sense.
 pub fn check(settings: &MeshSettings) -> Result<(), MesherError> {
     if settings.cull.is_none() {
@@ -83,7 +103,10 @@ const BESIDE_PIXELS: f64 = 1.0;
 
 /// What shaders round positions and the eye by, and points are rounded by beside the hull of exact ones, as a
 /// part of the largest coordinate.
-const ROUNDING: f64 = 2e-6;
+pub const ROUNDING: f64 = 2e-6;
+
+/// The same where the test itself rounds, too.
+const ROUNDING_TWICE: f64 = 2.0 * ROUNDING;
 
 /// The least distance of a corner from the opposite side of a triangle that is taken to turn its back, in
 /// pixels: nearer, and a rasteriser that rounds corners to a 256th of a pixel may see its front.

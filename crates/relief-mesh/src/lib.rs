@@ -63,5 +63,6 @@ pub use interior::{INTERIORS, Interior, check_pair, interior};
 pub use mesher::Mesher;
 pub use settings::{MeshSettings, Part};
 pub use stream::{Bounds, Rounded, Stream, Streamed};
-pub use view::View;
+pub use triangles::{BaseTables, TableEdge, TablePatch, TableVertex};
+pub use view::{GridSpace, View};
 pub use watch::Watch;

@@ -34,6 +34,16 @@ impl View {
         Self { camera, size, pixels: 1.0, near_m: camera.eye().distance(camera.target()) * NEAR }
     }
 
+    /// Its grid space, in numbers.
+    ///
+    /// # Errors
+    ///
+    /// When it sees nothing.
+    pub fn grid_space(&self) -> Result<GridSpace, MesherError> {
+        let Voxels { middle, per_m, per_doubling, near_m, .. } = self.voxels()?;
+        Ok(GridSpace { middle, per_m, per_doubling, near_m })
+    }
+
     /// Its voxels.
     pub(crate) fn voxels(&self) -> Result<Voxels, MesherError> {
         let Self { camera, size: [width, height], pixels, near_m } = *self;
@@ -51,6 +61,19 @@ impl View {
             near_m,
         })
     }
+}
+
+/// The numbers of grid space: voxels as wide as pixels, or so many of them, and as deep as they are wide.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GridSpace {
+    /// The middle of the picture, in voxels.
+    pub middle: [f64; 2],
+    /// Voxels of a metre, in perspective at a depth of 1 m.
+    pub per_m: f64,
+    /// Voxels along the view axis from a depth to twice that, in perspective.
+    pub per_doubling: f64,
+    /// The depth before which everything is divided as if it were there, in metres.
+    pub near_m: f64,
 }
 
 /// Grid space, in voxels.

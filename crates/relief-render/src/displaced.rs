@@ -15,6 +15,7 @@ use crate::light_views;
 use crate::raycast::RayCaster;
 use crate::renderer::RenderError;
 use crate::scene::{Scene, Surface};
+use crate::tessellation::{Room, TessellatedBase, Tessellation};
 use crate::triangles::Triangles;
 
 /// Memory that a vertex takes: as the shaders have it, on its way to a GPU, and as what lights see is laid
@@ -69,6 +70,8 @@ enum Cut {
     Texels(u32),
     /// By the voxels of a view; of so many levels of the height map, without what is not seen.
     Seen(View, u32, Option<Cull>),
+    /// The same, by the backend itself.
+    Tessellated(View, u32, Cull),
 }
 
 impl DisplacedOf {
@@ -78,10 +81,13 @@ impl DisplacedOf {
         let cut = match selection.geometry()? {
             Geometry::Texels(texels) => Cut::Texels(texels),
             Geometry::Pixels(pixels) => {
-                let view = View::new(*scene.camera(), scene.size());
-                let view = View { pixels: pixels.into(), ..view };
-                let view = no_finer(view, surface);
+                let view = view(pixels, surface, scene);
                 Cut::Seen(view, selection.levels_of(map), cull(scene, surface, &view))
+            }
+            Geometry::Tessellated(pixels) => {
+                let view = view(pixels, surface, scene);
+                let cull = cull(scene, surface, &view).unwrap_or_default();
+                Cut::Tessellated(view, selection.levels_of(map), cull)
             }
         };
         Some(Self { mesh: Arc::clone(surface.mesh()), map: Arc::clone(map), cut })
@@ -91,29 +97,36 @@ impl DisplacedOf {
         Arc::ptr_eq(&self.mesh, &other.mesh) && Arc::ptr_eq(&self.map, &other.map) && self.cut == other.cut
     }
 
+    /// Whether both are of the same base, as backends tessellate it.
+    fn has_base_of(&self, other: &Self) -> bool {
+        let levels = |cut: &Cut| if let Cut::Tessellated(_, levels, _) = cut { Some(*levels) } else { None };
+        Arc::ptr_eq(&self.mesh, &other.mesh)
+            && Arc::ptr_eq(&self.map, &other.map)
+            && levels(&self.cut).is_some_and(|own| levels(&other.cut) == Some(own))
+    }
+
     /// The setting that makes them fewer.
     fn setting(&self) -> &'static str {
         match self.cut {
             Cut::Texels(_) => "texels",
-            Cut::Seen(..) => "pixels",
+            Cut::Seen(..) | Cut::Tessellated(..) => "pixels",
         }
     }
 
-    /// Counts them, and makes nothing yet.
-    fn counted(&self, watch: &Watch) -> Result<Mesher, MesherError> {
-        let Self { mesh, map, cut } = self;
-        match *cut {
-            Cut::Texels(texels) => {
-                let settings = MeshSettings { texels, ..MeshSettings::default() };
-                Mesher::watched(mesh, map, &settings, watch)
-            }
-            Cut::Seen(view, levels, cull) => {
-                let coarser: Vec<HeightMap> = (1..levels).map(|level| map.level(level)).collect();
-                let settings = MeshSettings { cull, ..MeshSettings::seen_by(view) };
-                Mesher::with_levels(mesh, map, &coarser, &settings, watch)
-            }
-        }
+    /// So many levels of the map, without the first.
+    fn coarser(&self, levels: u32) -> Vec<HeightMap> {
+        (1..levels).map(|level| self.map.level(level)).collect()
     }
+
+    /// The error where they cannot be made; none where it was cancelled.
+    fn error(&self, error: MesherError) -> Option<GeometryError> {
+        (error != MesherError::Cancelled).then(|| GeometryError::Mesh(error, self.setting()))
+    }
+}
+
+/// The view of a scene, with voxels so many pixels wide, or wider where that is too fine for a surface.
+fn view(pixels: f32, surface: &Surface, scene: &Scene) -> View {
+    no_finer(View { pixels: pixels.into(), ..View::new(*scene.camera(), scene.size()) }, surface)
 }
 
 /// What of a surface is not made for the camera; none where all is made, also what lies behind the eye.
@@ -170,10 +183,18 @@ struct Known {
     bytes: u64,
 }
 
+/// A base that backends tessellate, which is the same for all views.
+#[derive(Debug)]
+struct KnownBase {
+    of: DisplacedOf,
+    base: Arc<TessellatedBase>,
+}
+
 /// The displaced triangles of a scene's surfaces, kept from one picture to the next.
 #[derive(Debug, Default)]
 pub struct Displaced {
     known: Vec<Known>,
+    bases: Vec<KnownBase>,
 }
 
 impl Displaced {
@@ -187,6 +208,7 @@ impl Displaced {
         let asked: Vec<Option<DisplacedOf>> =
             scene.surfaces().iter().map(|surface| DisplacedOf::of(surface, scene)).collect();
         self.known.retain(|known| asked.iter().flatten().any(|of| of.is(&known.of)));
+        self.bases.retain(|known| asked.iter().flatten().any(|of| of.has_base_of(&known.of)));
         let each = asked.into_iter().enumerate().map(|(surface, of)| {
             let Some(of) = of else { return Ok(None) };
             if let Some(known) = self.known.iter().find(|known| known.of.is(&of)) {
@@ -194,7 +216,36 @@ impl Displaced {
             }
             let taken = self.known.iter().map(|known| known.bytes).sum::<u64>();
             let left = scene.geometry_memory().0.saturating_sub(taken);
-            let (triangles, bytes) = made(&of, left, cancel).map_err(|why| match why {
+            let watch = Watch { tell: &|_| {}, cancel };
+            let made = match of.cut {
+                Cut::Texels(texels) => {
+                    let settings = MeshSettings { texels, ..MeshSettings::default() };
+                    let mesher = Mesher::watched(&of.mesh, &of.map, &settings, &watch);
+                    mesher.map_err(|error| of.error(error)).and_then(|mesher| made(&of, &mesher, left, watch))
+                }
+                Cut::Seen(view, levels, cull) => {
+                    let settings = MeshSettings { cull, ..MeshSettings::seen_by(view) };
+                    let coarser = of.coarser(levels);
+                    let mesher = Mesher::with_levels(&of.mesh, &of.map, &coarser, &settings, &watch);
+                    mesher.map_err(|error| of.error(error)).and_then(|mesher| made(&of, &mesher, left, watch))
+                }
+                Cut::Tessellated(view, levels, cull) => {
+                    let known = self.bases.iter().find(|known| known.of.has_base_of(&of));
+                    let base = match known.map(|known| Arc::clone(&known.base)) {
+                        Some(base) => Ok(base),
+                        None => {
+                            TessellatedBase::new(&of.mesh, &of.map, &of.coarser(levels), &watch).map(|base| {
+                                let base = Arc::new(base);
+                                self.bases.push(KnownBase { of: of.clone(), base: Arc::clone(&base) });
+                                base
+                            })
+                        }
+                    };
+                    base.map_err(|error| of.error(error))
+                        .and_then(|base| to_be_made(&of, base, (&view, levels, &cull), left))
+                }
+            };
+            let (triangles, bytes) = made.map_err(|why| match why {
                 Some(source) => RenderError::Geometry { surface, source },
                 None => RenderError::Stopped,
             })?;
@@ -205,17 +256,36 @@ impl Displaced {
     }
 }
 
+/// Triangles that a backend is to make for a view, in levels of the map, and the memory that there is for
+/// them.
+fn to_be_made(
+    of: &DisplacedOf,
+    base: Arc<TessellatedBase>,
+    (view, levels, cull): (&View, u32, &Cull),
+    left: u64,
+) -> Result<(Arc<Triangles>, u64), Option<GeometryError>> {
+    let of_base = base.vertices.len() as u64 * BYTES_PER_VERTEX;
+    let each = BYTES_PER_TRIANGLE + BYTES_PER_VERTEX * 5 / 8;
+    let (patches, room) = (base.patches.len() as u64, left.saturating_sub(of_base) / each);
+    if room < patches {
+        let needed = of_base.saturating_add(patches.saturating_mul(each));
+        return Err(Some(GeometryError::Memory { triangles: patches, needed, left, setting: of.setting() }));
+    }
+    // The numbers of three corners each fit 32 bits.
+    let most = base.triangles_of(view).min(room).min(u64::from(u32::MAX / 3)) as u32;
+    let grid = base.grid(view, cull, levels, Room::of_triangles(most)).map_err(|error| of.error(error))?;
+    let everything = base.everything(view);
+    let triangles = Triangles::to_be_made(Tessellation { base, grid }, everything);
+    Ok((Arc::new(triangles), of_base + u64::from(most) * each))
+}
+
 /// Displaced triangles and the memory that they take; the error is none where it was cancelled.
 fn made(
     of: &DisplacedOf,
+    mesher: &Mesher,
     left: u64,
-    cancel: &AtomicBool,
+    watch: Watch,
 ) -> Result<(Arc<Triangles>, u64), Option<GeometryError>> {
-    let watch = Watch { tell: &|_| {}, cancel };
-    let mesher = of.counted(&watch).map_err(|error| match error {
-        MesherError::Cancelled => None,
-        error => Some(GeometryError::Mesh(error, of.setting())),
-    })?;
     let bytes = mesher.vertices() * BYTES_PER_VERTEX + mesher.triangles() * BYTES_PER_TRIANGLE;
     let needed = bytes.saturating_add(mesher.bytes());
     if needed > left {

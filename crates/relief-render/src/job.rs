@@ -86,10 +86,20 @@ impl JobSurface {
         frame: Frame,
         light_map: Option<&'a BakedMap>,
     ) -> Program<'a> {
+        Program::new(&self.bound(settings, frame, light_map))
+    }
+
+    /// What the translated shaders are given.
+    pub(crate) fn bound<'a>(
+        &'a self,
+        settings: SurfaceSettings,
+        frame: Frame,
+        light_map: Option<&'a BakedMap>,
+    ) -> Bound<'a> {
         let color_map = self.color.as_deref().map_or(ColorTexture::BLANK, of_levels);
         let lights = light_map.map(|map| (MapSlot::Lights, map));
         let normal_map = self.normal_map.as_deref().map_or(ColorTexture::BLANK, of_levels);
-        Program::new(&Bound {
+        Bound {
             frame,
             surface_settings: settings,
             height_map: HeightTexture::new(&self.height_map, settings.height_levels),
@@ -97,7 +107,7 @@ impl JobSurface {
             color_map,
             normal_map,
             maps: self.maps.iter().map(|(slot, map)| (*slot, &**map)).chain(lights).collect(),
-        })
+        }
     }
 }
 

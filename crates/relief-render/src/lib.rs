@@ -24,6 +24,7 @@ mod renderer;
 mod samples;
 pub mod scene;
 mod shellcast;
+mod tessellation;
 pub mod tone;
 mod triangles;
 mod wire;

@@ -4,6 +4,8 @@ use glam::DVec3;
 use relief_mesh::Everything;
 use relief_shaders::cpu::{Corner, Face, Shell, Triangle};
 
+use crate::tessellation::Tessellation;
+
 /// The triangles of a mesh as the shaders have them, in the order of the mesh.
 ///
 /// Corners are held once, however many triangles meet there: 96 bytes each, and 48 for a triangle.
@@ -12,13 +14,25 @@ pub struct Triangles {
     corners: Vec<Corner>,
     faces: Vec<Face>,
     everything: Option<Everything>,
+    tessellation: Option<Tessellation>,
 }
 
 impl Triangles {
     /// Triangles by the places of their corners, which all exist.
     pub(crate) fn new(corners: Vec<Corner>, faces: impl Iterator<Item = ([u32; 3], Shell)>) -> Self {
         let faces = faces.map(|(corners, shell)| Face { corners: corners.into(), shell });
-        Self { corners, faces: faces.collect(), everything: None }
+        Self { corners, faces: faces.collect(), everything: None, tessellation: None }
+    }
+
+    /// Triangles that a backend makes of a base, all of which lie there. None are here.
+    pub(crate) fn to_be_made(tessellation: Tessellation, everything: Everything) -> Self {
+        let (everything, tessellation) = (Some(everything), Some(tessellation));
+        Self { everything, tessellation, ..Self::default() }
+    }
+
+    /// What a backend is to make them of.
+    pub(crate) fn tessellation(&self) -> Option<&Tessellation> {
+        self.tessellation.as_ref()
     }
 
     /// The same, made for a camera with others that were left out, all of which lie there.
@@ -90,7 +104,7 @@ impl FromIterator<Triangle> for Triangles {
             faces.push(Face { corners: [first, first + 1, first + 2].into(), shell });
             corners.extend([a, b, c]);
         }
-        Self { corners, faces, everything: None }
+        Self { corners, faces, everything: None, tessellation: None }
     }
 }
 

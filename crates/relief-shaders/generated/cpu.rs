@@ -49,6 +49,76 @@ impl Around {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// A point of the base, and what is known there.
+pub struct BaseSite {
+    pub position: rt::Vec3<f32>,
+    pub direction: rt::Vec3<f32>,
+    /// Where the map says how far it is displaced, and where it lies itself.
+    pub seen_uv: rt::Vec2<f32>,
+    pub uv: rt::Vec2<f32>,
+    /// Texels of the map in a metre, and the depth, of whose product the level of the map follows.
+    pub texels_per_m: f32,
+    pub depth: f32,
+    pub normal: rt::Vec3<f32>,
+    pub tangent: rt::Vec3<f32>,
+    pub bitangent: rt::Vec3<f32>,
+    pub turn_u: rt::Vec3<f32>,
+    pub turn_v: rt::Vec3<f32>,
+}
+impl BaseSite {
+    pub fn new(
+        position: impl rt::Into<rt::Vec3<f32>>,
+        direction: impl rt::Into<rt::Vec3<f32>>,
+        seen_uv: impl rt::Into<rt::Vec2<f32>>,
+        uv: impl rt::Into<rt::Vec2<f32>>,
+        texels_per_m: impl rt::Into<f32>,
+        depth: impl rt::Into<f32>,
+        normal: impl rt::Into<rt::Vec3<f32>>,
+        tangent: impl rt::Into<rt::Vec3<f32>>,
+        bitangent: impl rt::Into<rt::Vec3<f32>>,
+        turn_u: impl rt::Into<rt::Vec3<f32>>,
+        turn_v: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Self {
+        Self { position: rt::into(position), direction: rt::into(direction), seen_uv: rt::into(seen_uv), uv: rt::into(uv), texels_per_m: rt::into(texels_per_m), depth: rt::into(depth), normal: rt::into(normal), tangent: rt::into(tangent), bitangent: rt::into(bitangent), turn_u: rt::into(turn_u), turn_v: rt::into(turn_v) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A vertex of the base.
+pub struct BaseVertex {
+    pub position: rt::Vec3<f32>,
+    /// The vertex whose place on the map says how far it is displaced: one for each position.
+    pub seen: u32,
+    /// Along what it is displaced, of any length: the same for all vertices at a position.
+    pub direction: rt::Vec3<f32>,
+    /// Texels of the map in a metre around it.
+    pub texels_per_m: f32,
+    pub normal: rt::Vec3<f32>,
+    pub tangent: rt::Vec3<f32>,
+    pub bitangent: rt::Vec3<f32>,
+    /// The derivatives of the direction by u and v.
+    pub turn_u: rt::Vec3<f32>,
+    pub turn_v: rt::Vec3<f32>,
+    pub uv: rt::Vec2<f32>,
+}
+impl BaseVertex {
+    pub fn new(
+        position: impl rt::Into<rt::Vec3<f32>>,
+        seen: impl rt::Into<u32>,
+        direction: impl rt::Into<rt::Vec3<f32>>,
+        texels_per_m: impl rt::Into<f32>,
+        normal: impl rt::Into<rt::Vec3<f32>>,
+        tangent: impl rt::Into<rt::Vec3<f32>>,
+        bitangent: impl rt::Into<rt::Vec3<f32>>,
+        turn_u: impl rt::Into<rt::Vec3<f32>>,
+        turn_v: impl rt::Into<rt::Vec3<f32>>,
+        uv: impl rt::Into<rt::Vec2<f32>>,
+    ) -> Self {
+        Self { position: rt::into(position), seen: rt::into(seen), direction: rt::into(direction), texels_per_m: rt::into(texels_per_m), normal: rt::into(normal), tangent: rt::into(tangent), bitangent: rt::into(bitangent), turn_u: rt::into(turn_u), turn_v: rt::into(turn_v), uv: rt::into(uv) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// What a stage runs.
 pub struct Choice {
     /// The place of its variant in the stage's list.
@@ -106,6 +176,77 @@ impl Detail {
         fade: impl rt::Into<f32>,
     ) -> Self {
         Self { level: rt::into(level), footprint: rt::into(footprint), fade: rt::into(fade) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// Where a point lies in its row.
+pub struct DicePlace {
+    pub row: u32,
+    pub at: u32,
+}
+impl DicePlace {
+    pub fn new(
+        row: impl rt::Into<u32>,
+        at: impl rt::Into<u32>,
+    ) -> Self {
+        Self { row: rt::into(row), at: rt::into(at) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A point of a triangle.
+pub struct DicePoint {
+    /// Of the triangle's sides the one that it lies on, and how many parts lie before it there, fewer than there
+    /// are; or `DICE_INSIDE`, and its number among those inside.
+    pub side: u32,
+    pub at: u32,
+    /// The weights of the triangle's corners; of a point on a side they are not set.
+    pub weights: rt::Vec3<f32>,
+}
+impl DicePoint {
+    pub fn new(
+        side: impl rt::Into<u32>,
+        at: impl rt::Into<u32>,
+        weights: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Self {
+        Self { side: rt::into(side), at: rt::into(at), weights: rt::into(weights) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A triangle seen from the corner where its two longer sides meet.
+pub struct DiceRows {
+    /// The side from that corner onward, that of fewest parts, and the one back to it; and their parts.
+    pub sides: rt::Vec3<u32>,
+    pub parts: rt::Vec3<u32>,
+    /// How many rows there are after the corner.
+    pub count: u32,
+}
+impl DiceRows {
+    pub fn new(
+        sides: impl rt::Into<rt::Vec3<u32>>,
+        parts: impl rt::Into<rt::Vec3<u32>>,
+        count: impl rt::Into<u32>,
+    ) -> Self {
+        Self { sides: rt::into(sides), parts: rt::into(parts), count: rt::into(count) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A triangle of the pattern, in the sense of rotation of the whole one.
+pub struct DiceTriangle {
+    pub a: DicePlace,
+    pub b: DicePlace,
+    pub c: DicePlace,
+}
+impl DiceTriangle {
+    pub fn new(
+        a: impl rt::Into<DicePlace>,
+        b: impl rt::Into<DicePlace>,
+        c: impl rt::Into<DicePlace>,
+    ) -> Self {
+        Self { a: rt::into(a), b: rt::into(b), c: rt::into(c) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -839,6 +980,59 @@ impl SurfaceSettings {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// What is the same for all of a tessellated base: the view, and how much there is.
+pub struct Tessellation {
+    /// The eye, and unit vectors of the camera.
+    pub eye: rt::Vec4<f32>,
+    pub right: rt::Vec4<f32>,
+    pub up: rt::Vec4<f32>,
+    pub forward: rt::Vec4<f32>,
+    /// What lies before one of these planes is not made: a position p where dot(plane, (p, 1)) > 0.
+    pub planes: [rt::Vec4<f32>; 5],
+    /// The middle of the picture, in voxels.
+    pub middle: rt::Vec2<f32>,
+    /// Voxels of a metre, in perspective at a depth of 1 m.
+    pub per_m: f32,
+    /// Voxels along the view axis from a depth to twice that.
+    pub per_doubling: f32,
+    /// The depth before which everything is divided as if it were there.
+    pub near_m: f32,
+    /// 1 where rays are parallel.
+    pub is_parallel: u32,
+    /// Levels of the height map that are seen, at least 1.
+    pub levels: u32,
+    /// Vertices, edges and triangles of the base.
+    pub vertices: u32,
+    pub edges: u32,
+    pub patches: u32,
+    /// The most points besides the base's vertices, and the most triangles: with more the grid is coarser.
+    pub most_points: u32,
+    pub most_triangles: u32,
+}
+impl Tessellation {
+    pub fn new(
+        eye: impl rt::Into<rt::Vec4<f32>>,
+        right: impl rt::Into<rt::Vec4<f32>>,
+        up: impl rt::Into<rt::Vec4<f32>>,
+        forward: impl rt::Into<rt::Vec4<f32>>,
+        planes: impl rt::Into<[rt::Vec4<f32>; 5]>,
+        middle: impl rt::Into<rt::Vec2<f32>>,
+        per_m: impl rt::Into<f32>,
+        per_doubling: impl rt::Into<f32>,
+        near_m: impl rt::Into<f32>,
+        is_parallel: impl rt::Into<u32>,
+        levels: impl rt::Into<u32>,
+        vertices: impl rt::Into<u32>,
+        edges: impl rt::Into<u32>,
+        patches: impl rt::Into<u32>,
+        most_points: impl rt::Into<u32>,
+        most_triangles: impl rt::Into<u32>,
+    ) -> Self {
+        Self { eye: rt::into(eye), right: rt::into(right), up: rt::into(up), forward: rt::into(forward), planes: rt::into(planes), middle: rt::into(middle), per_m: rt::into(per_m), per_doubling: rt::into(per_doubling), near_m: rt::into(near_m), is_parallel: rt::into(is_parallel), levels: rt::into(levels), vertices: rt::into(vertices), edges: rt::into(edges), patches: rt::into(patches), most_points: rt::into(most_points), most_triangles: rt::into(most_triangles) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// A tetrahedron along a ray, in metres from the ray's middle: where the ray is inside, and the weights of the
 /// triangle's corners, in their order, with that of the upper side.
 pub struct Tetrahedron {
@@ -880,6 +1074,23 @@ impl Toward {
         number: impl rt::Into<u32>,
     ) -> Self {
         Self { direction: rt::into(direction), falloff: rt::into(falloff), distance: rt::into(distance), radius: rt::into(radius), number: rt::into(number) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A vertex in grid space.
+pub struct Voxel {
+    /// The voxel that it lies in: right, down and away from the eye.
+    pub at: rt::Vec3<i32>,
+    /// What it counts where points are divided in the picture: the inverse of its depth in perspective.
+    pub share: f32,
+}
+impl Voxel {
+    pub fn new(
+        at: impl rt::Into<rt::Vec3<i32>>,
+        share: impl rt::Into<f32>,
+    ) -> Self {
+        Self { at: rt::into(at), share: rt::into(share) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -938,6 +1149,12 @@ impl WayPoint {
         Self { point: rt::into(point), t: rt::into(t), beside: rt::into(beside), volume: rt::into(volume) }
     }
 }
+#[allow(non_upper_case_globals)]
+pub const COARSEST: rt::Scalar<u32> = rt::Scalar(20u32);
+#[allow(non_upper_case_globals)]
+pub const DICE_INSIDE: rt::Scalar<u32> = rt::Scalar(3u32);
+#[allow(non_upper_case_globals)]
+pub const DICE_PARTS: rt::Scalar<u32> = rt::Scalar(32767u32);
 #[allow(non_upper_case_globals)]
 pub const FOUND_ABOVE: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
@@ -1100,20 +1317,20 @@ impl<'g> Resources<'g> {
         ray_2: Across,
         t_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let c_8 = (t_1 * (rt::Scalar(ray_2.descent) + (t_1 * rt::Scalar(ray_2.along))));
+        let c_11 = (t_1 * (rt::Scalar(ray_2.descent) + (t_1 * rt::Scalar(ray_2.along))));
         let _e7 = self.v_across_discriminant(ray_2, t_1);
         if rt::Scalar::into_branch_condition((!_e7.elementwise_ge(rt::Scalar(0f32)))) {
-            return c_8;
+            return c_11;
         }
-        let b_11 = ((t_1 * rt::Scalar(ray_2.mixed)) - rt::Scalar(ray_2.sine));
+        let b_17 = ((t_1 * rt::Scalar(ray_2.mixed)) - rt::Scalar(ray_2.sine));
         let root = _e7.sqrt();
-        if rt::Scalar::into_branch_condition(b_11.elementwise_lt(rt::Scalar(0f32))) {
-            return ((rt::Scalar(2f32) * c_8) / (root - b_11));
+        if rt::Scalar::into_branch_condition(b_17.elementwise_lt(rt::Scalar(0f32))) {
+            return ((rt::Scalar(2f32) * c_11) / (root - b_17));
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(ray_2.across).elementwise_ne(rt::Scalar(0f32))) {
-            return (((rt::Scalar(0f32) - b_11) - root) / (rt::Scalar(2f32) * rt::Scalar(ray_2.across)));
+            return (((rt::Scalar(0f32) - b_17) - root) / (rt::Scalar(2f32) * rt::Scalar(ray_2.across)));
         }
-        return c_8;
+        return c_11;
     }
     pub(crate) fn traced_scale_m(&self) -> f32 {
         rt::into(self.v_traced_scale_m())
@@ -1376,8 +1593,8 @@ impl<'g> Resources<'g> {
         } else {
             local_1 = rt::Scalar(false);
         }
-        let below_1 = local_1;
-        return rt::Scalar(300000000000000000000000000000000000000f32).select(_e4, below_1);
+        let below_2 = local_1;
+        return rt::Scalar(300000000000000000000000000000000000000f32).select(_e4, below_2);
     }
     pub(crate) fn across_span(
         &self,
@@ -1655,11 +1872,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_3);
         let _e3 = self.v_texels_around(uv_1, _e2);
-        let k_25 = level_3.cast_elem_as_i32();
-        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_25);
-        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_25);
-        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_25);
-        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_25);
+        let k_26 = level_3.cast_elem_as_i32();
+        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_26);
+        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_26);
+        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_26);
+        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_26);
         let _e34 = self.v_bilinear(_e11, _e18, _e25, _e32, _e3.part);
         return _e34;
     }
@@ -1871,11 +2088,11 @@ impl<'g> Resources<'g> {
         let most_2 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).cast_elem_as_f32();
         let corner_3 = point_10.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
         let texel_5 = corner_3.cast_elem_as_i32();
-        let k_26 = level_6.cast_elem_as_i32();
-        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_26);
-        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_26);
-        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_26);
-        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_26);
+        let k_27 = level_6.cast_elem_as_i32();
+        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_27);
+        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_27);
+        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_27);
+        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_27);
         let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_10 - corner_3));
         return _e55.xyz();
     }
@@ -1938,26 +2155,26 @@ impl<'g> Resources<'g> {
         let mut light: rt::Vec3<f32>;
 
         let mean_2 = normal_4.length();
-        let n_8 = normal_4.normalize();
-        let cosine_3 = n_8.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let n_9 = normal_4.normalize();
+        let cosine_3 = n_9.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         let ior = rt::Scalar(self.surface_settings.ior);
         let eta = (rt::Scalar(1f32) / ior);
         let inside_4 = (rt::Scalar(1f32) - ((eta * eta) * (rt::Scalar(1f32) - (cosine_3 * cosine_3)))).max(rt::Scalar(0f32)).sqrt();
         let across_1 = ((cosine_3 - (ior * inside_4)) / (cosine_3 + (ior * inside_4)).max(rt::Scalar(0.000001f32)));
-        let along_15 = (((ior * cosine_3) - inside_4) / ((ior * cosine_3) + inside_4).max(rt::Scalar(0.000001f32)));
-        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_15);
+        let along_16 = (((ior * cosine_3) - inside_4) / ((ior * cosine_3) + inside_4).max(rt::Scalar(0.000001f32)));
+        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_16);
         let reflected = (rt::Scalar(0.5f32) * waves.dot(waves));
         let _e47 = rt::Scalar(self.surface_settings.shininess);
         let lean = ((rt::Scalar(2f32) / (_e47.cast_elem_as_f32() + rt::Scalar(2f32))) + (rt::Scalar(2f32) * (rt::Scalar(1f32) - mean_2).max(rt::Scalar(0f32)))).sqrt();
-        let mirrored = ((n_8 * (rt::Scalar(2f32) * cosine_3)) - view_3);
+        let mirrored = ((n_9 * (rt::Scalar(2f32) * cosine_3)) - view_3);
         let _e67 = self.v_environment_in_lobe(mirrored, (rt::Scalar(2f32) * lean));
         light = (_e67 * reflected);
         let transmission = rt::Scalar(self.surface_settings.transmission);
         let _e73 = light;
-        let _e74 = self.v_environment_on(n_8);
+        let _e74 = self.v_environment_on(n_9);
         light = (_e73 + ((_e74 * color_4) * (rt::Scalar(1f32) - reflected)));
         if rt::Scalar::into_branch_condition(transmission.elementwise_gt(rt::Scalar(0f32))) {
-            let refracted = ((n_8 * ((eta * cosine_3) - inside_4)) - (view_3 * eta));
+            let refracted = ((n_9 * ((eta * cosine_3) - inside_4)) - (view_3 * eta));
             let _e90 = self.v_environment_in_lobe(refracted, ((rt::Scalar(1f32) - eta) * lean));
             let _e91 = light;
             light = (_e91 + (_e90 * (transmission * (rt::Scalar(1f32) - reflected))));
@@ -2039,6 +2256,22 @@ impl<'g> Resources<'g> {
             }
         }
     }
+    pub(crate) fn around_three(
+        &self,
+        place_2: impl rt::Into<rt::Scalar<u32>>,
+        on: impl rt::Into<rt::Scalar<u32>>,
+    ) -> u32 {
+        rt::into(self.v_around_three(rt::into(place_2), rt::into(on)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_around_three(
+        &self,
+        place_2: rt::Scalar<u32>,
+        on: rt::Scalar<u32>,
+    ) -> rt::Scalar<u32> {
+        return ((place_2 + on) % rt::Scalar(3u32));
+    }
     pub(crate) fn base_height(&self) -> f32 {
         rt::into(self.v_base_height())
     }
@@ -2088,18 +2321,18 @@ impl<'g> Resources<'g> {
         let _e16 = self.v_quadratic(way.first, offset);
         let _e18 = self.v_quadratic(way.second, offset);
         let _e20 = self.v_quadratic(way.third, offset);
-        let parts = <rt::Vec3<f32>>::from_scalars(_e16, _e18, _e20);
-        let limited = parts.min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)));
-        let w_2 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
-        let normal_17 = (((prism.n0_ * w_2.x()) + (prism.n1_ * w_2.y())) + (prism.n2_ * w_2.z()));
-        let place_15 = ((((prism.p0_ * w_2.x()) + (prism.p1_ * w_2.y())) + (prism.p2_ * w_2.z())) + (normal_17 * offset));
-        let t_33 = place_15.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let parts_3 = <rt::Vec3<f32>>::from_scalars(_e16, _e18, _e20);
+        let limited = parts_3.min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)));
+        let w_3 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
+        let normal_18 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
+        let place_18 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_18 * offset));
+        let t_33 = place_18.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let second_1 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
         let third = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
-        let volume = (second_1.cross(third).dot(normal_17) * rt::Scalar(way.turn));
-        let _e83 = self.v_lift_of(prism.lift, w_2);
+        let volume = (second_1.cross(third).dot(normal_18) * rt::Scalar(way.turn));
+        let _e83 = self.v_lift_of(prism.lift, w_3);
         let height_8 = (((offset - low) - _e83) / width_1).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        return <WayPoint>::new(<ShellPoint>::new(w_2, height_8), t_33, (place_15 - (along * t_33)).length(), volume);
+        return <WayPoint>::new(<ShellPoint>::new(w_3, height_8), t_33, (place_18 - (along * t_33)).length(), volume);
     }
     pub(crate) fn before_turn(
         &self,
@@ -2179,15 +2412,15 @@ impl<'g> Resources<'g> {
             }
         }
         let room = (rt::Scalar(1f32) - h.x());
-        let above_2 = ((h.y() * h.y()) + ((rt::Scalar(4f32) * h.z()) * room));
-        if rt::Scalar::into_branch_condition(above_2.elementwise_ge(rt::Scalar(0f32))) {
+        let above_3 = ((h.y() * h.y()) + ((rt::Scalar(4f32) * h.z()) * room));
+        if rt::Scalar::into_branch_condition(above_3.elementwise_ge(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(h.y().elementwise_gt(rt::Scalar(0f32))) {
                 let _e51 = exit;
-                exit = _e51.min(((rt::Scalar(2f32) * room) / (h.y() + above_2.sqrt())));
+                exit = _e51.min(((rt::Scalar(2f32) * room) / (h.y() + above_3.sqrt())));
             } else {
                 if rt::Scalar::into_branch_condition(h.z().elementwise_gt(rt::Scalar(0f32))) {
                     let _e62 = exit;
-                    exit = _e62.min(((above_2.sqrt() - h.y()) / (rt::Scalar(2f32) * h.z())));
+                    exit = _e62.min(((above_3.sqrt() - h.y()) / (rt::Scalar(2f32) * h.z())));
                 }
             }
         }
@@ -2197,18 +2430,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn ordered(
         &self,
         pixel: PixelIn,
-        place_2: impl rt::Into<rt::Scalar<u32>>,
+        place_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> Corner {
-        rt::into(self.v_ordered(pixel, rt::into(place_2)))
+        rt::into(self.v_ordered(pixel, rt::into(place_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ordered(
         &self,
         pixel: PixelIn,
-        place_2: rt::Scalar<u32>,
+        place_3: rt::Scalar<u32>,
     ) -> Corner {
-        let corner_4 = ((rt::Scalar(pixel.shell.order) >> (rt::Scalar(2u32) * place_2)) & rt::Scalar(3u32));
+        let corner_4 = ((rt::Scalar(pixel.shell.order) >> (rt::Scalar(2u32) * place_3)) & rt::Scalar(3u32));
         if rt::Scalar::into_branch_condition(corner_4.elementwise_eq(rt::Scalar(0u32))) {
             return pixel.a;
         }
@@ -2272,8 +2505,8 @@ impl<'g> Resources<'g> {
         let _e21 = self.v_height_size(rt::Scalar(0u32));
         let apart = (_e19 * _e21).abs();
         let bend_3 = (rt::Scalar(2f32) * ((rt::Scalar(a_1.height) + rt::Scalar(b_1.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
-        let slope_4 = ((rt::Scalar(b_1.height) - rt::Scalar(a_1.height)) - bend_3);
-        let height_9 = (rt::Scalar(a_1.height) + (part_1 * (slope_4 + (part_1 * bend_3))));
+        let slope_5 = ((rt::Scalar(b_1.height) - rt::Scalar(a_1.height)) - bend_3);
+        let height_9 = (rt::Scalar(a_1.height) + (part_1 * (slope_5 + (part_1 * bend_3))));
         return apart.x().max(apart.y()).max(((rt::Scalar(at_10.height) - height_9).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn beside_way(
@@ -2301,8 +2534,8 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_uv_of(pixel_3, (at_11.point.weights - line_1));
         let _e31 = self.v_height_size(rt::Scalar(0u32));
         let apart_1 = (_e29 * _e31).abs();
-        let slope_5 = ((rt::Scalar(b_2.point.height) - rt::Scalar(a_2.point.height)) - bend_1);
-        let height_10 = (rt::Scalar(a_2.point.height) + (part_8 * (slope_5 + (part_8 * bend_1))));
+        let slope_6 = ((rt::Scalar(b_2.point.height) - rt::Scalar(a_2.point.height)) - bend_1);
+        let height_10 = (rt::Scalar(a_2.point.height) + (part_8 * (slope_6 + (part_8 * bend_1))));
         return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_11.point.height) - height_10).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn between(&self, a_3: ShellPoint, b_3: ShellPoint) -> ShellPoint {
@@ -2365,15 +2598,15 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_27 = level_8.cast_elem_as_i32();
+        let k_28 = level_8.cast_elem_as_i32();
         let _e6 = self.v_wrap_index(cell.x(), _e2.x());
         let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
         let _e14 = self.v_wrap_index(cell.y(), _e2.y());
         let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_27));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_27));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_27));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_27));
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_28));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_28));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_28));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_28));
         return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
     }
     pub(crate) fn height_at(
@@ -2513,12 +2746,12 @@ impl<'g> Resources<'g> {
         t_8: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let bx = (h_1.y() - h_1.x());
-        let by = (h_1.z() - h_1.x());
+        let by_1 = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_95 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
+        let at_97 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
         let z = (path_4.h.x() + (t_8 * (path_4.h.y() + (t_8 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_8) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_95.x())) + (by * at_95.y())) + ((twist * at_95.x()) * at_95.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_95.x() * grid_1.step.y()) + (at_95.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_97.x())) + (by_1 * at_97.y())) + ((twist * at_97.x()) * at_97.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_97.x() * grid_1.step.y()) + (at_97.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -2707,9 +2940,9 @@ impl<'g> Resources<'g> {
             }
             return interval_1;
         }
-        let a_11 = ((rt::Scalar(0f32) - x0_) / dx);
-        let b_12 = ((rt::Scalar(1f32) - x0_) / dx);
-        return <rt::Vec2<f32>>::from_scalars(interval_1.x().max(a_11.min(b_12)), interval_1.y().min(a_11.max(b_12)));
+        let a_17 = ((rt::Scalar(0f32) - x0_) / dx);
+        let b_18 = ((rt::Scalar(1f32) - x0_) / dx);
+        return <rt::Vec2<f32>>::from_scalars(interval_1.x().max(a_17.min(b_18)), interval_1.y().min(a_17.max(b_18)));
     }
     pub(crate) fn path_from(
         &self,
@@ -2828,20 +3061,20 @@ impl<'g> Resources<'g> {
                     let _e48 = cell_6;
                     let _e49 = t_11;
                     let _e50 = self.v_cell_gap(path_9, _e3, _e48, _e49);
-                    let below_2 = (<rt::Vec3<f32>>::from_scalars(_e34, rt::Scalar(0f32), rt::Scalar(0f32)) - _e50);
-                    if rt::Scalar::into_branch_condition((!below_2.x().elementwise_gt(rt::Scalar(0f32)))) {
+                    let below_3 = (<rt::Vec3<f32>>::from_scalars(_e34, rt::Scalar(0f32), rt::Scalar(0f32)) - _e50);
+                    if rt::Scalar::into_branch_condition((!below_3.x().elementwise_gt(rt::Scalar(0f32)))) {
                         let _e56 = t_11;
                         return _e56;
                     }
                     let _e57 = t_11;
                     let span_5 = (end_2 - _e57).max(rt::Scalar(0f32));
-                    let _e61 = self.v_first_root(below_2, span_5);
+                    let _e61 = self.v_first_root(below_3, span_5);
                     if rt::Scalar::into_branch_condition(_e61.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e64 = t_11;
                         return (_e64 + _e61);
                     }
                     if rt::Scalar::into_branch_condition(is_near) {
-                        let _e68 = self.v_quadratic(below_2, span_5);
+                        let _e68 = self.v_quadratic(below_3, span_5);
                         local_12 = _e68.elementwise_gt((_e34 + _e4));
                     } else {
                         local_12 = rt::Scalar(false);
@@ -2896,7 +3129,7 @@ impl<'g> Resources<'g> {
         let _e16 = self.v_uv_of(pixel_5, a_4.weights);
         let _e18 = self.v_uv_of(pixel_5, b_4.weights);
         let duv_4 = ((_e18 - _e16) / rt::Vec2::splat_from_scalar(long));
-        let slope_6 = ((rt::Scalar(b_4.height) - rt::Scalar(a_4.height)) - bend_2);
+        let slope_7 = ((rt::Scalar(b_4.height) - rt::Scalar(a_4.height)) - bend_2);
         let _e26 = self.v_shell_slack(pixel_5, middle_1);
         let change_2 = ((b_4.weights - a_4.weights) / rt::Vec3::splat_from_scalar(long));
         inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_5)), long);
@@ -2919,7 +3152,7 @@ impl<'g> Resources<'g> {
             inside = _e69;
         }
         let _e76 = inside.y();
-        path_10 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_4.height), (slope_6 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_13.metric, RAY_VIEW, rt::Scalar(at_13.level), (middle_1 + first_5), (rt::Scalar(1f32) / rt::Scalar(at_13.segments).cast_elem_as_f32()));
+        path_10 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_4.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_13.metric, RAY_VIEW, rt::Scalar(at_13.level), (middle_1 + first_5), (rt::Scalar(1f32) / rt::Scalar(at_13.segments).cast_elem_as_f32()));
         let _e89 = inside.y();
         let _e91 = inside.x();
         if rt::Scalar::into_branch_condition((!_e89.elementwise_gt(_e91))) {
@@ -2932,13 +3165,13 @@ impl<'g> Resources<'g> {
         let _e100 = self.v_path_from(_e97, _e99);
         path_10 = _e100;
         let _e103 = path_10.h.x();
-        let above_3 = (_e103 - heights_1.y());
-        if rt::Scalar::into_branch_condition(above_3.elementwise_gt(rt::Scalar(0f32))) {
+        let above_4 = (_e103 - heights_1.y());
+        if rt::Scalar::into_branch_condition(above_4.elementwise_gt(rt::Scalar(0f32))) {
             let _e108 = path_10;
             let _e111 = path_10.h.y();
             let _e114 = path_10.h.z();
             let _e117 = rt::Scalar(path_10.exit);
-            let _e118 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_3, _e111, _e114), _e117);
+            let _e118 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_4, _e111, _e114), _e117);
             let _e120 = rt::Scalar(path_10.exit);
             let _e122 = self.v_path_from(_e108, _e118.min(_e120));
             path_10 = _e122;
@@ -3114,11 +3347,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_10);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_28 = level_10.cast_elem_as_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_28));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_28));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_28));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_28));
+        let k_29 = level_10.cast_elem_as_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_29));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_29));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_29));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_29));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -3182,28 +3415,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_texel(
         &self,
         path_11: Path,
-        place_3: impl rt::Into<rt::Vec2<i32>>,
+        place_4: impl rt::Into<rt::Vec2<i32>>,
         layer_1: impl rt::Into<rt::Scalar<i32>>,
         level_11: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel(path_11, rt::into(place_3), rt::into(layer_1), rt::into(level_11)))
+        rt::into(self.v_search_texel(path_11, rt::into(place_4), rt::into(layer_1), rt::into(level_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_search_texel(
         &self,
         path_11: Path,
-        place_3: rt::Vec2<i32>,
+        place_4: rt::Vec2<i32>,
         layer_1: rt::Scalar<i32>,
         level_11: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(path_11.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_3, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
+            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_4, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
             let _e12 = self.surface_settings.maps[2usize];
             let _e13 = self.v_decoded(texel_7, _e12);
             return _e13;
         }
-        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_3, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
+        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_4, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
         let _e19 = self.surface_settings.maps[1usize];
         let _e20 = self.v_decoded(_e15, _e19);
         return _e20;
@@ -3223,9 +3456,9 @@ impl<'g> Resources<'g> {
         texel_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let _e3 = self.v_height_texels(rt::Scalar(path_12.level));
-        let place_16 = texel_1.cast_elem_as_i32();
-        let _e7 = self.v_wrap_index(place_16.x(), _e3.x());
-        let _e10 = self.v_wrap_index(place_16.y(), _e3.y());
+        let place_19 = texel_1.cast_elem_as_i32();
+        let _e7 = self.v_wrap_index(place_19.x(), _e3.x());
+        let _e10 = self.v_wrap_index(place_19.y(), _e3.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e7, _e10);
         let _e15 = self.v_search_texel(path_12, wrapped, rt::Scalar(0i32), rt::Scalar(path_12.level).cast_elem_as_i32());
         let _e17 = self.v_slope_of(_e15.x());
@@ -3245,9 +3478,9 @@ impl<'g> Resources<'g> {
         heights: rt::Vec4<f32>,
         corner: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let above_4 = heights.x().select(heights.y(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
-        let below_3 = heights.z().select(heights.w(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
-        return above_4.select(below_3, corner.y().elementwise_gt(rt::Scalar(0.5f32)));
+        let above_5 = heights.x().select(heights.y(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
+        let below_4 = heights.z().select(heights.w(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
+        return above_5.select(below_4, corner.y().elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn plane_distance(
         &self,
@@ -3310,8 +3543,8 @@ impl<'g> Resources<'g> {
         direction_4: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
         let aside_3 = (origin + (direction_4 * t_12));
-        let along_16 = (normal_8.dot(aside_3) / normal_8.dot(pixel_11.direction));
-        let _e15 = self.v_climb(at_16, (aside_3 - (pixel_11.direction * along_16)));
+        let along_17 = (normal_8.dot(aside_3) / normal_8.dot(pixel_11.direction));
+        let _e15 = self.v_climb(at_16, (aside_3 - (pixel_11.direction * along_17)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.cast_elem_as_f32());
     }
@@ -3330,19 +3563,19 @@ impl<'g> Resources<'g> {
         at_17: Entered,
         anisotropy: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let normal_18 = at_17.facing;
-        let _e4 = self.v_plane_distance(pixel_12, normal_18);
+        let normal_19 = at_17.facing;
+        let _e4 = self.v_plane_distance(pixel_12, normal_19);
         let _e7 = self.frame.eye_right;
         let _e11 = self.frame.right;
-        let _e13 = self.v_footprint_axis(pixel_12, at_17, normal_18, _e4, _e7.xyz(), _e11.xyz());
+        let _e13 = self.v_footprint_axis(pixel_12, at_17, normal_19, _e4, _e7.xyz(), _e11.xyz());
         let _e16 = self.frame.eye_down;
         let _e20 = self.frame.down;
-        let _e22 = self.v_footprint_axis(pixel_12, at_17, normal_18, _e4, _e16.xyz(), _e20.xyz());
+        let _e22 = self.v_footprint_axis(pixel_12, at_17, normal_19, _e4, _e16.xyz(), _e20.xyz());
         let both = <rt::Vec4<f32>>::new_22(_e13, _e22);
-        let sum_1 = both.dot(both);
+        let sum_2 = both.dot(both);
         let area_1 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
-        let apart_2 = ((sum_1 - (rt::Scalar(2f32) * area_1)) * (sum_1 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
-        let longer = (rt::Scalar(0.5f32) * (sum_1 + apart_2));
+        let apart_2 = ((sum_2 - (rt::Scalar(2f32) * area_1)) * (sum_2 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
+        let longer = (rt::Scalar(0.5f32) * (sum_2 + apart_2));
         let shorter = ((area_1 * area_1) / longer);
         let squared_1 = shorter.max((longer / (anisotropy * anisotropy)));
         let _e53 = rt::Scalar(self.frame.sample_width);
@@ -3370,8 +3603,8 @@ impl<'g> Resources<'g> {
         let part_9 = ((begin_3 - _e8) / (begin_3 - params_7.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
         let _e20 = self.v_levels_of((_e4 / params_7.y()), _e19);
-        let level_25 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_25, _e4, part_9.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        let level_27 = rt::Scalar(_e20.fine);
+        return <Detail>::new(level_27, _e4, part_9.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
     }
     pub(crate) fn detail_footprint(
         &self,
@@ -3438,21 +3671,21 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn detail_texel(
         &self,
-        place_4: impl rt::Into<rt::Vec2<i32>>,
+        place_5: impl rt::Into<rt::Vec2<i32>>,
         layer_2: impl rt::Into<rt::Scalar<i32>>,
         level_12: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel(rt::into(place_4), rt::into(layer_2), rt::into(level_12)))
+        rt::into(self.v_detail_texel(rt::into(place_5), rt::into(layer_2), rt::into(level_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_texel(
         &self,
-        place_4: rt::Vec2<i32>,
+        place_5: rt::Vec2<i32>,
         layer_2: rt::Scalar<i32>,
         level_12: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_4, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_12));
+        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_5, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_12));
         let _e8 = self.surface_settings.maps[0usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -3475,65 +3708,750 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_13);
         let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_29 = (level_13 - SEEN_FIRST_LEVEL).cast_elem_as_i32();
-        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_29);
-        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_29);
-        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_29);
-        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_29);
+        let k_30 = (level_13 - SEEN_FIRST_LEVEL).cast_elem_as_i32();
+        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_30);
+        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_30);
+        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_30);
+        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_30);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e4.part);
         return _e33;
+    }
+    pub(crate) fn one_of(
+        &self,
+        numbers: impl rt::Into<rt::Vec3<u32>>,
+        place_6: impl rt::Into<rt::Scalar<u32>>,
+    ) -> u32 {
+        rt::into(self.v_one_of(rt::into(numbers), rt::into(place_6)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_one_of(
+        &self,
+        numbers: rt::Vec3<u32>,
+        place_6: rt::Scalar<u32>,
+    ) -> rt::Scalar<u32> {
+        return numbers.z().select(numbers.y(), place_6.elementwise_eq(rt::Scalar(1u32))).select(numbers.x(), place_6.elementwise_eq(rt::Scalar(0u32)));
+    }
+    pub(crate) fn dice_border(
+        &self,
+        rows: DiceRows,
+        side: impl rt::Into<rt::Scalar<u32>>,
+        at_22: impl rt::Into<rt::Scalar<u32>>,
+    ) -> DicePoint {
+        rt::into(self.v_dice_border(rows, rt::into(side), rt::into(at_22)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_dice_border(
+        &self,
+        rows: DiceRows,
+        side: rt::Scalar<u32>,
+        at_22: rt::Scalar<u32>,
+    ) -> DicePoint {
+        let _e4 = self.v_one_of(rows.sides, side);
+        let _e6 = self.v_one_of(rows.parts, side);
+        let on_side = at_22.select((_e6 - at_22), side.elementwise_eq(rt::Scalar(2u32)));
+        let no_weights = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(on_side.elementwise_eq(_e6)) {
+            let _e17 = self.v_around_three(_e4, rt::Scalar(1u32));
+            return <DicePoint>::new(_e17, rt::Scalar(0u32), no_weights);
+        }
+        return <DicePoint>::new(_e4, on_side, no_weights);
+    }
+    pub(crate) fn dice_guess(
+        &self,
+        rows_1: DiceRows,
+        before: impl rt::Into<rt::Scalar<u32>>,
+        all: impl rt::Into<rt::Scalar<u32>>,
+    ) -> u32 {
+        rt::into(self.v_dice_guess(rows_1, rt::into(before), rt::into(all)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_dice_guess(
+        &self,
+        rows_1: DiceRows,
+        before: rt::Scalar<u32>,
+        all: rt::Scalar<u32>,
+    ) -> rt::Scalar<u32> {
+        let part_10 = ((before.cast_elem_as_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).cast_elem_as_f32()).sqrt();
+        return (part_10 * rt::Scalar(rows_1.count).cast_elem_as_f32()).cast_elem_as_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_1.count) - rt::Scalar(1u32)));
+    }
+    pub(crate) fn sum_of_quotients(
+        &self,
+        count_1: impl rt::Into<rt::Scalar<u32>>,
+        by: impl rt::Into<rt::Scalar<u32>>,
+        slope: impl rt::Into<rt::Scalar<u32>>,
+        offset_1: impl rt::Into<rt::Scalar<u32>>,
+    ) -> u32 {
+        rt::into(self.v_sum_of_quotients(rt::into(count_1), rt::into(by), rt::into(slope), rt::into(offset_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_sum_of_quotients(
+        &self,
+        count_1: rt::Scalar<u32>,
+        by: rt::Scalar<u32>,
+        slope: rt::Scalar<u32>,
+        offset_1: rt::Scalar<u32>,
+    ) -> rt::Scalar<u32> {
+        let mut n_3: rt::Scalar<u32>;
+        let mut m_2: rt::Scalar<u32>;
+        let mut a_7: rt::Scalar<u32>;
+        let mut b_7: rt::Scalar<u32>;
+        let mut sum_1: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        n_3 = count_1;
+        m_2 = by;
+        a_7 = slope;
+        b_7 = offset_1;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e10 = n_3;
+                if rt::Scalar::into_branch_condition(_e10.elementwise_gt(rt::Scalar(0u32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e13 = sum_1;
+                    let _e14 = n_3;
+                    let _e15 = n_3;
+                    let _e21 = a_7;
+                    let _e22 = m_2;
+                    let _e26 = n_3;
+                    let _e27 = b_7;
+                    let _e28 = m_2;
+                    sum_1 = ((_e13 + (((_e14 * (_e15 - rt::Scalar(1u32))) / rt::Scalar(2u32)) * (_e21 / _e22))) + (_e26 * (_e27 / _e28)));
+                    let _e32 = a_7;
+                    let _e33 = m_2;
+                    a_7 = (_e32 % _e33);
+                    let _e35 = b_7;
+                    let _e36 = m_2;
+                    b_7 = (_e35 % _e36);
+                    let _e38 = a_7;
+                    let _e39 = n_3;
+                    let _e41 = b_7;
+                    let last_3 = ((_e38 * _e39) + _e41);
+                    let _e43 = m_2;
+                    n_3 = (last_3 / _e43);
+                    let _e45 = m_2;
+                    b_7 = (last_3 % _e45);
+                    let swapped = m_2;
+                    let _e48 = a_7;
+                    m_2 = _e48.max(rt::Scalar(1u32));
+                    a_7 = swapped;
+                }
+            }
+        }
+        let _e51 = sum_1;
+        return _e51;
+    }
+    pub(crate) fn dice_parts_before(
+        &self,
+        rows_2: DiceRows,
+        count_2: impl rt::Into<rt::Scalar<u32>>,
+    ) -> u32 {
+        rt::into(self.v_dice_parts_before(rows_2, rt::into(count_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_dice_parts_before(
+        &self,
+        rows_2: DiceRows,
+        count_2: rt::Scalar<u32>,
+    ) -> rt::Scalar<u32> {
+        let _e9 = self.v_sum_of_quotients(count_2, rt::Scalar(rows_2.count), rows_2.parts.y(), (rows_2.parts.y() - rt::Scalar(1u32)));
+        return _e9;
+    }
+    pub(crate) fn dice_points_before(
+        &self,
+        rows_3: DiceRows,
+        row: impl rt::Into<rt::Scalar<u32>>,
+    ) -> u32 {
+        rt::into(self.v_dice_points_before(rows_3, rt::into(row)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_dice_points_before(
+        &self,
+        rows_3: DiceRows,
+        row: rt::Scalar<u32>,
+    ) -> rt::Scalar<u32> {
+        let _e4 = self.v_dice_parts_before(rows_3, (row - rt::Scalar(1u32)));
+        return _e4;
+    }
+    pub(crate) fn dice_points(&self, rows_4: DiceRows) -> u32 {
+        rt::into(self.v_dice_points(rows_4))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_dice_points(&self, rows_4: DiceRows) -> rt::Scalar<u32> {
+        let _e2 = self.v_dice_points_before(rows_4, rt::Scalar(rows_4.count));
+        return _e2;
+    }
+    pub(crate) fn dice_row_of_point(
+        &self,
+        rows_5: DiceRows,
+        number: impl rt::Into<rt::Scalar<u32>>,
+    ) -> u32 {
+        rt::into(self.v_dice_row_of_point(rows_5, rt::into(number)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_dice_row_of_point(
+        &self,
+        rows_5: DiceRows,
+        number: rt::Scalar<u32>,
+    ) -> rt::Scalar<u32> {
+        let mut row_1: rt::Scalar<u32>;
+
+        let _e2 = self.v_dice_points(rows_5);
+        let _e3 = self.v_dice_guess(rows_5, number, _e2);
+        row_1 = _e3.max(rt::Scalar(1u32));
+        'naga_break: loop {
+            'naga_continue: {
+                let _e7 = row_1;
+                let _e8 = self.v_dice_points_before(rows_5, _e7);
+                if rt::Scalar::into_branch_condition(_e8.elementwise_gt(number)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e10 = row_1;
+                    row_1 = (_e10 - rt::Scalar(1u32));
+                }
+            }
+        }
+        'naga_break: loop {
+            'naga_continue: {
+                let _e13 = row_1;
+                let _e16 = self.v_dice_points_before(rows_5, (_e13 + rt::Scalar(1u32)));
+                if rt::Scalar::into_branch_condition(_e16.elementwise_le(number)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e18 = row_1;
+                    row_1 = (_e18 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e21 = row_1;
+        return _e21;
+    }
+    pub(crate) fn dice_place(
+        &self,
+        rows_6: DiceRows,
+        number_1: impl rt::Into<rt::Scalar<u32>>,
+    ) -> DicePlace {
+        rt::into(self.v_dice_place(rows_6, rt::into(number_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_dice_place(
+        &self,
+        rows_6: DiceRows,
+        number_1: rt::Scalar<u32>,
+    ) -> DicePlace {
+        let _e2 = self.v_dice_row_of_point(rows_6, number_1);
+        let _e3 = self.v_dice_points_before(rows_6, _e2);
+        return <DicePlace>::new(_e2, ((number_1 - _e3) + rt::Scalar(1u32)));
+    }
+    pub(crate) fn dice_share(
+        &self,
+        rows_7: DiceRows,
+        row_2: impl rt::Into<rt::Scalar<u32>>,
+        parts: impl rt::Into<rt::Scalar<u32>>,
+    ) -> u32 {
+        rt::into(self.v_dice_share(rows_7, rt::into(row_2), rt::into(parts)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_dice_share(
+        &self,
+        rows_7: DiceRows,
+        row_2: rt::Scalar<u32>,
+        parts: rt::Scalar<u32>,
+    ) -> rt::Scalar<u32> {
+        return ((((row_2 * parts) + rt::Scalar(rows_7.count)) - rt::Scalar(1u32)) / rt::Scalar(rows_7.count));
+    }
+    pub(crate) fn dice_row_parts(
+        &self,
+        rows_8: DiceRows,
+        row_3: impl rt::Into<rt::Scalar<u32>>,
+    ) -> u32 {
+        rt::into(self.v_dice_row_parts(rows_8, rt::into(row_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_dice_row_parts(
+        &self,
+        rows_8: DiceRows,
+        row_3: rt::Scalar<u32>,
+    ) -> rt::Scalar<u32> {
+        let _e4 = self.v_dice_share(rows_8, row_3, rows_8.parts.y());
+        return _e4;
+    }
+    pub(crate) fn dice_point(&self, rows_9: DiceRows, place_7: DicePlace) -> DicePoint {
+        rt::into(self.v_dice_point(rows_9, place_7))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_dice_point(&self, rows_9: DiceRows, place_7: DicePlace) -> DicePoint {
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_7.row).elementwise_eq(rt::Scalar(0u32))) {
+            let _e7 = self.v_dice_border(rows_9, rt::Scalar(0u32), rt::Scalar(0u32));
+            return _e7;
+        }
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_7.row).elementwise_eq(rt::Scalar(rows_9.count))) {
+            let _e13 = self.v_dice_border(rows_9, rt::Scalar(1u32), rt::Scalar(place_7.at));
+            return _e13;
+        }
+        let _e15 = self.v_dice_row_parts(rows_9, rt::Scalar(place_7.row));
+        let _e19 = self.v_dice_share(rows_9, rt::Scalar(place_7.row), rows_9.parts.x());
+        let _e23 = self.v_dice_share(rows_9, rt::Scalar(place_7.row), rows_9.parts.z());
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_7.at).elementwise_eq(rt::Scalar(0u32))) {
+            let _e28 = self.v_dice_border(rows_9, rt::Scalar(0u32), _e19);
+            return _e28;
+        }
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_7.at).elementwise_eq(_e15)) {
+            let _e32 = self.v_dice_border(rows_9, rt::Scalar(2u32), _e23);
+            return _e32;
+        }
+        let on_short = (((_e15 - rt::Scalar(place_7.at)).cast_elem_as_f32() / _e15.cast_elem_as_f32()) * (_e19.cast_elem_as_f32() / rows_9.parts.x().cast_elem_as_f32()));
+        let on_other = ((rt::Scalar(place_7.at).cast_elem_as_f32() / _e15.cast_elem_as_f32()) * (_e23.cast_elem_as_f32() / rows_9.parts.z().cast_elem_as_f32()));
+        let on_corner = ((rt::Scalar(1f32) - on_short) - on_other);
+        let x_1 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(0u32)));
+        let y = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(1u32)));
+        let z_1 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(2u32)));
+        let _e88 = self.v_dice_points_before(rows_9, rt::Scalar(place_7.row));
+        let number_14 = ((_e88 + rt::Scalar(place_7.at)) - rt::Scalar(1u32));
+        return <DicePoint>::new(DICE_INSIDE, number_14, <rt::Vec3<f32>>::from_scalars(x_1, y, z_1));
+    }
+    pub(crate) fn dice_triangles_before(
+        &self,
+        rows_10: DiceRows,
+        row_4: impl rt::Into<rt::Scalar<u32>>,
+    ) -> u32 {
+        rt::into(self.v_dice_triangles_before(rows_10, rt::into(row_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_dice_triangles_before(
+        &self,
+        rows_10: DiceRows,
+        row_4: rt::Scalar<u32>,
+    ) -> rt::Scalar<u32> {
+        let _e4 = self.v_dice_share(rows_10, row_4, rows_10.parts.x());
+        let _e7 = self.v_dice_share(rows_10, row_4, rows_10.parts.z());
+        let ends_1 = (_e4 + _e7);
+        let _e10 = self.v_dice_parts_before(rows_10, row_4);
+        let _e13 = self.v_dice_row_parts(rows_10, row_4);
+        return (((rt::Scalar(2u32) * _e10) + ends_1) - _e13);
+    }
+    pub(crate) fn dice_triangles(&self, rows_11: DiceRows) -> u32 {
+        rt::into(self.v_dice_triangles(rows_11))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_dice_triangles(&self, rows_11: DiceRows) -> rt::Scalar<u32> {
+        let _e2 = self.v_dice_triangles_before(rows_11, rt::Scalar(rows_11.count));
+        return _e2;
+    }
+    pub(crate) fn dice_row_of_triangle(
+        &self,
+        rows_12: DiceRows,
+        number_2: impl rt::Into<rt::Scalar<u32>>,
+    ) -> u32 {
+        rt::into(self.v_dice_row_of_triangle(rows_12, rt::into(number_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_dice_row_of_triangle(
+        &self,
+        rows_12: DiceRows,
+        number_2: rt::Scalar<u32>,
+    ) -> rt::Scalar<u32> {
+        let mut row_5: rt::Scalar<u32>;
+
+        let _e2 = self.v_dice_triangles(rows_12);
+        let _e3 = self.v_dice_guess(rows_12, number_2, _e2);
+        row_5 = _e3;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e5 = row_5;
+                let _e6 = self.v_dice_triangles_before(rows_12, _e5);
+                if rt::Scalar::into_branch_condition(_e6.elementwise_gt(number_2)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e8 = row_5;
+                    row_5 = (_e8 - rt::Scalar(1u32));
+                }
+            }
+        }
+        'naga_break: loop {
+            'naga_continue: {
+                let _e11 = row_5;
+                let _e14 = self.v_dice_triangles_before(rows_12, (_e11 + rt::Scalar(1u32)));
+                if rt::Scalar::into_branch_condition(_e14.elementwise_le(number_2)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e16 = row_5;
+                    row_5 = (_e16 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e19 = row_5;
+        return (_e19 + rt::Scalar(1u32));
+    }
+    pub(crate) fn dice_rows(&self, parts_1: impl rt::Into<rt::Vec3<u32>>) -> DiceRows {
+        rt::into(self.v_dice_rows(rt::into(parts_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_dice_rows(&self, parts_1: rt::Vec3<u32>) -> DiceRows {
+        let mut local_21: rt::Scalar<bool>;
+
+        let of_last = rt::Scalar(2u32).select(rt::Scalar(1u32), parts_1.y().elementwise_le(parts_1.z()));
+        if rt::Scalar::into_branch_condition(parts_1.x().elementwise_le(parts_1.y())) {
+            local_21 = parts_1.x().elementwise_le(parts_1.z());
+        } else {
+            local_21 = rt::Scalar(false);
+        }
+        let _e17 = local_21;
+        let short = of_last.select(rt::Scalar(0u32), _e17);
+        let _e20 = self.v_around_three(short, rt::Scalar(2u32));
+        let _e22 = self.v_around_three(short, rt::Scalar(1u32));
+        let sides = <rt::Vec3<u32>>::from_scalars(_e20, short, _e22);
+        let _e25 = self.v_one_of(parts_1, sides.x());
+        let _e27 = self.v_one_of(parts_1, sides.y());
+        let _e29 = self.v_one_of(parts_1, sides.z());
+        let sorted = <rt::Vec3<u32>>::from_scalars(_e25, _e27, _e29);
+        return <DiceRows>::new(sides, sorted, sorted.x().max(sorted.z()));
+    }
+    pub(crate) fn dice_steps_below(
+        &self,
+        above: impl rt::Into<rt::Scalar<u32>>,
+        below: impl rt::Into<rt::Scalar<u32>>,
+        steps: impl rt::Into<rt::Scalar<u32>>,
+    ) -> u32 {
+        rt::into(self.v_dice_steps_below(rt::into(above), rt::into(below), rt::into(steps)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_dice_steps_below(
+        &self,
+        above: rt::Scalar<u32>,
+        below: rt::Scalar<u32>,
+        steps: rt::Scalar<u32>,
+    ) -> rt::Scalar<u32> {
+        let mut j: rt::Scalar<u32>;
+        let mut local_22: rt::Scalar<bool>;
+        let mut local_23: rt::Scalar<bool>;
+
+        let least = rt::Scalar(0u32).select((steps - above), steps.elementwise_gt(above));
+        let most_4 = below.min(steps);
+        j = (((((rt::Scalar(2u32) * steps) * below) + above) + below) / (rt::Scalar(2u32) * (above + below))).clamp(least, most_4);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e19 = j;
+                if rt::Scalar::into_branch_condition(_e19.elementwise_gt(least)) {
+                    let _e24 = j;
+                    let _e30 = j;
+                    local_22 = (((rt::Scalar(2u32) * _e24) - rt::Scalar(1u32)) * above).elementwise_gt((((rt::Scalar(2u32) * (steps - _e30)) + rt::Scalar(1u32)) * below));
+                } else {
+                    local_22 = rt::Scalar(false);
+                }
+                let _e38 = local_22;
+                if rt::Scalar::into_branch_condition(_e38) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e39 = j;
+                    j = (_e39 - rt::Scalar(1u32));
+                }
+            }
+        }
+        'naga_break: loop {
+            'naga_continue: {
+                let _e42 = j;
+                if rt::Scalar::into_branch_condition(_e42.elementwise_lt(most_4)) {
+                    let _e47 = j;
+                    let _e53 = j;
+                    local_23 = (((rt::Scalar(2u32) * _e47) + rt::Scalar(1u32)) * above).elementwise_le((((rt::Scalar(2u32) * (steps - _e53)) - rt::Scalar(1u32)) * below));
+                } else {
+                    local_23 = rt::Scalar(false);
+                }
+                let _e61 = local_23;
+                if rt::Scalar::into_branch_condition(_e61) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e62 = j;
+                    j = (_e62 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e65 = j;
+        return _e65;
+    }
+    pub(crate) fn dice_triangle(
+        &self,
+        rows_13: DiceRows,
+        number_3: impl rt::Into<rt::Scalar<u32>>,
+    ) -> DiceTriangle {
+        rt::into(self.v_dice_triangle(rows_13, rt::into(number_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_dice_triangle(
+        &self,
+        rows_13: DiceRows,
+        number_3: rt::Scalar<u32>,
+    ) -> DiceTriangle {
+        let mut local_24: rt::Scalar<bool>;
+
+        let _e2 = self.v_dice_row_of_triangle(rows_13, number_3);
+        let _e5 = self.v_dice_row_parts(rows_13, (_e2 - rt::Scalar(1u32)));
+        let _e6 = self.v_dice_row_parts(rows_13, _e2);
+        if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(1u32))) {
+            let _e15 = self.v_dice_share(rows_13, (_e2 - rt::Scalar(1u32)), rows_13.parts.x());
+            let _e18 = self.v_dice_share(rows_13, _e2, rows_13.parts.x());
+            local_24 = _e15.elementwise_eq(_e18);
+        } else {
+            local_24 = rt::Scalar(false);
+        }
+        let is_shared = local_24;
+        let _e24 = self.v_dice_triangles_before(rows_13, (_e2 - rt::Scalar(1u32)));
+        let step_4 = ((number_3 - _e24) + rt::Scalar(0u32).select(rt::Scalar(1u32), is_shared));
+        let _e30 = self.v_dice_steps_below(_e5, _e6, step_4);
+        let i_2 = (step_4 - _e30);
+        let _e34 = self.v_dice_steps_below(_e5, _e6, (step_4 + rt::Scalar(1u32)));
+        let goes_below = _e34.elementwise_gt(_e30);
+        let next_7 = <DicePlace>::new((_e2 - rt::Scalar(1u32)).select(_e2, goes_below), (i_2 + rt::Scalar(1u32)).select((_e30 + rt::Scalar(1u32)), goes_below));
+        return <DiceTriangle>::new(<DicePlace>::new((_e2 - rt::Scalar(1u32)), i_2), <DicePlace>::new(_e2, _e30), next_7);
+    }
+    pub(crate) fn displaced_derivative(
+        &self,
+        along_3: impl rt::Into<rt::Vec3<f32>>,
+        up: impl rt::Into<rt::Vec3<f32>>,
+        rise: impl rt::Into<rt::Vec3<f32>>,
+        turned: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_displaced_derivative(rt::into(along_3), rt::into(up), rt::into(rise), rt::into(turned)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_displaced_derivative(
+        &self,
+        along_3: rt::Vec3<f32>,
+        up: rt::Vec3<f32>,
+        rise: rt::Vec3<f32>,
+        turned: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        return (((along_3 - (up * up.dot(along_3))) + rise) + turned);
+    }
+    pub(crate) fn log2_of(&self, number_4: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_log2_of(rt::into(number_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_log2_of(&self, number_4: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let mut rest_1: rt::Scalar<f32>;
+        let mut exponent: rt::Scalar<f32> = rt::Scalar(0f32);
+
+        rest_1 = number_4;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e4 = rest_1;
+                if rt::Scalar::into_branch_condition(_e4.elementwise_gt(rt::Scalar(1.4142135f32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e7 = rest_1;
+                    rest_1 = (_e7 * rt::Scalar(0.5f32));
+                    let _e10 = exponent;
+                    exponent = (_e10 + rt::Scalar(1f32));
+                }
+            }
+        }
+        'naga_break: loop {
+            'naga_continue: {
+                let _e13 = rest_1;
+                if rt::Scalar::into_branch_condition((_e13 * rt::Scalar(1.4142135f32)).elementwise_lt(rt::Scalar(1f32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e18 = rest_1;
+                    rest_1 = (_e18 * rt::Scalar(2f32));
+                    let _e21 = exponent;
+                    exponent = (_e21 - rt::Scalar(1f32));
+                }
+            }
+        }
+        let _e24 = rest_1;
+        let _e27 = rest_1;
+        let part_11 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
+        let square_1 = (part_11 * part_11);
+        let sum_3 = (rt::Scalar(1f32) + (square_1 * (rt::Scalar(0.33333334f32) + (square_1 * (rt::Scalar(0.2f32) + (square_1 * (rt::Scalar(0.14285715f32) + (square_1 * rt::Scalar(0.11111111f32)))))))));
+        let _e45 = exponent;
+        return (_e45 + ((rt::Scalar(2.88539f32) * part_11) * sum_3));
+    }
+    pub(crate) fn level_at(&self, grid_5: Tessellation, site: BaseSite) -> f32 {
+        rt::into(self.v_level_at(grid_5, site))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_level_at(&self, grid_5: Tessellation, site: BaseSite) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(grid_5.levels).elementwise_le(rt::Scalar(1u32))) {
+            return rt::Scalar(0f32);
+        }
+        let texels_4 = ((rt::Scalar(site.texels_per_m) * rt::Scalar(site.depth)) / rt::Scalar(grid_5.per_m)).max(rt::Scalar(1f32));
+        let _e13 = self.v_log2_of(texels_4);
+        return _e13.min((rt::Scalar(grid_5.levels) - rt::Scalar(1u32)).cast_elem_as_f32());
+    }
+    pub(crate) fn height_and_slope(
+        &self,
+        uv_6: impl rt::Into<rt::Vec2<f32>>,
+        level_14: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_height_and_slope(rt::into(uv_6), rt::into(level_14)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_height_and_slope(
+        &self,
+        uv_6: rt::Vec2<f32>,
+        level_14: rt::Scalar<u32>,
+    ) -> rt::Vec3<f32> {
+        let _e2 = self.v_height_size(level_14);
+        let point_12 = ((uv_6 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_12);
+        let f_1 = (point_12 - _e8);
+        let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_14);
+        let top_4 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
+        let bottom_2 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
+        let left_2 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
+        let right = (_e11.y() + ((_e11.w() - _e11.y()) * f_1.y()));
+        return <rt::Vec3<f32>>::from_scalars((top_4 + ((bottom_2 - top_4) * f_1.y())), ((right - left_2) * _e2.x()), ((bottom_2 - top_4) * _e2.y()));
+    }
+    pub(crate) fn relief_between_levels(
+        &self,
+        uv_7: impl rt::Into<rt::Vec2<f32>>,
+        level_15: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_relief_between_levels(rt::into(uv_7), rt::into(level_15)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_relief_between_levels(
+        &self,
+        uv_7: rt::Vec2<f32>,
+        level_15: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let finer = level_15.cast_elem_as_u32();
+        let part_12 = (level_15 - finer.cast_elem_as_f32());
+        let _e5 = self.v_height_and_slope(uv_7, finer);
+        if rt::Scalar::into_branch_condition(part_12.elementwise_eq(rt::Scalar(0f32))) {
+            return _e5;
+        }
+        let _e10 = self.v_height_and_slope(uv_7, (finer + rt::Scalar(1u32)));
+        return (_e5 + ((_e10 - _e5) * part_12));
+    }
+    pub(crate) fn displaced_site(&self, grid_6: Tessellation, site_1: BaseSite) -> Corner {
+        rt::into(self.v_displaced_site(grid_6, site_1))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_displaced_site(&self, grid_6: Tessellation, site_1: BaseSite) -> Corner {
+        let mut up_1: rt::Vec3<f32>;
+        let mut normal_9: rt::Vec3<f32>;
+
+        let _e2 = self.v_level_at(grid_6, site_1);
+        let _e4 = self.v_relief_between_levels(site_1.seen_uv, _e2);
+        let _e6 = self.v_relief_between_levels(site_1.uv, _e2);
+        let scale_m = rt::Scalar(self.surface_settings.scale_m);
+        let _e16 = rt::Scalar(self.surface_settings.bias_m);
+        let position_3 = (site_1.position + (site_1.direction * ((_e4.x() * scale_m) + _e16)));
+        let _e24 = rt::Scalar(self.surface_settings.bias_m);
+        let metres_1 = ((_e6.x() * scale_m) + _e24);
+        up_1 = site_1.normal;
+        let _e28 = up_1;
+        let _e29 = up_1;
+        if rt::Scalar::into_branch_condition(_e28.dot(_e29).elementwise_gt(rt::Scalar(0f32))) {
+            let _e33 = up_1;
+            up_1 = _e33.normalize();
+        }
+        let rise_u = (site_1.direction * (_e6.y() * scale_m));
+        let rise_v = (site_1.direction * (_e6.z() * scale_m));
+        let _e44 = up_1;
+        let _e47 = self.v_displaced_derivative(site_1.tangent, _e44, rise_u, (site_1.turn_u * metres_1));
+        let _e49 = up_1;
+        let _e52 = self.v_displaced_derivative(site_1.bitangent, _e49, rise_v, (site_1.turn_v * metres_1));
+        let _e56 = up_1;
+        let is_mirrored = site_1.bitangent.cross(site_1.tangent).dot(_e56).elementwise_lt(rt::Scalar(0f32));
+        normal_9 = (_e52.cross(_e47) * rt::Scalar(1f32).select(rt::Scalar(-1f32), is_mirrored));
+        let _e66 = normal_9;
+        let _e67 = normal_9;
+        if rt::Scalar::into_branch_condition(_e66.dot(_e67).elementwise_gt(rt::Scalar(0f32))) {
+            let _e71 = normal_9;
+            normal_9 = _e71.normalize();
+        } else {
+            let _e73 = up_1;
+            normal_9 = _e73;
+        }
+        let _e74 = normal_9;
+        return <Corner>::new(position_3, _e74, _e47, _e52, site_1.uv, <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
     }
     pub(crate) fn search_texel_between(
         &self,
         path_14: Path,
-        uv_6: impl rt::Into<rt::Vec2<f32>>,
+        uv_8: impl rt::Into<rt::Vec2<f32>>,
         layer_4: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel_between(path_14, rt::into(uv_6), rt::into(layer_4)))
+        rt::into(self.v_search_texel_between(path_14, rt::into(uv_8), rt::into(layer_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_search_texel_between(
         &self,
         path_14: Path,
-        uv_6: rt::Vec2<f32>,
+        uv_8: rt::Vec2<f32>,
         layer_4: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         let _e4 = self.v_height_texels(rt::Scalar(path_14.level));
-        let _e5 = self.v_texels_around(uv_6, _e4);
-        let level_26 = rt::Scalar(path_14.level).cast_elem_as_i32();
-        let _e13 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_26);
-        let _e19 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_26);
-        let _e25 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_26);
-        let _e31 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_26);
+        let _e5 = self.v_texels_around(uv_8, _e4);
+        let level_28 = rt::Scalar(path_14.level).cast_elem_as_i32();
+        let _e13 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_28);
+        let _e19 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_28);
+        let _e25 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_28);
+        let _e31 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_28);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
     pub(crate) fn distance_at(
         &self,
         path_15: Path,
-        uv_7: impl rt::Into<rt::Vec2<f32>>,
+        uv_9: impl rt::Into<rt::Vec2<f32>>,
         height: impl rt::Into<rt::Scalar<f32>>,
         slices: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_distance_at(path_15, rt::into(uv_7), rt::into(height), rt::into(slices)))
+        rt::into(self.v_distance_at(path_15, rt::into(uv_9), rt::into(height), rt::into(slices)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_distance_at(
         &self,
         path_15: Path,
-        uv_7: rt::Vec2<f32>,
+        uv_9: rt::Vec2<f32>,
         height: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_17 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_4 = place_17.floor();
-        let _e13 = self.v_search_texel_between(path_15, uv_7, below_4.cast_elem_as_i32());
+        let place_20 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_5 = place_20.floor();
+        let _e13 = self.v_search_texel_between(path_15, uv_9, below_5.cast_elem_as_i32());
         let lower = _e13.x();
-        let _e21 = self.v_search_texel_between(path_15, uv_7, (below_4 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
+        let _e21 = self.v_search_texel_between(path_15, uv_9, (below_5 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
         let upper = _e21.x();
-        return (lower + ((upper - lower) * (place_17 - below_4)));
+        return (lower + ((upper - lower) * (place_20 - below_5)));
     }
     pub(crate) fn eighth_turn(&self, tangent: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_eighth_turn(rt::into(tangent)))
@@ -3551,30 +4469,30 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_normal(&self, pixel_17: PixelIn) -> rt::Vec3<f32> {
-        let a_12 = pixel_17.a.position;
-        return (pixel_17.b.position - a_12).cross((pixel_17.c.position - a_12));
+        let a_18 = pixel_17.a.position;
+        return (pixel_17.b.position - a_18).cross((pixel_17.c.position - a_18));
     }
     pub(crate) fn plane_weights(
         &self,
         pixel_18: PixelIn,
-        normal_9: impl rt::Into<rt::Vec3<f32>>,
+        normal_10: impl rt::Into<rt::Vec3<f32>>,
         point_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_plane_weights(pixel_18, rt::into(normal_9), rt::into(point_1)))
+        rt::into(self.v_plane_weights(pixel_18, rt::into(normal_10), rt::into(point_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_weights(
         &self,
         pixel_18: PixelIn,
-        normal_9: rt::Vec3<f32>,
+        normal_10: rt::Vec3<f32>,
         point_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let a_13 = pixel_18.a.position;
-        let nn = normal_9.dot(normal_9);
-        let from_a = (point_1 - a_13);
-        let wb = (from_a.cross((pixel_18.c.position - a_13)).dot(normal_9) / nn);
-        let wc = ((pixel_18.b.position - a_13).cross(from_a).dot(normal_9) / nn);
+        let a_19 = pixel_18.a.position;
+        let nn = normal_10.dot(normal_10);
+        let from_a = (point_1 - a_19);
+        let wb = (from_a.cross((pixel_18.c.position - a_19)).dot(normal_10) / nn);
+        let wc = ((pixel_18.b.position - a_19).cross(from_a).dot(normal_10) / nn);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - wb) - wc), wb, wc);
     }
     pub(crate) fn surface_plane_enter(
@@ -3590,71 +4508,71 @@ impl<'g> Resources<'g> {
         pixel_19: PixelIn,
         params_10: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_21: rt::Scalar<bool>;
+        let mut local_25: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_19);
         let _e5 = self.v_plane_distance(pixel_19, _e2);
-        let point_12 = (pixel_19.origin + (pixel_19.direction * _e5));
-        let _e8 = self.v_plane_weights(pixel_19, _e2, point_12);
+        let point_13 = (pixel_19.origin + (pixel_19.direction * _e5));
+        let _e8 = self.v_plane_weights(pixel_19, _e2, point_13);
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_26 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
+        let uv_27 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
         let tangent_1 = (((pixel_19.a.tangent * wa) + (pixel_19.b.tangent * wb_1)) + (pixel_19.c.tangent * wc_1));
         let bitangent = (((pixel_19.a.bitangent * wa) + (pixel_19.b.bitangent * wb_1)) + (pixel_19.c.bitangent * wc_1));
-        let normal_19 = ((((pixel_19.a.normal * wa) + (pixel_19.b.normal * wb_1)) + (pixel_19.c.normal * wc_1)).normalize() * rt::Scalar(pixel_19.side));
+        let normal_20 = ((((pixel_19.a.normal * wa) + (pixel_19.b.normal * wb_1)) + (pixel_19.c.normal * wc_1)).normalize() * rt::Scalar(pixel_19.side));
         let tt = tangent_1.dot(tangent_1);
         let tb = tangent_1.dot(bitangent);
         let bb = bitangent.dot(bitangent);
         let area_2 = ((tt * bb) - (tb * tb));
         let _e67 = rt::Scalar(self.surface_settings.scale_m);
         let metric_1 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e67);
-        let descent_2 = (rt::Scalar(0f32) - normal_19.dot((pixel_19.direction / rt::Vec3::splat_from_scalar(pixel_19.direction.length()))));
+        let descent_2 = (rt::Scalar(0f32) - normal_20.dot((pixel_19.direction / rt::Vec3::splat_from_scalar(pixel_19.direction.length()))));
         if rt::Scalar::into_branch_condition(area_2.elementwise_gt(rt::Scalar(0f32))) {
-            local_21 = descent_2.elementwise_gt(rt::Scalar(0f32));
+            local_25 = descent_2.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_21 = rt::Scalar(false);
+            local_25 = rt::Scalar(false);
         }
-        let _e86 = local_21;
+        let _e86 = local_25;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_12, uv_26, tangent_1, bitangent, normal_19, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_13, uv_27, tangent_1, bitangent, normal_20, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
         pixel_20: PixelIn,
-        along_3: impl rt::Into<rt::Vec3<f32>>,
+        along_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_middle_of(pixel_20, rt::into(along_3)))
+        rt::into(self.v_middle_of(pixel_20, rt::into(along_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_middle_of(
         &self,
         pixel_20: PixelIn,
-        along_3: rt::Vec3<f32>,
+        along_4: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
         let centre = (((pixel_20.a.position + pixel_20.b.position) + pixel_20.c.position) * rt::Scalar(0.33333334f32));
-        return (centre - pixel_20.origin).dot(along_3);
+        return (centre - pixel_20.origin).dot(along_4);
     }
     pub(crate) fn prism_of(
         &self,
         pixel_21: PixelIn,
-        along_4: impl rt::Into<rt::Vec3<f32>>,
+        along_5: impl rt::Into<rt::Vec3<f32>>,
         middle_3: impl rt::Into<rt::Scalar<f32>>,
         params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> Prism {
-        rt::into(self.v_prism_of(pixel_21, rt::into(along_4), rt::into(middle_3), rt::into(params_11)))
+        rt::into(self.v_prism_of(pixel_21, rt::into(along_5), rt::into(middle_3), rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_prism_of(
         &self,
         pixel_21: PixelIn,
-        along_4: rt::Vec3<f32>,
+        along_5: rt::Vec3<f32>,
         middle_3: rt::Scalar<f32>,
         params_11: rt::Vec4<f32>,
     ) -> Prism {
-        let origin_3 = (pixel_21.origin + (along_4 * middle_3));
+        let origin_3 = (pixel_21.origin + (along_5 * middle_3));
         let _e8 = self.v_ordered(pixel_21, rt::Scalar(0u32));
         let _e10 = self.v_ordered(pixel_21, rt::Scalar(1u32));
         let _e12 = self.v_ordered(pixel_21, rt::Scalar(2u32));
@@ -3665,10 +4583,10 @@ impl<'g> Resources<'g> {
         pixel_22: PixelIn,
         weights_1: impl rt::Into<rt::Vec3<f32>>,
         point_2: impl rt::Into<rt::Vec3<f32>>,
-        uv_8: impl rt::Into<rt::Vec2<f32>>,
+        uv_10: impl rt::Into<rt::Vec2<f32>>,
         facing: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_frame_at(pixel_22, rt::into(weights_1), rt::into(point_2), rt::into(uv_8), rt::into(facing)))
+        rt::into(self.v_frame_at(pixel_22, rt::into(weights_1), rt::into(point_2), rt::into(uv_10), rt::into(facing)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3677,7 +4595,7 @@ impl<'g> Resources<'g> {
         pixel_22: PixelIn,
         weights_1: rt::Vec3<f32>,
         point_2: rt::Vec3<f32>,
-        uv_8: rt::Vec2<f32>,
+        uv_10: rt::Vec2<f32>,
         facing: rt::Vec3<f32>,
     ) -> Entered {
         let _e6 = self.v_ordered(pixel_22, rt::Scalar(0u32));
@@ -3685,89 +4603,89 @@ impl<'g> Resources<'g> {
         let _e10 = self.v_ordered(pixel_22, rt::Scalar(2u32));
         let tangent_2 = (((_e6.tangent * weights_1.x()) + (_e8.tangent * weights_1.y())) + (_e10.tangent * weights_1.z()));
         let bitangent_1 = (((_e6.bitangent * weights_1.x()) + (_e8.bitangent * weights_1.y())) + (_e10.bitangent * weights_1.z()));
-        let normal_20 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
+        let normal_21 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
         let _e49 = rt::Scalar(self.surface_settings.scale_m);
         let metric_2 = <rt::Vec4<f32>>::from_scalars(tangent_2.dot(tangent_2), tangent_2.dot(bitangent_1), bitangent_1.dot(bitangent_1), _e49);
-        let unit = (normal_20.normalize() * rt::Scalar(pixel_22.side));
-        return <Entered>::new(rt::Scalar(1u32), point_2, uv_8, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let unit = (normal_21.normalize() * rt::Scalar(pixel_22.side));
+        return <Entered>::new(rt::Scalar(1u32), point_2, uv_10, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn facing_of(
         &self,
         pixel_23: PixelIn,
-        along_5: impl rt::Into<rt::Vec3<f32>>,
+        along_6: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_facing_of(pixel_23, rt::into(along_5)))
+        rt::into(self.v_facing_of(pixel_23, rt::into(along_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_facing_of(
         &self,
         pixel_23: PixelIn,
-        along_5: rt::Vec3<f32>,
+        along_6: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_plane_normal(pixel_23);
         let unit_1 = (_e2 * (rt::Scalar(pixel_23.side) / _e2.dot(_e2).sqrt()));
-        let cosine_4 = (rt::Scalar(0f32) - unit_1.dot(along_5));
-        return (unit_1 - (along_5 * (rt::Scalar(0.0625f32) - cosine_4).max(rt::Scalar(0f32))));
+        let cosine_4 = (rt::Scalar(0f32) - unit_1.dot(along_6));
+        return (unit_1 - (along_6 * (rt::Scalar(0.0625f32) - cosine_4).max(rt::Scalar(0f32))));
     }
     pub(crate) fn shell_middle(
         &self,
         pixel_24: PixelIn,
-        along_6: impl rt::Into<rt::Vec3<f32>>,
+        along_7: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_shell_middle(pixel_24, rt::into(along_6)))
+        rt::into(self.v_shell_middle(pixel_24, rt::into(along_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shell_middle(
         &self,
         pixel_24: PixelIn,
-        along_6: rt::Vec3<f32>,
+        along_7: rt::Vec3<f32>,
     ) -> Entered {
-        let mut at_22: Entered;
+        let mut at_23: Entered;
 
         let third_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_27 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
-        let _e17 = self.v_middle_of(pixel_24, along_6);
-        let point_13 = (pixel_24.origin + (along_6 * _e17));
-        let _e20 = self.v_facing_of(pixel_24, along_6);
-        let _e21 = self.v_frame_at(pixel_24, third_1, point_13, uv_27, _e20);
-        at_22 = _e21;
-        rt::Scalar(at_22.segments) = rt::Scalar(0u32);
-        let _e25 = at_22;
+        let uv_28 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
+        let _e17 = self.v_middle_of(pixel_24, along_7);
+        let point_14 = (pixel_24.origin + (along_7 * _e17));
+        let _e20 = self.v_facing_of(pixel_24, along_7);
+        let _e21 = self.v_frame_at(pixel_24, third_1, point_14, uv_28, _e20);
+        at_23 = _e21;
+        rt::Scalar(at_23.segments) = rt::Scalar(0u32);
+        let _e25 = at_23;
         return _e25;
     }
     pub(crate) fn way_weight(
         &self,
-        along_7: impl rt::Into<rt::Vec3<f32>>,
+        along_8: impl rt::Into<rt::Vec3<f32>>,
         p: impl rt::Into<rt::Vec3<f32>>,
-        n_3: impl rt::Into<rt::Vec3<f32>>,
+        n_4: impl rt::Into<rt::Vec3<f32>>,
         q: impl rt::Into<rt::Vec3<f32>>,
-        m_2: impl rt::Into<rt::Vec3<f32>>,
+        m_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_way_weight(rt::into(along_7), rt::into(p), rt::into(n_3), rt::into(q), rt::into(m_2)))
+        rt::into(self.v_way_weight(rt::into(along_8), rt::into(p), rt::into(n_4), rt::into(q), rt::into(m_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_way_weight(
         &self,
-        along_7: rt::Vec3<f32>,
+        along_8: rt::Vec3<f32>,
         p: rt::Vec3<f32>,
-        n_3: rt::Vec3<f32>,
+        n_4: rt::Vec3<f32>,
         q: rt::Vec3<f32>,
-        m_2: rt::Vec3<f32>,
+        m_3: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let most_4 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let middle_10 = (p.cross(m_2).min(most_4) + n_3.cross(q).min(most_4));
-        return <rt::Vec3<f32>>::from_scalars(along_7.dot(p.cross(q)), along_7.dot(middle_10), along_7.dot(n_3.cross(m_2))).min(most_4);
+        let most_5 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let middle_10 = (p.cross(m_3).min(most_5) + n_4.cross(q).min(most_5));
+        return <rt::Vec3<f32>>::from_scalars(along_8.dot(p.cross(q)), along_8.dot(middle_10), along_8.dot(n_4.cross(m_3))).min(most_5);
     }
     pub(crate) fn way_of(
         &self,
         pixel_25: PixelIn,
         prism_3: Prism,
-        along_8: impl rt::Into<rt::Vec3<f32>>,
+        along_9: impl rt::Into<rt::Vec3<f32>>,
     ) -> Way {
-        rt::into(self.v_way_of(pixel_25, prism_3, rt::into(along_8)))
+        rt::into(self.v_way_of(pixel_25, prism_3, rt::into(along_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3775,14 +4693,14 @@ impl<'g> Resources<'g> {
         &self,
         pixel_25: PixelIn,
         prism_3: Prism,
-        along_8: rt::Vec3<f32>,
+        along_9: rt::Vec3<f32>,
     ) -> Way {
         let first_6 = (rt::Scalar(pixel_25.shell.order) & rt::Scalar(3u32));
         let second_2 = ((rt::Scalar(pixel_25.shell.order) >> rt::Scalar(2u32)) & rt::Scalar(3u32));
         let is_turned = (((second_2 + rt::Scalar(3u32)) - first_6) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
-        let _e24 = self.v_way_weight(along_8, prism_3.p1_, prism_3.n1_, prism_3.p2_, prism_3.n2_);
-        let _e29 = self.v_way_weight(along_8, prism_3.p2_, prism_3.n2_, prism_3.p0_, prism_3.n0_);
-        let _e34 = self.v_way_weight(along_8, prism_3.p0_, prism_3.n0_, prism_3.p1_, prism_3.n1_);
+        let _e24 = self.v_way_weight(along_9, prism_3.p1_, prism_3.n1_, prism_3.p2_, prism_3.n2_);
+        let _e29 = self.v_way_weight(along_9, prism_3.p2_, prism_3.n2_, prism_3.p0_, prism_3.n0_);
+        let _e34 = self.v_way_weight(along_9, prism_3.p0_, prism_3.n0_, prism_3.p1_, prism_3.n1_);
         return <Way>::new(_e24, _e29, _e34, rt::Scalar(pixel_25.side).select((rt::Scalar(0f32) - rt::Scalar(pixel_25.side)), is_turned));
     }
     pub(crate) fn offsets_of(&self, shell: Shell) -> rt::Vec2<f32> {
@@ -3831,21 +4749,21 @@ impl<'g> Resources<'g> {
     pub(crate) fn sides_over_area(
         &self,
         prism_5: Prism,
-        offset_1: impl rt::Into<rt::Scalar<f32>>,
+        offset_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_sides_over_area(prism_5, rt::into(offset_1)))
+        rt::into(self.v_sides_over_area(prism_5, rt::into(offset_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_sides_over_area(
         &self,
         prism_5: Prism,
-        offset_1: rt::Scalar<f32>,
+        offset_2: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let a_14 = ((prism_5.p2_ - prism_5.p1_) + ((prism_5.n2_ - prism_5.n1_) * offset_1));
-        let b_13 = ((prism_5.p0_ - prism_5.p2_) + ((prism_5.n0_ - prism_5.n2_) * offset_1));
-        let c_9 = ((prism_5.p1_ - prism_5.p0_) + ((prism_5.n1_ - prism_5.n0_) * offset_1));
-        return (<rt::Vec3<f32>>::from_scalars(a_14.length(), b_13.length(), c_9.length()) / rt::Vec3::splat_from_scalar(b_13.cross(c_9).length().max(rt::Scalar(0.000000000000000000000000000001f32))));
+        let a_20 = ((prism_5.p2_ - prism_5.p1_) + ((prism_5.n2_ - prism_5.n1_) * offset_2));
+        let b_19 = ((prism_5.p0_ - prism_5.p2_) + ((prism_5.n0_ - prism_5.n2_) * offset_2));
+        let c_12 = ((prism_5.p1_ - prism_5.p0_) + ((prism_5.n1_ - prism_5.n0_) * offset_2));
+        return (<rt::Vec3<f32>>::from_scalars(a_20.length(), b_19.length(), c_12.length()) / rt::Vec3::splat_from_scalar(b_19.cross(c_12).length().max(rt::Scalar(0.000000000000000000000000000001f32))));
     }
     pub(crate) fn way_beyond(
         &self,
@@ -3881,34 +4799,34 @@ impl<'g> Resources<'g> {
         way_3: Way,
         beyond_1: rt::Vec3<f32>,
     ) -> Way {
-        let sum_2 = ((way_3.first + way_3.second) + way_3.third);
-        return <Way>::new((way_3.first + (sum_2 * beyond_1.x())), (way_3.second + (sum_2 * beyond_1.y())), (way_3.third + (sum_2 * beyond_1.z())), rt::Scalar(way_3.turn));
+        let sum_4 = ((way_3.first + way_3.second) + way_3.third);
+        return <Way>::new((way_3.first + (sum_4 * beyond_1.x())), (way_3.second + (sum_4 * beyond_1.y())), (way_3.third + (sum_4 * beyond_1.z())), rt::Scalar(way_3.turn));
     }
     pub(crate) fn root_behind(
         &self,
         c_3: impl rt::Into<rt::Vec3<f32>>,
-        place_5: impl rt::Into<rt::Scalar<f32>>,
+        place_8: impl rt::Into<rt::Scalar<f32>>,
         end: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_root_behind(rt::into(c_3), rt::into(place_5), rt::into(end)))
+        rt::into(self.v_root_behind(rt::into(c_3), rt::into(place_8), rt::into(end)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_root_behind(
         &self,
         c_3: rt::Vec3<f32>,
-        place_5: rt::Scalar<f32>,
+        place_8: rt::Scalar<f32>,
         end: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut first: rt::Scalar<f32>;
 
         let _e3 = self.v_both_roots(c_3);
         first = end;
-        if rt::Scalar::into_branch_condition(_e3.x().elementwise_gt(place_5)) {
+        if rt::Scalar::into_branch_condition(_e3.x().elementwise_gt(place_8)) {
             let _e7 = first;
             first = _e7.min(_e3.x());
         }
-        if rt::Scalar::into_branch_condition(_e3.y().elementwise_gt(place_5)) {
+        if rt::Scalar::into_branch_condition(_e3.y().elementwise_gt(place_8)) {
             let _e12 = first;
             first = _e12.min(_e3.y());
         }
@@ -3918,61 +4836,61 @@ impl<'g> Resources<'g> {
     pub(crate) fn is_inside(
         &self,
         way_4: Way,
-        offset_2: impl rt::Into<rt::Scalar<f32>>,
+        offset_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_is_inside(way_4, rt::into(offset_2)))
+        rt::into(self.v_is_inside(way_4, rt::into(offset_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_is_inside(
         &self,
         way_4: Way,
-        offset_2: rt::Scalar<f32>,
+        offset_3: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_22: rt::Scalar<bool>;
+        let mut local_26: rt::Scalar<bool>;
 
-        let _e3 = self.v_quadratic(way_4.first, offset_2);
-        let _e5 = self.v_quadratic(way_4.second, offset_2);
-        let _e7 = self.v_quadratic(way_4.third, offset_2);
+        let _e3 = self.v_quadratic(way_4.first, offset_3);
+        let _e5 = self.v_quadratic(way_4.second, offset_3);
+        let _e7 = self.v_quadratic(way_4.third, offset_3);
         if rt::Scalar::into_branch_condition((!_e3.min(_e5).min(_e7).elementwise_gt(rt::Scalar(0f32)))) {
-            local_22 = _e3.max(_e5).max(_e7).elementwise_lt(rt::Scalar(0f32));
+            local_26 = _e3.max(_e5).max(_e7).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_22 = rt::Scalar(true);
+            local_26 = rt::Scalar(true);
         }
-        let _e20 = local_22;
+        let _e20 = local_26;
         return _e20;
     }
     pub(crate) fn way_chord(
         &self,
         pixel_27: PixelIn,
         prism_7: Prism,
-        along_9: impl rt::Into<rt::Vec3<f32>>,
+        along_10: impl rt::Into<rt::Vec3<f32>>,
         way_5: Way,
         offsets_1: impl rt::Into<rt::Vec2<f32>>,
         beyond_2: impl rt::Into<rt::Vec3<f32>>,
         tolerance_1: impl rt::Into<rt::Scalar<f32>>,
-        number: impl rt::Into<rt::Scalar<u32>>,
+        number_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> WayChord {
-        rt::into(self.v_way_chord(pixel_27, prism_7, rt::into(along_9), way_5, rt::into(offsets_1), rt::into(beyond_2), rt::into(tolerance_1), rt::into(number)))
+        rt::into(self.v_way_chord(pixel_27, prism_7, rt::into(along_10), way_5, rt::into(offsets_1), rt::into(beyond_2), rt::into(tolerance_1), rt::into(number_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_way_chord(
         &self,
         pixel_27: PixelIn,
         prism_7: Prism,
-        along_9: rt::Vec3<f32>,
+        along_10: rt::Vec3<f32>,
         way_5: Way,
         offsets_1: rt::Vec2<f32>,
         beyond_2: rt::Vec3<f32>,
         tolerance_1: rt::Scalar<f32>,
-        number: rt::Scalar<u32>,
+        number_5: rt::Scalar<u32>,
     ) -> WayChord {
         let mut chosen: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        let mut count_1: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut count_3: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut begin: rt::Scalar<f32>;
         let mut pieces: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_23: rt::Scalar<bool>;
-        let mut local_24: rt::Scalar<bool>;
+        let mut local_27: rt::Scalar<bool>;
+        let mut local_28: rt::Scalar<bool>;
 
         let _e8 = self.v_grown_way(way_5, beyond_2);
         begin = offsets_1.x();
@@ -3981,11 +4899,11 @@ impl<'g> Resources<'g> {
                 let _e19 = pieces;
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(MOST_PIECES)) {
                     let _e24 = begin;
-                    local_23 = _e24.elementwise_lt(offsets_1.y());
+                    local_27 = _e24.elementwise_lt(offsets_1.y());
                 } else {
-                    local_23 = rt::Scalar(false);
+                    local_27 = rt::Scalar(false);
                 }
-                let _e28 = local_23;
+                let _e28 = local_27;
                 if rt::Scalar::into_branch_condition(_e28) {
                 } else {
                     break 'naga_break;
@@ -4004,35 +4922,35 @@ impl<'g> Resources<'g> {
                     let _e50 = self.v_is_inside(_e8, (rt::Scalar(0.5f32) * (_e46 + end_3)));
                     if rt::Scalar::into_branch_condition(_e50) {
                         let _e51 = begin;
-                        let _e53 = self.v_chords_of_piece(pixel_27, prism_7, along_9, way_5, <rt::Vec2<f32>>::from_scalars(_e51, end_3), tolerance_1);
-                        let _e54 = count_1;
-                        if rt::Scalar::into_branch_condition(number.elementwise_ge(_e54)) {
-                            let _e58 = count_1;
-                            local_24 = number.elementwise_lt((_e58 + _e53));
+                        let _e53 = self.v_chords_of_piece(pixel_27, prism_7, along_10, way_5, <rt::Vec2<f32>>::from_scalars(_e51, end_3), tolerance_1);
+                        let _e54 = count_3;
+                        if rt::Scalar::into_branch_condition(number_5.elementwise_ge(_e54)) {
+                            let _e58 = count_3;
+                            local_28 = number_5.elementwise_lt((_e58 + _e53));
                         } else {
-                            local_24 = rt::Scalar(false);
+                            local_28 = rt::Scalar(false);
                         }
-                        let _e62 = local_24;
+                        let _e62 = local_28;
                         if rt::Scalar::into_branch_condition(_e62) {
                             let _e63 = begin;
                             let long_2 = (end_3 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
-                            let _e67 = count_1;
-                            let part_10 = ((number - _e67).cast_elem_as_f32() / _e53.cast_elem_as_f32());
-                            let _e72 = count_1;
-                            let next_7 = (((number - _e72) + rt::Scalar(1u32)).cast_elem_as_f32() / _e53.cast_elem_as_f32());
+                            let _e67 = count_3;
+                            let part_13 = ((number_5 - _e67).cast_elem_as_f32() / _e53.cast_elem_as_f32());
+                            let _e72 = count_3;
+                            let next_8 = (((number_5 - _e72) + rt::Scalar(1u32)).cast_elem_as_f32() / _e53.cast_elem_as_f32());
                             let _e79 = begin;
                             let _e82 = begin;
-                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_10)), (_e82 + (long_2 * next_7)));
+                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_13)), (_e82 + (long_2 * next_8)));
                         }
-                        let _e86 = count_1;
-                        count_1 = (_e86 + _e53);
+                        let _e86 = count_3;
+                        count_3 = (_e86 + _e53);
                     }
                     begin = end_3;
                 }
             }
         }
         let _e88 = chosen;
-        let _e89 = count_1;
+        let _e89 = count_3;
         return <WayChord>::new(_e88, _e89);
     }
     pub(crate) fn folded_enter(
@@ -4048,75 +4966,75 @@ impl<'g> Resources<'g> {
         pixel_28: PixelIn,
         params_12: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_23: Entered;
+        let mut at_24: Entered;
 
-        let along_17 = pixel_28.direction.normalize();
-        let _e4 = self.v_middle_of(pixel_28, along_17);
-        let _e5 = self.v_prism_of(pixel_28, along_17, _e4, params_12);
-        let _e6 = self.v_shell_middle(pixel_28, along_17);
-        at_23 = _e6;
-        let _e8 = self.v_way_of(pixel_28, _e5, along_17);
+        let along_18 = pixel_28.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_28, along_18);
+        let _e5 = self.v_prism_of(pixel_28, along_18, _e4, params_12);
+        let _e6 = self.v_shell_middle(pixel_28, along_18);
+        at_24 = _e6;
+        let _e8 = self.v_way_of(pixel_28, _e5, along_18);
         let _e9 = self.v_shell_slack(pixel_28, _e4);
         let _e10 = self.v_way_offsets(pixel_28, _e5, _e9);
-        let _e11 = at_23;
+        let _e11 = at_24;
         let _e12 = self.v_chord_reach(pixel_28, _e11, _e4, params_12);
         let _e13 = self.v_way_beyond(_e5, _e10, _e12);
-        let _e17 = self.v_way_chord(pixel_28, _e5, along_17, _e8, _e10, _e13, params_12.x(), rt::Scalar(0u32));
-        rt::Scalar(at_23.segments) = rt::Scalar(_e17.count);
-        let _e19 = at_23;
+        let _e17 = self.v_way_chord(pixel_28, _e5, along_18, _e8, _e10, _e13, params_12.x(), rt::Scalar(0u32));
+        rt::Scalar(at_24.segments) = rt::Scalar(_e17.count);
+        let _e19 = at_24;
         return _e19;
     }
     pub(crate) fn in_slab(
         &self,
         interval_2: impl rt::Into<rt::Vec2<f32>>,
-        normal_10: impl rt::Into<rt::Vec3<f32>>,
-        a_7: impl rt::Into<rt::Vec3<f32>>,
-        b_7: impl rt::Into<rt::Vec3<f32>>,
+        normal_11: impl rt::Into<rt::Vec3<f32>>,
+        a_8: impl rt::Into<rt::Vec3<f32>>,
+        b_8: impl rt::Into<rt::Vec3<f32>>,
         c_4: impl rt::Into<rt::Vec3<f32>>,
         d_1: impl rt::Into<rt::Vec3<f32>>,
-        along_10: impl rt::Into<rt::Vec3<f32>>,
+        along_11: impl rt::Into<rt::Vec3<f32>>,
         slack_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_in_slab(rt::into(interval_2), rt::into(normal_10), rt::into(a_7), rt::into(b_7), rt::into(c_4), rt::into(d_1), rt::into(along_10), rt::into(slack_4)))
+        rt::into(self.v_in_slab(rt::into(interval_2), rt::into(normal_11), rt::into(a_8), rt::into(b_8), rt::into(c_4), rt::into(d_1), rt::into(along_11), rt::into(slack_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_in_slab(
         &self,
         interval_2: rt::Vec2<f32>,
-        normal_10: rt::Vec3<f32>,
-        a_7: rt::Vec3<f32>,
-        b_7: rt::Vec3<f32>,
+        normal_11: rt::Vec3<f32>,
+        a_8: rt::Vec3<f32>,
+        b_8: rt::Vec3<f32>,
         c_4: rt::Vec3<f32>,
         d_1: rt::Vec3<f32>,
-        along_10: rt::Vec3<f32>,
+        along_11: rt::Vec3<f32>,
         slack_4: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let far_4 = <rt::Vec4<f32>>::from_scalars(normal_10.dot(a_7), normal_10.dot(b_7), normal_10.dot(c_4), normal_10.dot(d_1));
-        let least = far_4.x().min(far_4.y()).min(far_4.z().min(far_4.w()));
-        let most_5 = far_4.x().max(far_4.y()).max(far_4.z().max(far_4.w()));
-        let beyond_3 = (slack_4 * normal_10.length());
-        let change_3 = normal_10.dot(along_10);
-        let _e32 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least), change_3, beyond_3);
-        let _e35 = self.v_where_positive(_e32, most_5, (rt::Scalar(0f32) - change_3), beyond_3);
+        let far_4 = <rt::Vec4<f32>>::from_scalars(normal_11.dot(a_8), normal_11.dot(b_8), normal_11.dot(c_4), normal_11.dot(d_1));
+        let least_1 = far_4.x().min(far_4.y()).min(far_4.z().min(far_4.w()));
+        let most_6 = far_4.x().max(far_4.y()).max(far_4.z().max(far_4.w()));
+        let beyond_3 = (slack_4 * normal_11.length());
+        let change_3 = normal_11.dot(along_11);
+        let _e32 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least_1), change_3, beyond_3);
+        let _e35 = self.v_where_positive(_e32, most_6, (rt::Scalar(0f32) - change_3), beyond_3);
         return _e35;
     }
     pub(crate) fn span_of(
         &self,
         pixel_29: PixelIn,
         prism_8: Prism,
-        along_11: impl rt::Into<rt::Vec3<f32>>,
+        along_12: impl rt::Into<rt::Vec3<f32>>,
         middle_4: impl rt::Into<rt::Scalar<f32>>,
         params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_span_of(pixel_29, prism_8, rt::into(along_11), rt::into(middle_4), rt::into(params_13)))
+        rt::into(self.v_span_of(pixel_29, prism_8, rt::into(along_12), rt::into(middle_4), rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_span_of(
         &self,
         pixel_29: PixelIn,
         prism_8: Prism,
-        along_11: rt::Vec3<f32>,
+        along_12: rt::Vec3<f32>,
         middle_4: rt::Scalar<f32>,
         params_13: rt::Vec4<f32>,
     ) -> rt::Vec2<f32> {
@@ -4137,10 +5055,10 @@ impl<'g> Resources<'g> {
         let high2_ = (prism_8.p2_ + (prism_8.n2_ * _e13.y()));
         span_1 = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_4), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e50 = span_1;
-        let _e54 = self.v_in_slab(_e50, (low1_ - low0_).cross((low2_ - low0_)), low0_, high0_, high1_, high2_, along_11, _e14);
+        let _e54 = self.v_in_slab(_e50, (low1_ - low0_).cross((low2_ - low0_)), low0_, high0_, high1_, high2_, along_12, _e14);
         span_1 = _e54;
         let _e55 = span_1;
-        let _e59 = self.v_in_slab(_e55, (high1_ - high0_).cross((high2_ - high0_)), high0_, low0_, low1_, low2_, along_11, _e14);
+        let _e59 = self.v_in_slab(_e55, (high1_ - high0_).cross((high2_ - high0_)), high0_, low0_, low1_, low2_, along_12, _e14);
         span_1 = _e59;
         let _e61 = span_1.y();
         let _e63 = span_1.x();
@@ -4149,10 +5067,10 @@ impl<'g> Resources<'g> {
             return _e66;
         }
         let _e67 = span_1;
-        let _e71 = self.v_in_slab(_e67, (high1_ - low0_).cross((low1_ - high0_)), low0_, low1_, low2_, high2_, along_11, _e14);
+        let _e71 = self.v_in_slab(_e67, (high1_ - low0_).cross((low1_ - high0_)), low0_, low1_, low2_, high2_, along_12, _e14);
         span_1 = _e71;
         let _e72 = span_1;
-        let _e76 = self.v_in_slab(_e72, (high2_ - low1_).cross((low2_ - high1_)), low1_, low2_, low0_, high0_, along_11, _e14);
+        let _e76 = self.v_in_slab(_e72, (high2_ - low1_).cross((low2_ - high1_)), low1_, low2_, low0_, high0_, along_12, _e14);
         span_1 = _e76;
         let _e78 = span_1.y();
         let _e80 = span_1.x();
@@ -4161,7 +5079,7 @@ impl<'g> Resources<'g> {
             return _e83;
         }
         let _e84 = span_1;
-        let _e88 = self.v_in_slab(_e84, (high0_ - low2_).cross((low0_ - high2_)), low2_, low0_, low1_, high1_, along_11, _e14);
+        let _e88 = self.v_in_slab(_e84, (high0_ - low2_).cross((low0_ - high2_)), low2_, low0_, low1_, high1_, along_12, _e14);
         span_1 = _e88;
         let _e89 = span_1;
         return _e89;
@@ -4174,22 +5092,22 @@ impl<'g> Resources<'g> {
     fn v_passed_by(&self) -> Entered {
         let zero_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let zeros = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let uv_28 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_28, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_28, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let uv_29 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_29, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_29, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shell_point_from(
         &self,
         prism_9: Prism,
-        place_6: impl rt::Into<rt::Vec3<f32>>,
+        place_9: impl rt::Into<rt::Vec3<f32>>,
         from_point: ShellPoint,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_from(prism_9, rt::into(place_6), from_point))
+        rt::into(self.v_shell_point_from(prism_9, rt::into(place_9), from_point))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shell_point_from(
         &self,
         prism_9: Prism,
-        place_6: rt::Vec3<f32>,
+        place_9: rt::Vec3<f32>,
         from_point: ShellPoint,
     ) -> ShellPoint {
         let mut w_1: rt::Vec3<f32>;
@@ -4215,16 +5133,16 @@ impl<'g> Resources<'g> {
                     let _e27 = h_3;
                     let _e30 = w_1;
                     let _e31 = self.v_lift_of(l, _e30);
-                    let offset_6 = ((low_1 + (width_4 * _e27)) + _e31);
+                    let offset_7 = ((low_1 + (width_4 * _e27)) + _e31);
                     let _e35 = w_1.x();
                     let _e39 = w_1.y();
                     let _e44 = w_1.z();
-                    let normal_21 = (((prism_9.n0_ * _e35) + (prism_9.n1_ * _e39)) + (prism_9.n2_ * _e44));
+                    let normal_22 = (((prism_9.n0_ * _e35) + (prism_9.n1_ * _e39)) + (prism_9.n2_ * _e44));
                     let _e49 = w_1.x();
                     let _e53 = w_1.y();
                     let _e58 = w_1.z();
                     let base_1 = (((prism_9.p0_ * _e49) + (prism_9.p1_ * _e53)) + (prism_9.p2_ * _e58));
-                    let rest_2 = ((place_6 - base_1) - (normal_21 * offset_6));
+                    let rest_3 = ((place_9 - base_1) - (normal_22 * offset_7));
                     let _e66 = w_1.x();
                     let _e68 = w_1.y();
                     let _e72 = w_1.z();
@@ -4233,14 +5151,14 @@ impl<'g> Resources<'g> {
                     let _e82 = w_1.z();
                     let _e86 = w_1.y();
                     let third_2 = ((l.y() * (_e80 - _e82)) + (_e86 * (l.x() - l.z())));
-                    let a_15 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_6)) + (normal_21 * second_3));
-                    let b_14 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_6)) + (normal_21 * third_2));
-                    let c_10 = (normal_21 * width_4);
-                    let across_2 = b_14.cross(c_10);
-                    let one_over = (rt::Scalar(1f32) / a_15.dot(across_2));
-                    let db = (rest_2.dot(across_2) * one_over);
-                    let dc = (rest_2.dot(c_10.cross(a_15)) * one_over);
-                    let dh = (rest_2.dot(a_15.cross(b_14)) * one_over);
+                    let a_21 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_22 * second_3));
+                    let b_20 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_7)) + (normal_22 * third_2));
+                    let c_13 = (normal_22 * width_4);
+                    let across_2 = b_20.cross(c_13);
+                    let one_over = (rt::Scalar(1f32) / a_21.dot(across_2));
+                    let db = (rest_3.dot(across_2) * one_over);
+                    let dc = (rest_3.dot(c_13.cross(a_21)) * one_over);
+                    let dh = (rest_3.dot(a_21.cross(b_20)) * one_over);
                     let _e126 = w_1.x();
                     let _e130 = w_1.y();
                     let _e133 = w_1.z();
@@ -4260,20 +5178,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn shell_point(
         &self,
         prism_10: Prism,
-        place_7: impl rt::Into<rt::Vec3<f32>>,
+        place_10: impl rt::Into<rt::Vec3<f32>>,
         height_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point(prism_10, rt::into(place_7), rt::into(height_1)))
+        rt::into(self.v_shell_point(prism_10, rt::into(place_10), rt::into(height_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shell_point(
         &self,
         prism_10: Prism,
-        place_7: rt::Vec3<f32>,
+        place_10: rt::Vec3<f32>,
         height_1: rt::Scalar<f32>,
     ) -> ShellPoint {
-        let _e8 = self.v_shell_point_from(prism_10, place_7, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_1));
+        let _e8 = self.v_shell_point_from(prism_10, place_10, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_1));
         return _e8;
     }
     pub(crate) fn surface_prism_enter(
@@ -4289,52 +5207,52 @@ impl<'g> Resources<'g> {
         pixel_30: PixelIn,
         params_14: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_25: rt::Scalar<bool>;
-        let mut at_24: Entered;
+        let mut local_29: rt::Scalar<bool>;
+        let mut at_25: Entered;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_30.shell.order).elementwise_ge(SHELL_FOLDED)) {
             let _e6 = self.v_folded_enter(pixel_30, params_14);
             return _e6;
         }
-        let along_18 = pixel_30.direction.normalize();
-        let _e9 = self.v_middle_of(pixel_30, along_18);
-        let _e10 = self.v_prism_of(pixel_30, along_18, _e9, params_14);
-        let _e11 = self.v_span_of(pixel_30, _e10, along_18, _e9, params_14);
+        let along_19 = pixel_30.direction.normalize();
+        let _e9 = self.v_middle_of(pixel_30, along_19);
+        let _e10 = self.v_prism_of(pixel_30, along_19, _e9, params_14);
+        let _e11 = self.v_span_of(pixel_30, _e10, along_19, _e9, params_14);
         let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
-            local_25 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+            local_29 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
-            local_25 = rt::Scalar(true);
+            local_29 = rt::Scalar(true);
         }
-        let _e27 = local_25;
+        let _e27 = local_29;
         if rt::Scalar::into_branch_condition(_e27) {
             let _e28 = self.v_passed_by();
             return _e28;
         }
-        let _e29 = self.v_shell_middle(pixel_30, along_18);
-        at_24 = _e29;
-        at_24.span = _e11;
+        let _e29 = self.v_shell_middle(pixel_30, along_19);
+        at_25 = _e29;
+        at_25.span = _e11;
         let height_11 = (rt::Scalar(0.5f32) * (pixel_30.shell.heights.x() + pixel_30.shell.heights.y()));
-        let _e43 = at_24.span.x();
-        let _e45 = self.v_shell_point(_e10, (along_18 * _e43), height_11);
-        let _e48 = at_24.span.y();
-        let _e50 = self.v_shell_point(_e10, (along_18 * _e48), height_11);
-        let _e53 = at_24.span.x();
+        let _e43 = at_25.span.x();
+        let _e45 = self.v_shell_point(_e10, (along_19 * _e43), height_11);
+        let _e48 = at_25.span.y();
+        let _e50 = self.v_shell_point(_e10, (along_19 * _e48), height_11);
+        let _e53 = at_25.span.x();
         let _e58 = self.v_between(_e45, _e50);
-        let _e59 = self.v_shell_point_from(_e10, (along_18 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
-        let _e62 = at_24.span.x();
+        let _e59 = self.v_shell_point_from(_e10, (along_19 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
+        let _e62 = at_25.span.x();
         let _e67 = self.v_between(_e45, _e59);
-        let _e68 = self.v_shell_point_from(_e10, (along_18 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
-        let _e71 = at_24.span.x();
+        let _e68 = self.v_shell_point_from(_e10, (along_19 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
+        let _e71 = at_25.span.x();
         let _e76 = self.v_between(_e59, _e50);
-        let _e77 = self.v_shell_point_from(_e10, (along_18 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
+        let _e77 = self.v_shell_point_from(_e10, (along_19 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
         let _e79 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e68, rt::Scalar(0.25f32));
         let _e81 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e77, rt::Scalar(0.75f32));
         let quarters_1 = _e79.max(_e81);
         let _e84 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e59, rt::Scalar(0.5f32));
-        let most_6 = _e84.max(quarters_1);
-        rt::Scalar(at_24.segments) = (most_6 / params_14.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).cast_elem_as_u32();
-        let _e95 = at_24;
+        let most_7 = _e84.max(quarters_1);
+        rt::Scalar(at_25.segments) = (most_7 / params_14.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).cast_elem_as_u32();
+        let _e95 = at_25;
         return _e95;
     }
     pub(crate) fn weight_at(
@@ -4421,20 +5339,20 @@ impl<'g> Resources<'g> {
         pixel_32: PixelIn,
         params_15: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_25: Entered;
+        let mut at_26: Entered;
 
         let _e2 = self.v_surface_plane_enter(pixel_32, params_15);
-        at_25 = _e2;
-        let _e6 = at_25.point;
+        at_26 = _e2;
+        let _e6 = at_26.point;
         let _e8 = self.v_quadric_of(pixel_32, _e6, params_15.y());
-        at_25.quadric = _e8;
-        let _e11 = at_25.metric.x();
-        let _e14 = at_25.metric.z();
-        let _e18 = at_25.metric.y();
-        let _e21 = at_25.metric.y();
+        at_26.quadric = _e8;
+        let _e11 = at_26.metric.x();
+        let _e14 = at_26.metric.z();
+        let _e18 = at_26.metric.y();
+        let _e21 = at_26.metric.y();
         let area_3 = ((_e11 * _e14) - (_e18 * _e21));
-        rt::Scalar(at_25.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_3.elementwise_gt(rt::Scalar(0f32)));
-        let _e30 = at_25;
+        rt::Scalar(at_26.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_3.elementwise_gt(rt::Scalar(0f32)));
+        let _e30 = at_26;
         return _e30;
     }
     pub(crate) fn surface_quadric_perpendicular_enter(
@@ -4450,87 +5368,87 @@ impl<'g> Resources<'g> {
         pixel_33: PixelIn,
         params_16: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_26: Entered;
+        let mut at_27: Entered;
 
         let _e2 = self.v_surface_quadric_vertical_enter(pixel_33, params_16);
-        at_26 = _e2;
-        let along_19 = pixel_33.direction.length();
-        let _e6 = at_26;
-        let _e10 = self.v_across_of(_e6, (pixel_33.direction / rt::Vec3::splat_from_scalar(along_19)));
+        at_27 = _e2;
+        let along_20 = pixel_33.direction.length();
+        let _e6 = at_27;
+        let _e10 = self.v_across_of(_e6, (pixel_33.direction / rt::Vec3::splat_from_scalar(along_20)));
         let _e11 = self.v_plane_normal(pixel_33);
         let _e12 = self.v_plane_distance(pixel_33, _e11);
-        let eye_1 = (rt::Scalar(0f32) - (_e12 * along_19));
-        let _e17 = at_26;
+        let eye_1 = (rt::Scalar(0f32) - (_e12 * along_20));
+        let _e17 = at_27;
         let _e18 = self.v_across_span(_e17, _e10, eye_1);
-        at_26.span = _e18;
-        let _e22 = rt::Scalar(at_26.segments);
-        let _e28 = at_26.span.y();
-        let _e31 = at_26.span.x();
-        rt::Scalar(at_26.segments) = rt::Scalar(0u32).select((_e22 * params_16.z().cast_elem_as_u32()), _e28.elementwise_gt(_e31));
-        let _e34 = at_26;
+        at_27.span = _e18;
+        let _e22 = rt::Scalar(at_27.segments);
+        let _e28 = at_27.span.y();
+        let _e31 = at_27.span.x();
+        rt::Scalar(at_27.segments) = rt::Scalar(0u32).select((_e22 * params_16.z().cast_elem_as_u32()), _e28.elementwise_gt(_e31));
+        let _e34 = at_27;
         return _e34;
     }
     pub(crate) fn moved_out(
         &self,
         corner_1: Corner,
-        side: impl rt::Into<rt::Scalar<f32>>,
-        offset_3: impl rt::Into<rt::Scalar<f32>>,
+        side_1: impl rt::Into<rt::Scalar<f32>>,
+        offset_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_moved_out(corner_1, rt::into(side), rt::into(offset_3)))
+        rt::into(self.v_moved_out(corner_1, rt::into(side_1), rt::into(offset_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_moved_out(
         &self,
         corner_1: Corner,
-        side: rt::Scalar<f32>,
-        offset_3: rt::Scalar<f32>,
+        side_1: rt::Scalar<f32>,
+        offset_4: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        return (corner_1.position + (corner_1.normal * (side * offset_3)));
+        return (corner_1.position + (corner_1.normal * (side_1 * offset_4)));
     }
     pub(crate) fn raised(
         &self,
         corner_2: Corner,
-        side_1: impl rt::Into<rt::Scalar<f32>>,
+        side_2: impl rt::Into<rt::Scalar<f32>>,
         height_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_raised(corner_2, rt::into(side_1), rt::into(height_3)))
+        rt::into(self.v_raised(corner_2, rt::into(side_2), rt::into(height_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_raised(
         &self,
         corner_2: Corner,
-        side_1: rt::Scalar<f32>,
+        side_2: rt::Scalar<f32>,
         height_3: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let shell_5 = self.surface_settings.shell_m;
-        let _e14 = self.v_moved_out(corner_2, side_1, (shell_5.x() + ((shell_5.y() - shell_5.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_3)));
+        let _e14 = self.v_moved_out(corner_2, side_2, (shell_5.x() + ((shell_5.y() - shell_5.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_3)));
         return _e14;
     }
     pub(crate) fn tetrahedron(
         &self,
         pixel_34: PixelIn,
-        along_12: impl rt::Into<rt::Vec3<f32>>,
+        along_13: impl rt::Into<rt::Vec3<f32>>,
         middle_5: impl rt::Into<rt::Scalar<f32>>,
-        number_1: impl rt::Into<rt::Scalar<u32>>,
+        number_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> Tetrahedron {
-        rt::into(self.v_tetrahedron(pixel_34, rt::into(along_12), rt::into(middle_5), rt::into(number_1)))
+        rt::into(self.v_tetrahedron(pixel_34, rt::into(along_13), rt::into(middle_5), rt::into(number_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_tetrahedron(
         &self,
         pixel_34: PixelIn,
-        along_12: rt::Vec3<f32>,
+        along_13: rt::Vec3<f32>,
         middle_5: rt::Scalar<f32>,
-        number_1: rt::Scalar<u32>,
+        number_6: rt::Scalar<u32>,
     ) -> Tetrahedron {
         let mut inside_1: rt::Vec2<f32>;
-        let mut local_26: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
 
-        let origin_4 = (pixel_34.origin + (along_12 * middle_5));
-        let is_first_1 = number_1.elementwise_eq(rt::Scalar(0u32));
-        let is_last_1 = number_1.elementwise_eq(rt::Scalar(2u32));
+        let origin_4 = (pixel_34.origin + (along_13 * middle_5));
+        let is_first_1 = number_6.elementwise_eq(rt::Scalar(0u32));
+        let is_last_1 = number_6.elementwise_eq(rt::Scalar(2u32));
         let _e12 = self.v_ordered(pixel_34, rt::Scalar(0u32));
         let _e15 = self.v_raised(_e12, rt::Scalar(pixel_34.side), rt::Scalar(0f32));
         let q0_ = (_e15 - origin_4);
@@ -4555,10 +5473,10 @@ impl<'g> Resources<'g> {
         let w2_ = ((rt::Scalar(0f32) - q0_.dot(n2_)) / volume_1);
         let w3_ = ((rt::Scalar(0f32) - q0_.dot(n3_)) / volume_1);
         let w0_ = (q1_.dot(n0_) / volume_1);
-        let g1_ = (along_12.dot(n1_) / volume_1);
-        let g2_ = (along_12.dot(n2_) / volume_1);
-        let g3_ = (along_12.dot(n3_) / volume_1);
-        let g0_ = (rt::Scalar(0f32) - (along_12.dot(n0_) / volume_1));
+        let g1_ = (along_13.dot(n1_) / volume_1);
+        let g2_ = (along_13.dot(n2_) / volume_1);
+        let g3_ = (along_13.dot(n3_) / volume_1);
+        let g0_ = (rt::Scalar(0f32) - (along_13.dot(n0_) / volume_1));
         let _e77 = self.v_shell_slack(pixel_34, middle_5);
         let slack_5 = (_e77 / volume_1.abs());
         inside_1 = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_5), rt::Scalar(300000000000000000000000000000000000000f32));
@@ -4576,11 +5494,11 @@ impl<'g> Resources<'g> {
         inside_1 = _e100;
         if rt::Scalar::into_branch_condition((!(!volume_1.abs().elementwise_gt(rt::Scalar(0f32))))) {
             let _e109 = inside_1.y();
-            local_26 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+            local_30 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
-            local_26 = rt::Scalar(true);
+            local_30 = rt::Scalar(true);
         }
-        let _e114 = local_26;
+        let _e114 = local_30;
         if rt::Scalar::into_branch_condition(_e114) {
             inside_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(-300000000000000000000000000000000000000f32));
         }
@@ -4599,22 +5517,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn is_met(
         &self,
         pixel_35: PixelIn,
-        along_13: impl rt::Into<rt::Vec3<f32>>,
+        along_14: impl rt::Into<rt::Vec3<f32>>,
         middle_6: impl rt::Into<rt::Scalar<f32>>,
-        number_2: impl rt::Into<rt::Scalar<u32>>,
+        number_7: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_met(pixel_35, rt::into(along_13), rt::into(middle_6), rt::into(number_2)))
+        rt::into(self.v_is_met(pixel_35, rt::into(along_14), rt::into(middle_6), rt::into(number_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_is_met(
         &self,
         pixel_35: PixelIn,
-        along_13: rt::Vec3<f32>,
+        along_14: rt::Vec3<f32>,
         middle_6: rt::Scalar<f32>,
-        number_2: rt::Scalar<u32>,
+        number_7: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
-        let _e4 = self.v_tetrahedron(pixel_35, along_13, middle_6, number_2);
+        let _e4 = self.v_tetrahedron(pixel_35, along_14, middle_6, number_7);
         let inside_5 = _e4.inside;
         return inside_5.y().elementwise_gt(inside_5.x());
     }
@@ -4631,80 +5549,80 @@ impl<'g> Resources<'g> {
         pixel_36: PixelIn,
         params_17: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_27: rt::Scalar<bool>;
-        let mut local_28: rt::Scalar<bool>;
-        let mut at_27: Entered;
+        let mut local_31: rt::Scalar<bool>;
+        let mut local_32: rt::Scalar<bool>;
+        let mut at_28: Entered;
 
-        let along_20 = pixel_36.direction.normalize();
-        let _e4 = self.v_middle_of(pixel_36, along_20);
-        let _e6 = self.v_is_met(pixel_36, along_20, _e4, rt::Scalar(0u32));
+        let along_21 = pixel_36.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_36, along_21);
+        let _e6 = self.v_is_met(pixel_36, along_21, _e4, rt::Scalar(0u32));
         if rt::Scalar::into_branch_condition((!_e6)) {
-            let _e11 = self.v_is_met(pixel_36, along_20, _e4, rt::Scalar(1u32));
-            local_27 = (!_e11);
+            let _e11 = self.v_is_met(pixel_36, along_21, _e4, rt::Scalar(1u32));
+            local_31 = (!_e11);
         } else {
-            local_27 = rt::Scalar(false);
+            local_31 = rt::Scalar(false);
         }
-        let _e14 = local_27;
+        let _e14 = local_31;
         if rt::Scalar::into_branch_condition(_e14) {
-            let _e18 = self.v_is_met(pixel_36, along_20, _e4, rt::Scalar(2u32));
-            local_28 = (!_e18);
+            let _e18 = self.v_is_met(pixel_36, along_21, _e4, rt::Scalar(2u32));
+            local_32 = (!_e18);
         } else {
-            local_28 = rt::Scalar(false);
+            local_32 = rt::Scalar(false);
         }
-        let is_passed_by = local_28;
+        let is_passed_by = local_32;
         if rt::Scalar::into_branch_condition(is_passed_by) {
             let _e22 = self.v_passed_by();
             return _e22;
         }
-        let _e23 = self.v_shell_middle(pixel_36, along_20);
-        at_27 = _e23;
-        rt::Scalar(at_27.segments) = rt::Scalar(3u32);
-        let _e27 = at_27;
+        let _e23 = self.v_shell_middle(pixel_36, along_21);
+        at_28 = _e23;
+        rt::Scalar(at_28.segments) = rt::Scalar(3u32);
+        let _e27 = at_28;
         return _e27;
     }
     pub(crate) fn facet_distance(
         &self,
         pixel_37: PixelIn,
-        normal_11: impl rt::Into<rt::Vec3<f32>>,
+        normal_12: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_facet_distance(pixel_37, rt::into(normal_11)))
+        rt::into(self.v_facet_distance(pixel_37, rt::into(normal_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_facet_distance(
         &self,
         pixel_37: PixelIn,
-        normal_11: rt::Vec3<f32>,
+        normal_12: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let a_16 = (pixel_37.a.position - pixel_37.origin);
-        let b_15 = (pixel_37.b.position - pixel_37.origin);
-        let c_11 = (pixel_37.c.position - pixel_37.origin);
-        let along_21 = (pixel_37.direction / rt::Vec3::splat_from_scalar(pixel_37.direction.dot(pixel_37.direction)));
-        let places_1 = <rt::Vec3<f32>>::from_scalars(a_16.dot(along_21), b_15.dot(along_21), c_11.dot(along_21));
-        let least_1 = places_1.x().min(places_1.y()).min(places_1.z());
-        let most_7 = places_1.x().max(places_1.y()).max(places_1.z());
-        let across_3 = normal_11.dot(pixel_37.direction);
+        let a_22 = (pixel_37.a.position - pixel_37.origin);
+        let b_21 = (pixel_37.b.position - pixel_37.origin);
+        let c_14 = (pixel_37.c.position - pixel_37.origin);
+        let along_22 = (pixel_37.direction / rt::Vec3::splat_from_scalar(pixel_37.direction.dot(pixel_37.direction)));
+        let places_1 = <rt::Vec3<f32>>::from_scalars(a_22.dot(along_22), b_21.dot(along_22), c_14.dot(along_22));
+        let least_2 = places_1.x().min(places_1.y()).min(places_1.z());
+        let most_8 = places_1.x().max(places_1.y()).max(places_1.z());
+        let across_3 = normal_12.dot(pixel_37.direction);
         if rt::Scalar::into_branch_condition(across_3.elementwise_eq(rt::Scalar(0f32))) {
-            return least_1;
+            return least_2;
         }
-        return (normal_11.dot(a_16) / across_3).clamp(least_1, most_7);
+        return (normal_12.dot(a_22) / across_3).clamp(least_2, most_8);
     }
-    pub(crate) fn is_on_map(&self, uv_9: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_is_on_map(rt::into(uv_9)))
+    pub(crate) fn is_on_map(&self, uv_11: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_is_on_map(rt::into(uv_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_is_on_map(&self, uv_9: rt::Vec2<f32>) -> rt::Scalar<bool> {
-        let mut local_29: rt::Scalar<bool>;
+    fn v_is_on_map(&self, uv_11: rt::Vec2<f32>) -> rt::Scalar<bool> {
+        let mut local_33: rt::Scalar<bool>;
 
-        let beyond_4 = ((uv_9.x() - rt::Scalar(0.5f32)).abs().max((uv_9.y() - rt::Scalar(0.5f32)).abs()) - rt::Scalar(0.5f32));
+        let beyond_4 = ((uv_11.x() - rt::Scalar(0.5f32)).abs().max((uv_11.y() - rt::Scalar(0.5f32)).abs()) - rt::Scalar(0.5f32));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition((!_e14.elementwise_ne(WRAP_CLAMP))) {
-            local_29 = beyond_4.elementwise_le(rt::Scalar(0.000001f32));
+            local_33 = beyond_4.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_29 = rt::Scalar(true);
+            local_33 = rt::Scalar(true);
         }
-        let _e23 = local_29;
+        let _e23 = local_33;
         return _e23;
     }
     pub(crate) fn surface_facets_enter(
@@ -4720,30 +5638,30 @@ impl<'g> Resources<'g> {
         pixel_38: PixelIn,
         params_18: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_30: rt::Scalar<bool>;
+        let mut local_34: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_38);
         let _e5 = self.v_facet_distance(pixel_38, _e2);
-        let point_14 = (pixel_38.origin + (pixel_38.direction * _e5));
-        let _e8 = self.v_plane_weights(pixel_38, _e2, point_14);
+        let point_15 = (pixel_38.origin + (pixel_38.direction * _e5));
+        let _e8 = self.v_plane_weights(pixel_38, _e2, point_15);
         let inside_6 = _e8.max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
-        let w_3 = (inside_6 / rt::Vec3::splat_from_scalar(((inside_6.x() + inside_6.y()) + inside_6.z())));
-        let uv_29 = (((pixel_38.a.uv * w_3.x()) + (pixel_38.b.uv * w_3.y())) + (pixel_38.c.uv * w_3.z()));
-        let tangent_3 = (((pixel_38.a.tangent * w_3.x()) + (pixel_38.b.tangent * w_3.y())) + (pixel_38.c.tangent * w_3.z()));
-        let bitangent_2 = (((pixel_38.a.bitangent * w_3.x()) + (pixel_38.b.bitangent * w_3.y())) + (pixel_38.c.bitangent * w_3.z()));
-        let sum_3 = ((((pixel_38.a.normal * w_3.x()) + (pixel_38.b.normal * w_3.y())) + (pixel_38.c.normal * w_3.z())) * rt::Scalar(pixel_38.side));
+        let w_4 = (inside_6 / rt::Vec3::splat_from_scalar(((inside_6.x() + inside_6.y()) + inside_6.z())));
+        let uv_30 = (((pixel_38.a.uv * w_4.x()) + (pixel_38.b.uv * w_4.y())) + (pixel_38.c.uv * w_4.z()));
+        let tangent_3 = (((pixel_38.a.tangent * w_4.x()) + (pixel_38.b.tangent * w_4.y())) + (pixel_38.c.tangent * w_4.z()));
+        let bitangent_2 = (((pixel_38.a.bitangent * w_4.x()) + (pixel_38.b.bitangent * w_4.y())) + (pixel_38.c.bitangent * w_4.z()));
+        let sum_5 = ((((pixel_38.a.normal * w_4.x()) + (pixel_38.b.normal * w_4.y())) + (pixel_38.c.normal * w_4.z())) * rt::Scalar(pixel_38.side));
         let tt_1 = tangent_3.dot(tangent_3);
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            let _e89 = self.v_is_on_map(uv_29);
-            local_30 = _e89;
+            let _e89 = self.v_is_on_map(uv_30);
+            local_34 = _e89;
         } else {
-            local_30 = rt::Scalar(false);
+            local_34 = rt::Scalar(false);
         }
-        let _e91 = local_30;
+        let _e91 = local_34;
         let _e96 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e91), point_14, uv_29, tangent_3, bitangent_2, sum_3.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e96), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e91), point_15, uv_30, tangent_3, bitangent_2, sum_5.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e96), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_enter_stage(&self, pixel_39: PixelIn) -> Entered {
         rt::into(self.v_surface_enter_stage(pixel_39))
@@ -4789,42 +5707,42 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_enter_relief(&self, pixel_40: PixelIn) -> Entered {
-        let mut at_28: Entered;
+        let mut at_29: Entered;
 
         let _e1 = self.v_surface_enter_stage(pixel_40);
-        at_28 = _e1;
-        let _e4 = rt::Scalar(at_28.segments);
+        at_29 = _e1;
+        let _e4 = rt::Scalar(at_29.segments);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0u32))) {
-            let _e7 = at_28;
+            let _e7 = at_29;
             return _e7;
         }
-        let _e8 = at_28;
+        let _e8 = at_29;
         let _e9 = self.v_detail_stage(pixel_40, _e8);
-        rt::Scalar(at_28.level) = rt::Scalar(_e9.level);
-        rt::Scalar(at_28.footprint) = rt::Scalar(_e9.footprint);
-        rt::Scalar(at_28.fade) = rt::Scalar(_e9.fade);
-        let _e16 = at_28;
+        rt::Scalar(at_29.level) = rt::Scalar(_e9.level);
+        rt::Scalar(at_29.footprint) = rt::Scalar(_e9.footprint);
+        rt::Scalar(at_29.fade) = rt::Scalar(_e9.fade);
+        let _e16 = at_29;
         return _e16;
     }
     pub(crate) fn entered_once(
         &self,
         path_16: Path,
-        grid_5: Grid,
-        above: impl rt::Into<rt::Scalar<f32>>,
-        below: impl rt::Into<rt::Scalar<f32>>,
+        grid_7: Grid,
+        above_1: impl rt::Into<rt::Scalar<f32>>,
+        below_1: impl rt::Into<rt::Scalar<f32>>,
         above_gap: impl rt::Into<rt::Scalar<f32>>,
         below_gap: impl rt::Into<rt::Scalar<f32>>,
         so_far: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_entered_once(path_16, grid_5, rt::into(above), rt::into(below), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
+        rt::into(self.v_entered_once(path_16, grid_7, rt::into(above_1), rt::into(below_1), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_entered_once(
         &self,
         path_16: Path,
-        grid_5: Grid,
-        above: rt::Scalar<f32>,
-        below: rt::Scalar<f32>,
+        grid_7: Grid,
+        above_1: rt::Scalar<f32>,
+        below_1: rt::Scalar<f32>,
         above_gap: rt::Scalar<f32>,
         below_gap: rt::Scalar<f32>,
         so_far: rt::Vec3<u32>,
@@ -4834,14 +5752,14 @@ impl<'g> Resources<'g> {
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
         let mut cost_1: rt::Vec3<u32>;
-        let mut local_31: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
 
-        near_1 = above;
-        far_1 = below;
+        near_1 = above_1;
+        far_1 = below_1;
         near_gap = above_gap;
         far_gap = below_gap;
         cost_1 = so_far;
-        let wide = (grid_5.step.x().abs() + grid_5.step.y().abs());
+        let wide = (grid_7.step.x().abs() + grid_7.step.y().abs());
         'naga_break: loop {
             'naga_continue: {
                 let _e19 = far_1;
@@ -4859,11 +5777,11 @@ impl<'g> Resources<'g> {
                     let _e33 = near_1;
                     if rt::Scalar::into_branch_condition(middle_11.elementwise_gt(_e33)) {
                         let _e37 = far_1;
-                        local_31 = middle_11.elementwise_lt(_e37);
+                        local_35 = middle_11.elementwise_lt(_e37);
                     } else {
-                        local_31 = rt::Scalar(false);
+                        local_35 = rt::Scalar(false);
                     }
-                    let _e40 = local_31;
+                    let _e40 = local_35;
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
@@ -4890,47 +5808,47 @@ impl<'g> Resources<'g> {
     pub(crate) fn facing_four(
         &self,
         middle_7: impl rt::Into<rt::Scalar<f32>>,
-        along_14: impl rt::Into<rt::Scalar<f32>>,
+        along_15: impl rt::Into<rt::Scalar<f32>>,
         across: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_facing_four(rt::into(middle_7), rt::into(along_14), rt::into(across)))
+        rt::into(self.v_facing_four(rt::into(middle_7), rt::into(along_15), rt::into(across)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_facing_four(
         &self,
         middle_7: rt::Scalar<f32>,
-        along_14: rt::Scalar<f32>,
+        along_15: rt::Scalar<f32>,
         across: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let x_1 = (along_14 * rt::Scalar(1.7320508f32));
-        let y = (across * rt::Scalar(1.7320508f32));
-        return <rt::Vec4<f32>>::from_scalars((middle_7 + x_1), (middle_7 - x_1), (middle_7 + y), (middle_7 - y)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
+        let x_2 = (along_15 * rt::Scalar(1.7320508f32));
+        let y_1 = (across * rt::Scalar(1.7320508f32));
+        return <rt::Vec4<f32>>::from_scalars((middle_7 + x_2), (middle_7 - x_2), (middle_7 + y_1), (middle_7 - y_1)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
     }
     pub(crate) fn normal_at(
         &self,
-        uv_10: impl rt::Into<rt::Vec2<f32>>,
+        uv_12: impl rt::Into<rt::Vec2<f32>>,
         layer_5: impl rt::Into<rt::Scalar<i32>>,
-        level_14: impl rt::Into<rt::Scalar<u32>>,
+        level_16: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_10), rt::into(layer_5), rt::into(level_14)))
+        rt::into(self.v_normal_at(rt::into(uv_12), rt::into(layer_5), rt::into(level_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_at(
         &self,
-        uv_10: rt::Vec2<f32>,
+        uv_12: rt::Vec2<f32>,
         layer_5: rt::Scalar<i32>,
-        level_14: rt::Scalar<u32>,
+        level_16: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.normal_size;
-        let _e6 = self.v_level_texels(_e5, level_14);
-        let _e7 = self.v_texels_around(uv_10, _e6);
-        let k_30 = level_14.cast_elem_as_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_30));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_30));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_30));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_30));
+        let _e6 = self.v_level_texels(_e5, level_16);
+        let _e7 = self.v_texels_around(uv_12, _e6);
+        let k_31 = level_16.cast_elem_as_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_31));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_31));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_31));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_31));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
@@ -4950,142 +5868,142 @@ impl<'g> Resources<'g> {
         beside: rt::Scalar<f32>,
         rate: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let a_17 = (own * rate);
-        let b_16 = (beside * rate);
-        let along_22 = (rt::Scalar(1f32) + (a_17 * b_16));
-        let apart_3 = (a_17 - b_16).abs();
-        if rt::Scalar::into_branch_condition(apart_3.elementwise_le((rt::Scalar(0.5f32) * along_22))) {
+        let a_23 = (own * rate);
+        let b_22 = (beside * rate);
+        let along_23 = (rt::Scalar(1f32) + (a_23 * b_22));
+        let apart_3 = (a_23 - b_22).abs();
+        if rt::Scalar::into_branch_condition(apart_3.elementwise_le((rt::Scalar(0.5f32) * along_23))) {
             return beside;
         }
-        if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_22))) {
+        if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_23))) {
             return own;
         }
-        let part_11 = (((apart_3 / along_22) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
-        return (beside + ((own - beside) * part_11));
+        let part_14 = (((apart_3 / along_23) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
+        return (beside + ((own - beside) * part_14));
     }
     pub(crate) fn slopes_between_creases(
         &self,
-        at_29: Entered,
-        uv_11: impl rt::Into<rt::Vec2<f32>>,
+        at_30: Entered,
+        uv_13: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_slopes_between_creases(at_29, rt::into(uv_11)))
+        rt::into(self.v_slopes_between_creases(at_30, rt::into(uv_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slopes_between_creases(
         &self,
-        at_29: Entered,
-        uv_11: rt::Vec2<f32>,
+        at_30: Entered,
+        uv_13: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
-        let point_15 = ((uv_11 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e9 = self.v_cell_of(point_15);
-        let part_12 = (point_15 - _e9);
-        let i_2 = _e9.cast_elem_as_i32();
-        let _e13 = self.v_height_cell(i_2, rt::Scalar(0u32));
-        let _e14 = self.v_cell_slopes(_e13, part_12);
-        let _e20 = self.v_height_cell((i_2 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(0u32));
-        let _e21 = self.v_cell_slopes(_e20, part_12);
+        let point_16 = ((uv_13 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e9 = self.v_cell_of(point_16);
+        let part_15 = (point_16 - _e9);
+        let i_3 = _e9.cast_elem_as_i32();
+        let _e13 = self.v_height_cell(i_3, rt::Scalar(0u32));
+        let _e14 = self.v_cell_slopes(_e13, part_15);
+        let _e20 = self.v_height_cell((i_3 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(0u32));
+        let _e21 = self.v_cell_slopes(_e20, part_15);
         let before_u = _e21.x();
-        let _e28 = self.v_height_cell((i_2 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(0u32));
-        let _e29 = self.v_cell_slopes(_e28, part_12);
+        let _e28 = self.v_height_cell((i_3 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(0u32));
+        let _e29 = self.v_cell_slopes(_e28, part_15);
         let behind_u = _e29.x();
-        let _e36 = self.v_height_cell((i_2 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(0u32));
-        let _e37 = self.v_cell_slopes(_e36, part_12);
+        let _e36 = self.v_height_cell((i_3 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(0u32));
+        let _e37 = self.v_cell_slopes(_e36, part_15);
         let before_v = _e37.y();
-        let _e44 = self.v_height_cell((i_2 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(0u32));
-        let _e45 = self.v_cell_slopes(_e44, part_12);
+        let _e44 = self.v_height_cell((i_3 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(0u32));
+        let _e45 = self.v_cell_slopes(_e44, part_15);
         let behind_v = _e45.y();
         let _e50 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_u = ((_e3.x() * _e50) / at_29.tangent.length());
+        let rate_u = ((_e3.x() * _e50) / at_30.tangent.length());
         let _e58 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_v = ((_e3.y() * _e58) / at_29.bitangent.length());
+        let rate_v = ((_e3.y() * _e58) / at_30.bitangent.length());
         let _e64 = self.v_slope_beside(_e14.x(), before_u, rate_u);
         let _e66 = self.v_slope_beside(_e14.y(), before_v, rate_v);
-        let before_1 = <rt::Vec2<f32>>::from_scalars(_e64, _e66);
+        let before_2 = <rt::Vec2<f32>>::from_scalars(_e64, _e66);
         let _e69 = self.v_slope_beside(_e14.x(), behind_u, rate_u);
         let _e71 = self.v_slope_beside(_e14.y(), behind_v, rate_v);
         let behind_1 = <rt::Vec2<f32>>::from_scalars(_e69, _e71);
-        return (rt::Scalar(0.5f32) * ((_e14 + before_1) + ((behind_1 - before_1) * part_12)));
+        return (rt::Scalar(0.5f32) * ((_e14 + before_2) + ((behind_1 - before_2) * part_15)));
     }
     pub(crate) fn normal_of_slopes(
         &self,
-        at_30: Entered,
+        at_31: Entered,
         slope_u: impl rt::Into<rt::Scalar<f32>>,
         slope_v: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_slopes(at_30, rt::into(slope_u), rt::into(slope_v)))
+        rt::into(self.v_normal_of_slopes(at_31, rt::into(slope_u), rt::into(slope_v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_of_slopes(
         &self,
-        at_30: Entered,
+        at_31: Entered,
         slope_u: rt::Scalar<f32>,
         slope_v: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_1 = (at_30.tangent + (at_30.normal * slope_u));
-        let along_v_1 = (at_30.bitangent + (at_30.normal * slope_v));
+        let along_u_1 = (at_31.tangent + (at_31.normal * slope_u));
+        let along_v_1 = (at_31.bitangent + (at_31.normal * slope_v));
         let across_4 = along_v_1.cross(along_u_1).normalize();
-        return (across_4 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_4.dot(at_30.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_4 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_4.dot(at_31.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_31: Entered,
-        uv_12: impl rt::Into<rt::Vec2<f32>>,
+        at_32: Entered,
+        uv_14: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_31, rt::into(uv_12)))
+        rt::into(self.v_normal_from_height(at_32, rt::into(uv_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
-        at_31: Entered,
-        uv_12: rt::Vec2<f32>,
+        at_32: Entered,
+        uv_14: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let _e6 = rt::Scalar(self.surface_settings.has_creases);
         if rt::Scalar::into_branch_condition(_e6.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_slopes_between_creases(at_31, uv_12);
+            let _e9 = self.v_slopes_between_creases(at_32, uv_14);
             let _e13 = rt::Scalar(self.surface_settings.scale_m);
             let slopes = ((_e9 * _e3) * _e13);
-            let _e17 = self.v_normal_of_slopes(at_31, slopes.x(), slopes.y());
+            let _e17 = self.v_normal_of_slopes(at_32, slopes.x(), slopes.y());
             return _e17;
         }
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
         let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
-        let _e30 = self.v_height_at((uv_12 + du), rt::Scalar(0u32));
-        let _e33 = self.v_height_at((uv_12 - du), rt::Scalar(0u32));
-        let rise_u = (_e30 - _e33);
-        let _e37 = self.v_height_at((uv_12 + dv), rt::Scalar(0u32));
-        let _e40 = self.v_height_at((uv_12 - dv), rt::Scalar(0u32));
-        let rise_v = (_e37 - _e40);
+        let _e30 = self.v_height_at((uv_14 + du), rt::Scalar(0u32));
+        let _e33 = self.v_height_at((uv_14 - du), rt::Scalar(0u32));
+        let rise_u_1 = (_e30 - _e33);
+        let _e37 = self.v_height_at((uv_14 + dv), rt::Scalar(0u32));
+        let _e40 = self.v_height_at((uv_14 - dv), rt::Scalar(0u32));
+        let rise_v_1 = (_e37 - _e40);
         let _e47 = rt::Scalar(self.surface_settings.scale_m);
-        let slope_u_1 = (rise_u * ((rt::Scalar(0.5f32) * _e3.x()) * _e47));
+        let slope_u_1 = (rise_u_1 * ((rt::Scalar(0.5f32) * _e3.x()) * _e47));
         let _e55 = rt::Scalar(self.surface_settings.scale_m);
-        let slope_v_1 = (rise_v * ((rt::Scalar(0.5f32) * _e3.y()) * _e55));
-        let _e58 = self.v_normal_of_slopes(at_31, slope_u_1, slope_v_1);
+        let slope_v_1 = (rise_v_1 * ((rt::Scalar(0.5f32) * _e3.y()) * _e55));
+        let _e58 = self.v_normal_of_slopes(at_32, slope_u_1, slope_v_1);
         return _e58;
     }
     pub(crate) fn finest_normal(
         &self,
-        at_32: Entered,
-        uv_13: impl rt::Into<rt::Vec2<f32>>,
+        at_33: Entered,
+        uv_15: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_32, rt::into(uv_13)))
+        rt::into(self.v_finest_normal(at_33, rt::into(uv_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_finest_normal(
         &self,
-        at_32: Entered,
-        uv_13: rt::Vec2<f32>,
+        at_33: Entered,
+        uv_15: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_normal_at(uv_13, rt::Scalar(0i32), rt::Scalar(0u32));
-            let _e11 = self.v_from_tangent_space(at_32, _e9.xyz());
+            let _e9 = self.v_normal_at(uv_15, rt::Scalar(0i32), rt::Scalar(0u32));
+            let _e11 = self.v_from_tangent_space(at_33, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_32, uv_13);
+        let _e13 = self.v_normal_from_height(at_33, uv_15);
         return _e13;
     }
     pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
@@ -5099,17 +6017,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_segment(
         &self,
         pixel_41: PixelIn,
-        at_33: Entered,
+        at_34: Entered,
         k_1: impl rt::Into<rt::Scalar<u32>>,
         params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_41, at_33, rt::into(k_1), rt::into(params_19)))
+        rt::into(self.v_surface_plane_segment(pixel_41, at_34, rt::into(k_1), rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_segment(
         &self,
         pixel_41: PixelIn,
-        at_33: Entered,
+        at_34: Entered,
         k_1: rt::Scalar<u32>,
         params_19: rt::Vec4<f32>,
     ) -> Path {
@@ -5117,32 +6035,32 @@ impl<'g> Resources<'g> {
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_3: rt::Vec2<f32>;
 
-        let along_23 = pixel_41.direction.length();
-        let direction_5 = (pixel_41.direction / rt::Vec3::splat_from_scalar(along_23));
-        let _e9 = self.v_climb(at_33, direction_5);
+        let along_24 = pixel_41.direction.length();
+        let direction_6 = (pixel_41.direction / rt::Vec3::splat_from_scalar(along_24));
+        let _e9 = self.v_climb(at_34, direction_6);
         let duv_5 = _e9.xy();
-        let descent_3 = (rt::Scalar(0f32) - at_33.normal.dot(direction_5));
+        let descent_3 = (rt::Scalar(0f32) - at_34.normal.dot(direction_6));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
-        let slope_7 = ((rt::Scalar(0f32) - descent_3) / _e15);
+        let slope_8 = ((rt::Scalar(0f32) - descent_3) / _e15);
         let _e20 = self.v_plane_normal(pixel_41);
         let _e21 = self.v_plane_distance(pixel_41, _e20);
-        let distance = (_e21 * along_23);
+        let distance = (_e21 * along_24);
         let eye_2 = (rt::Scalar(0f32) - distance);
-        let top_4 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
-        enter = top_4.max(eye_2);
+        let top_5 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
+        enter = top_5.max(eye_2);
         leave_4 = ((_e16 * _e15) / descent_3);
         let _e34 = leave_4;
         let _e35 = leave_4;
-        leave_4 = (_e34 + ((_e35 - top_4) * rt::Scalar(0.000001f32)));
+        leave_4 = (_e34 + ((_e35 - top_5) * rt::Scalar(0.000001f32)));
         let _e42 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
             let _e48 = enter;
             let _e49 = leave_4;
-            let _e51 = self.v_inside_unit(at_33.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
+            let _e51 = self.v_inside_unit(at_34.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
             interval_3 = _e51;
             let _e56 = interval_3;
-            let _e57 = self.v_inside_unit(at_33.uv.y(), duv_5.y(), _e56);
+            let _e57 = self.v_inside_unit(at_34.uv.y(), duv_5.y(), _e56);
             interval_3 = _e57;
             let _e59 = interval_3.x();
             enter = _e59;
@@ -5151,81 +6069,81 @@ impl<'g> Resources<'g> {
         }
         let _e62 = enter;
         let _e65 = enter;
-        let entry_height = (_e16 + (slope_7 * _e62)).select(rt::Scalar(1f32), _e65.elementwise_eq(top_4));
+        let entry_height = (_e16 + (slope_8 * _e62)).select(rt::Scalar(1f32), _e65.elementwise_eq(top_5));
         let _e69 = enter;
         let base_2 = (rt::Scalar(0f32) - _e69).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e76 = enter;
         let _e81 = leave_4;
         let _e82 = enter;
         let _e87 = enter;
-        return <Path>::new((at_33.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_7, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_33.metric, RAY_VIEW, rt::Scalar(at_33.level), (distance + _e87), rt::Scalar(1f32));
+        return <Path>::new((at_34.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_8, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_34.metric, RAY_VIEW, rt::Scalar(at_34.level), (distance + _e87), rt::Scalar(1f32));
     }
     pub(crate) fn folded_segment(
         &self,
         pixel_42: PixelIn,
-        at_34: Entered,
+        at_35: Entered,
         k_2: impl rt::Into<rt::Scalar<u32>>,
         params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_folded_segment(pixel_42, at_34, rt::into(k_2), rt::into(params_20)))
+        rt::into(self.v_folded_segment(pixel_42, at_35, rt::into(k_2), rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_folded_segment(
         &self,
         pixel_42: PixelIn,
-        at_34: Entered,
+        at_35: Entered,
         k_2: rt::Scalar<u32>,
         params_20: rt::Vec4<f32>,
     ) -> Path {
-        let mut a_8: WayPoint;
-        let mut b_8: WayPoint;
+        let mut a_9: WayPoint;
+        let mut b_9: WayPoint;
         let mut path_17: Path;
-        let mut local_32: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
 
-        let along_24 = pixel_42.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_42, along_24);
-        let _e7 = self.v_prism_of(pixel_42, along_24, _e6, params_20);
+        let along_25 = pixel_42.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_42, along_25);
+        let _e7 = self.v_prism_of(pixel_42, along_25, _e6, params_20);
         let _e8 = self.v_shell_slack(pixel_42, _e6);
-        let _e9 = self.v_way_of(pixel_42, _e7, along_24);
+        let _e9 = self.v_way_of(pixel_42, _e7, along_25);
         let _e10 = self.v_way_offsets(pixel_42, _e7, _e8);
-        let _e11 = self.v_chord_reach(pixel_42, at_34, _e6, params_20);
+        let _e11 = self.v_chord_reach(pixel_42, at_35, _e6, params_20);
         let _e12 = self.v_way_beyond(_e7, _e10, _e11);
-        let _e14 = self.v_way_chord(pixel_42, _e7, along_24, _e9, _e10, _e12, params_20.x(), k_2);
-        let _e16 = self.v_before_turn(_e7, along_24, _e9, _e14.offsets);
-        let _e18 = self.v_way_point(_e7, along_24, _e9, _e16.x());
-        a_8 = _e18;
-        let _e25 = self.v_way_point(_e7, along_24, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
-        let _e27 = self.v_way_point(_e7, along_24, _e9, _e16.y());
-        b_8 = _e27;
-        let _e30 = rt::Scalar(b_8.t);
-        let _e32 = rt::Scalar(a_8.t);
+        let _e14 = self.v_way_chord(pixel_42, _e7, along_25, _e9, _e10, _e12, params_20.x(), k_2);
+        let _e16 = self.v_before_turn(_e7, along_25, _e9, _e14.offsets);
+        let _e18 = self.v_way_point(_e7, along_25, _e9, _e16.x());
+        a_9 = _e18;
+        let _e25 = self.v_way_point(_e7, along_25, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
+        let _e27 = self.v_way_point(_e7, along_25, _e9, _e16.y());
+        b_9 = _e27;
+        let _e30 = rt::Scalar(b_9.t);
+        let _e32 = rt::Scalar(a_9.t);
         if rt::Scalar::into_branch_condition(_e30.elementwise_lt(_e32)) {
-            let turned_1 = b_8;
-            let _e35 = a_8;
-            b_8 = _e35;
-            a_8 = turned_1;
+            let turned_2 = b_9;
+            let _e35 = a_9;
+            b_9 = _e35;
+            a_9 = turned_2;
         }
-        let _e38 = rt::Scalar(a_8.t);
-        let _e41 = rt::Scalar(b_8.t);
-        let _e43 = rt::Scalar(a_8.t);
-        let part_13 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
-        let _e48 = rt::Scalar(a_8.point.height);
-        let _e53 = rt::Scalar(b_8.point.height);
-        let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_13);
-        let _e56 = a_8.point;
-        let _e58 = b_8.point;
-        let _e60 = rt::Scalar(a_8.t);
-        let _e62 = rt::Scalar(b_8.t);
-        let _e64 = self.v_chord_path(pixel_42, at_34, _e6, params_20, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
+        let _e38 = rt::Scalar(a_9.t);
+        let _e41 = rt::Scalar(b_9.t);
+        let _e43 = rt::Scalar(a_9.t);
+        let part_16 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
+        let _e48 = rt::Scalar(a_9.point.height);
+        let _e53 = rt::Scalar(b_9.point.height);
+        let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_16);
+        let _e56 = a_9.point;
+        let _e58 = b_9.point;
+        let _e60 = rt::Scalar(a_9.t);
+        let _e62 = rt::Scalar(b_9.t);
+        let _e64 = self.v_chord_path(pixel_42, at_35, _e6, params_20, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
         path_17 = _e64;
-        let _e67 = rt::Scalar(a_8.beside);
+        let _e67 = rt::Scalar(a_9.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
-            let _e76 = rt::Scalar(b_8.beside);
-            local_32 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
+            let _e76 = rt::Scalar(b_9.beside);
+            local_36 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
         } else {
-            local_32 = rt::Scalar(true);
+            local_36 = rt::Scalar(true);
         }
-        let _e82 = local_32;
+        let _e82 = local_36;
         if rt::Scalar::into_branch_condition(_e82) {
             rt::Scalar(path_17.exit) = rt::Scalar(0f32);
         }
@@ -5235,91 +6153,91 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_prism_segment(
         &self,
         pixel_43: PixelIn,
-        at_35: Entered,
+        at_36: Entered,
         k_3: impl rt::Into<rt::Scalar<u32>>,
         params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_43, at_35, rt::into(k_3), rt::into(params_21)))
+        rt::into(self.v_surface_prism_segment(pixel_43, at_36, rt::into(k_3), rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_segment(
         &self,
         pixel_43: PixelIn,
-        at_35: Entered,
+        at_36: Entered,
         k_3: rt::Scalar<u32>,
         params_21: rt::Vec4<f32>,
     ) -> Path {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_43.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_folded_segment(pixel_43, at_35, k_3, params_21);
+            let _e8 = self.v_folded_segment(pixel_43, at_36, k_3, params_21);
             return _e8;
         }
-        let along_25 = pixel_43.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_43, along_25);
-        let _e12 = self.v_prism_of(pixel_43, along_25, _e11, params_21);
+        let along_26 = pixel_43.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_43, along_26);
+        let _e12 = self.v_prism_of(pixel_43, along_26, _e11, params_21);
         let heights_2 = pixel_43.shell.heights;
         let mean_3 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
-        let _e20 = self.v_chord_end(at_35, k_3);
-        let _e23 = self.v_chord_end(at_35, (k_3 + rt::Scalar(1u32)));
-        let _e25 = self.v_shell_point(_e12, (along_25 * _e20), mean_3);
-        let _e27 = self.v_shell_point(_e12, (along_25 * _e23), mean_3);
+        let _e20 = self.v_chord_end(at_36, k_3);
+        let _e23 = self.v_chord_end(at_36, (k_3 + rt::Scalar(1u32)));
+        let _e25 = self.v_shell_point(_e12, (along_26 * _e20), mean_3);
+        let _e27 = self.v_shell_point(_e12, (along_26 * _e23), mean_3);
         let _e32 = self.v_between(_e25, _e27);
-        let _e33 = self.v_shell_point_from(_e12, (along_25 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
+        let _e33 = self.v_shell_point_from(_e12, (along_26 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
-        let _e56 = self.v_chord_reach(pixel_43, at_35, _e11, params_21);
+        let _e56 = self.v_chord_reach(pixel_43, at_36, _e11, params_21);
         let beyond_5 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e68 = self.v_chord_path(pixel_43, at_35, _e11, params_21, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
+        let _e68 = self.v_chord_path(pixel_43, at_36, _e11, params_21, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
         return _e68;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
         &self,
         pixel_44: PixelIn,
-        at_36: Entered,
+        at_37: Entered,
         k_4: impl rt::Into<rt::Scalar<u32>>,
         params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_44, at_36, rt::into(k_4), rt::into(params_22)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_44, at_37, rt::into(k_4), rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_segment(
         &self,
         pixel_44: PixelIn,
-        at_36: Entered,
+        at_37: Entered,
         k_4: rt::Scalar<u32>,
         params_22: rt::Vec4<f32>,
     ) -> Path {
         let mut begin_1: rt::Scalar<f32>;
         let mut end_1: rt::Scalar<f32>;
-        let mut local_33: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
         let mut path_18: Path;
         let mut inside_2: rt::Vec2<f32>;
 
-        let along_26 = pixel_44.direction.length();
-        let _e9 = self.v_across_of(at_36, (pixel_44.direction / rt::Vec3::splat_from_scalar(along_26)));
+        let along_27 = pixel_44.direction.length();
+        let _e9 = self.v_across_of(at_37, (pixel_44.direction / rt::Vec3::splat_from_scalar(along_27)));
         let _e10 = self.v_traced_scale_m();
         let _e11 = self.v_plane_normal(pixel_44);
         let _e12 = self.v_plane_distance(pixel_44, _e11);
-        let distance_1 = (_e12 * along_26);
-        let whole = (at_36.span.y() - at_36.span.x());
-        let first_7 = (at_36.span.x() + (whole * (k_4.cast_elem_as_f32() / params_22.z())));
-        let last_3 = (at_36.span.x() + (whole * ((k_4 + rt::Scalar(1u32)).cast_elem_as_f32() / params_22.z())));
-        let long_4 = (last_3 - first_7);
+        let distance_1 = (_e12 * along_27);
+        let whole = (at_37.span.y() - at_37.span.x());
+        let first_7 = (at_37.span.x() + (whole * (k_4.cast_elem_as_f32() / params_22.z())));
+        let last_4 = (at_37.span.x() + (whole * ((k_4 + rt::Scalar(1u32)).cast_elem_as_f32() / params_22.z())));
+        let long_4 = (last_4 - first_7);
         let _e38 = self.v_across_depth(_e9, first_7);
-        begin_1 = (at_36.quadric.w() - (_e38 / _e10));
+        begin_1 = (at_37.quadric.w() - (_e38 / _e10));
         if rt::Scalar::into_branch_condition(k_4.elementwise_eq(rt::Scalar(0u32))) {
             let _e44 = begin_1;
             begin_1 = _e44.min(rt::Scalar(1f32));
         }
-        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_7 + last_3)));
-        let middle_12 = (at_36.quadric.w() - (_e52 / _e10));
-        let _e57 = self.v_across_depth(_e9, last_3);
-        end_1 = (at_36.quadric.w() - (_e57 / _e10));
+        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_7 + last_4)));
+        let middle_12 = (at_37.quadric.w() - (_e52 / _e10));
+        let _e57 = self.v_across_depth(_e9, last_4);
+        end_1 = (at_37.quadric.w() - (_e57 / _e10));
         if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_22.z().cast_elem_as_u32())) {
             let _e68 = end_1;
-            local_33 = _e68.elementwise_lt(rt::Scalar(0.5f32));
+            local_37 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
-            local_33 = rt::Scalar(false);
+            local_37 = rt::Scalar(false);
         }
-        let _e72 = local_33;
+        let _e72 = local_37;
         if rt::Scalar::into_branch_condition(_e72) {
             let _e73 = end_1;
             end_1 = _e73.min(rt::Scalar(-0.000001f32));
@@ -5329,10 +6247,10 @@ impl<'g> Resources<'g> {
         let bend_5 = (rt::Scalar(2f32) * ((_e76 + _e77) - (rt::Scalar(2f32) * middle_12)));
         let _e84 = end_1;
         let _e85 = begin_1;
-        let slope_8 = ((_e84 - _e85) - bend_5);
+        let slope_9 = ((_e84 - _e85) - bend_5);
         let base_3 = (rt::Scalar(0f32) - first_7).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e98 = begin_1;
-        path_18 = <Path>::new((at_36.uv + (_e9.duv * first_7)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_8 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_36.metric, RAY_VIEW, rt::Scalar(at_36.level), (distance_1 + first_7), (rt::Scalar(1f32) / params_22.z()));
+        path_18 = <Path>::new((at_37.uv + (_e9.duv * first_7)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_37.metric, RAY_VIEW, rt::Scalar(at_37.level), (distance_1 + first_7), (rt::Scalar(1f32) / params_22.z()));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
         let _e117 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e117.elementwise_eq(WRAP_CLAMP)) {
@@ -5361,63 +6279,63 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_segment(
         &self,
         pixel_45: PixelIn,
-        at_37: Entered,
+        at_38: Entered,
         k_5: impl rt::Into<rt::Scalar<u32>>,
         params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_45, at_37, rt::into(k_5), rt::into(params_23)))
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_45, at_38, rt::into(k_5), rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_segment(
         &self,
         pixel_45: PixelIn,
-        at_37: Entered,
+        at_38: Entered,
         k_5: rt::Scalar<u32>,
         params_23: rt::Vec4<f32>,
     ) -> Path {
-        let mut local_34: rt::Scalar<bool>;
-        let mut local_35: rt::Scalar<bool>;
+        let mut local_38: rt::Scalar<bool>;
+        let mut local_39: rt::Scalar<bool>;
         let mut enter_1: rt::Scalar<f32>;
         let mut leave_5: rt::Scalar<f32>;
         let mut interval_4: rt::Vec2<f32>;
         let mut path_19: Path;
-        let mut local_36: rt::Scalar<bool>;
+        let mut local_40: rt::Scalar<bool>;
 
-        let along_27 = pixel_45.direction.length();
-        let direction_6 = (pixel_45.direction / rt::Vec3::splat_from_scalar(along_27));
-        let _e9 = self.v_climb(at_37, direction_6);
+        let along_28 = pixel_45.direction.length();
+        let direction_7 = (pixel_45.direction / rt::Vec3::splat_from_scalar(along_28));
+        let _e9 = self.v_climb(at_38, direction_7);
         let duv_6 = _e9.xy();
-        let descent_4 = (rt::Scalar(0f32) - at_37.normal.dot(direction_6));
+        let descent_4 = (rt::Scalar(0f32) - at_38.normal.dot(direction_7));
         let _e15 = self.v_traced_scale_m();
-        let height_12 = at_37.quadric.w();
-        let slope_9 = ((rt::Scalar(0f32) - descent_4) / _e15);
-        let _e23 = self.v_quadric_at(at_37.quadric.xyz(), duv_6);
+        let height_12 = at_38.quadric.w();
+        let slope_10 = ((rt::Scalar(0f32) - descent_4) / _e15);
+        let _e23 = self.v_quadric_at(at_38.quadric.xyz(), duv_6);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
         let _e27 = self.v_plane_normal(pixel_45);
         let _e28 = self.v_plane_distance(pixel_45, _e27);
-        let distance_2 = (_e28 * along_27);
+        let distance_2 = (_e28 * along_28);
         let eye_3 = (rt::Scalar(0f32) - distance_2);
         let _e35 = self.v_bent_descent(((height_12 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
             if rt::Scalar::into_branch_condition((!height_12.elementwise_lt(rt::Scalar(1f32)))) {
-                local_35 = _e35.elementwise_ge(rt::Scalar(0f32));
+                local_39 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
-                local_35 = rt::Scalar(true);
+                local_39 = rt::Scalar(true);
             }
-            let _e48 = local_35;
-            local_34 = _e48;
+            let _e48 = local_39;
+            local_38 = _e48;
         } else {
-            local_34 = rt::Scalar(false);
+            local_38 = rt::Scalar(false);
         }
-        let comes_down = local_34;
+        let comes_down = local_38;
         enter_1 = _e35.max(eye_3);
         let _e53 = enter_1;
         let _e54 = enter_1;
         let _e59 = enter_1;
-        let begin_4 = (height_12 + (_e53 * (slope_9 + (curve * _e54)))).select(rt::Scalar(1f32), _e59.elementwise_eq(_e35));
+        let begin_4 = (height_12 + (_e53 * (slope_10 + (curve * _e54)))).select(rt::Scalar(1f32), _e59.elementwise_eq(_e35));
         let _e63 = enter_1;
         let _e66 = enter_1;
-        let _e70 = self.v_bent_exit(<rt::Vec3<f32>>::from_scalars(begin_4, (slope_9 + ((rt::Scalar(2f32) * curve) * _e66)), curve));
+        let _e70 = self.v_bent_exit(<rt::Vec3<f32>>::from_scalars(begin_4, (slope_10 + ((rt::Scalar(2f32) * curve) * _e66)), curve));
         leave_5 = (_e63 + _e70);
         if rt::Scalar::into_branch_condition(_e23.elementwise_eq(rt::Scalar(0f32))) {
             leave_5 = ((height_12 * _e15) / descent_4);
@@ -5429,10 +6347,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e85.elementwise_eq(WRAP_CLAMP)) {
             let _e91 = enter_1;
             let _e92 = leave_5;
-            let _e94 = self.v_inside_unit(at_37.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
+            let _e94 = self.v_inside_unit(at_38.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
             interval_4 = _e94;
             let _e99 = interval_4;
-            let _e100 = self.v_inside_unit(at_37.uv.y(), duv_6.y(), _e99);
+            let _e100 = self.v_inside_unit(at_38.uv.y(), duv_6.y(), _e99);
             interval_4 = _e100;
             let _e102 = interval_4.x();
             enter_1 = _e102;
@@ -5442,7 +6360,7 @@ impl<'g> Resources<'g> {
         let _e105 = enter_1;
         let _e106 = enter_1;
         let _e111 = enter_1;
-        let entry_height_1 = (height_12 + (_e105 * (slope_9 + (curve * _e106)))).select(rt::Scalar(1f32), _e111.elementwise_eq(_e35));
+        let entry_height_1 = (height_12 + (_e105 * (slope_10 + (curve * _e106)))).select(rt::Scalar(1f32), _e111.elementwise_eq(_e35));
         let _e115 = enter_1;
         let base_4 = (rt::Scalar(0f32) - _e115).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e122 = enter_1;
@@ -5450,14 +6368,14 @@ impl<'g> Resources<'g> {
         let _e131 = leave_5;
         let _e132 = enter_1;
         let _e137 = enter_1;
-        path_19 = <Path>::new((at_37.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_9 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_37.metric, RAY_VIEW, rt::Scalar(at_37.level), (distance_2 + _e137), rt::Scalar(1f32));
+        path_19 = <Path>::new((at_38.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_38.metric, RAY_VIEW, rt::Scalar(at_38.level), (distance_2 + _e137), rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
             let _e147 = rt::Scalar(path_19.exit);
-            local_36 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
+            local_40 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_36 = rt::Scalar(true);
+            local_40 = rt::Scalar(true);
         }
-        let _e152 = local_36;
+        let _e152 = local_40;
         if rt::Scalar::into_branch_condition(_e152) {
             rt::Scalar(path_19.exit) = rt::Scalar(0f32);
         }
@@ -5467,17 +6385,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_segment(
         &self,
         pixel_46: PixelIn,
-        at_38: Entered,
+        at_39: Entered,
         k_6: impl rt::Into<rt::Scalar<u32>>,
         params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_46, at_38, rt::into(k_6), rt::into(params_24)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_46, at_39, rt::into(k_6), rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_segment(
         &self,
         pixel_46: PixelIn,
-        at_38: Entered,
+        at_39: Entered,
         k_6: rt::Scalar<u32>,
         params_24: rt::Vec4<f32>,
     ) -> Path {
@@ -5485,11 +6403,11 @@ impl<'g> Resources<'g> {
         let mut inside_3: rt::Vec2<f32>;
         let mut path_20: Path;
 
-        let along_28 = pixel_46.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_46, along_28);
-        let _e8 = self.v_tetrahedron(pixel_46, along_28, _e6, rt::Scalar(0u32));
-        let _e10 = self.v_tetrahedron(pixel_46, along_28, _e6, rt::Scalar(1u32));
-        let _e12 = self.v_tetrahedron(pixel_46, along_28, _e6, rt::Scalar(2u32));
+        let along_29 = pixel_46.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_46, along_29);
+        let _e8 = self.v_tetrahedron(pixel_46, along_29, _e6, rt::Scalar(0u32));
+        let _e10 = self.v_tetrahedron(pixel_46, along_29, _e6, rt::Scalar(1u32));
+        let _e12 = self.v_tetrahedron(pixel_46, along_29, _e6, rt::Scalar(2u32));
         let _e15 = self.v_comes_before(_e8.inside, _e10.inside);
         let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
         let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
@@ -5503,27 +6421,27 @@ impl<'g> Resources<'g> {
         let _e30 = self.v_ordered(pixel_46, rt::Scalar(0u32));
         let _e32 = self.v_ordered(pixel_46, rt::Scalar(1u32));
         let _e34 = self.v_ordered(pixel_46, rt::Scalar(2u32));
-        let w_4 = chosen_1.weights;
+        let w_5 = chosen_1.weights;
         let g = chosen_1.change;
-        let uv_30 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
+        let uv_31 = (((_e30.uv * w_5.x()) + (_e32.uv * w_5.y())) + (_e34.uv * w_5.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
         let _e61 = self.v_shell_slack(pixel_46, _e6);
         let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
         let _e68 = chosen_1.inside;
         inside_3 = _e68;
         let _e70 = inside_3;
-        let _e77 = self.v_where_positive(_e70, (w_4.w() - pixel_46.shell.heights.x()), g.w(), beyond_6);
+        let _e77 = self.v_where_positive(_e70, (w_5.w() - pixel_46.shell.heights.x()), g.w(), beyond_6);
         inside_3 = _e77;
         let _e78 = inside_3;
-        let _e87 = self.v_where_positive(_e78, (pixel_46.shell.heights.y() - w_4.w()), (rt::Scalar(0f32) - g.w()), beyond_6);
+        let _e87 = self.v_where_positive(_e78, (pixel_46.shell.heights.y() - w_5.w()), (rt::Scalar(0f32) - g.w()), beyond_6);
         inside_3 = _e87;
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_3;
-            let _e96 = self.v_inside_unit(uv_30.x(), duv_7.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_31.x(), duv_7.x(), _e95);
             inside_3 = _e96;
             let _e99 = inside_3;
-            let _e100 = self.v_inside_unit(uv_30.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_31.y(), duv_7.y(), _e99);
             inside_3 = _e100;
         }
         let whole_1 = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -5534,7 +6452,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_20 = <Path>::new((uv_30 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_38.metric, RAY_VIEW, rt::Scalar(at_38.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
+        path_20 = <Path>::new((uv_31 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_5.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_39.metric, RAY_VIEW, rt::Scalar(at_39.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
         let _e158 = rt::Scalar(path_20.exit);
         if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
             let _e161 = path_20;
@@ -5549,73 +6467,73 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_facets_segment(
         &self,
         pixel_47: PixelIn,
-        at_39: Entered,
+        at_40: Entered,
         k_7: impl rt::Into<rt::Scalar<u32>>,
         params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_facets_segment(pixel_47, at_39, rt::into(k_7), rt::into(params_25)))
+        rt::into(self.v_surface_facets_segment(pixel_47, at_40, rt::into(k_7), rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_segment(
         &self,
         pixel_47: PixelIn,
-        at_39: Entered,
+        at_40: Entered,
         k_7: rt::Scalar<u32>,
         params_25: rt::Vec4<f32>,
     ) -> Path {
         let _e4 = self.v_plane_normal(pixel_47);
         let _e5 = self.v_facet_distance(pixel_47, _e4);
         let start_2 = (_e5 * pixel_47.direction.length());
-        let _e11 = self.v_height_at(at_39.uv, rt::Scalar(at_39.level));
+        let _e11 = self.v_height_at(at_40.uv, rt::Scalar(at_40.level));
         let duv_8 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Path>::new(at_39.uv, duv_8, <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(1f32), rt::Scalar(0f32), at_39.metric, RAY_VIEW, rt::Scalar(at_39.level), start_2, rt::Scalar(1f32));
+        return <Path>::new(at_40.uv, duv_8, <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(1f32), rt::Scalar(0f32), at_40.metric, RAY_VIEW, rt::Scalar(at_40.level), start_2, rt::Scalar(1f32));
     }
     pub(crate) fn surface_segment_stage(
         &self,
         pixel_48: PixelIn,
-        at_40: Entered,
+        at_41: Entered,
         k_8: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_48, at_40, rt::into(k_8)))
+        rt::into(self.v_surface_segment_stage(pixel_48, at_41, rt::into(k_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_segment_stage(
         &self,
         pixel_48: PixelIn,
-        at_40: Entered,
+        at_41: Entered,
         k_8: rt::Scalar<u32>,
     ) -> Path {
         let _e7 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[1usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_48, at_40, k_8, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_48, at_41, k_8, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[1usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_48, at_40, k_8, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_48, at_41, k_8, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[1usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_48, at_40, k_8, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_48, at_41, k_8, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[1usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_48, at_40, k_8, _e30);
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_48, at_41, k_8, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[1usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_48, at_40, k_8, _e36);
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_48, at_41, k_8, _e36);
                 return _e37;
             }
             _ => {
                 let _e42 = self.surface_settings.choices[1usize].params;
-                let _e43 = self.v_surface_facets_segment(pixel_48, at_40, k_8, _e42);
+                let _e43 = self.v_surface_facets_segment(pixel_48, at_41, k_8, _e42);
                 return _e43;
             }
         }
@@ -5654,11 +6572,11 @@ impl<'g> Resources<'g> {
         let mut start: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let kept = (rt::Scalar(1f32) - part_4);
-        let top_5 = (middle_8 + ((rt::Scalar(1f32) - middle_8) * kept));
-        let above_5 = (path_22.h.x() - top_5);
-        let begins = above_5.elementwise_gt(rt::Scalar(0f32));
+        let top_6 = (middle_8 + ((rt::Scalar(1f32) - middle_8) * kept));
+        let above_6 = (path_22.h.x() - top_6);
+        let begins = above_6.elementwise_gt(rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(begins) {
-            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_5, path_22.h.y(), path_22.h.z()), rt::Scalar(path_22.exit));
+            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_6, path_22.h.y(), path_22.h.z()), rt::Scalar(path_22.exit));
             start = _e22.min(rt::Scalar(path_22.exit));
         }
         let height_13 = (middle_8 + ((path_22.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
@@ -5666,9 +6584,9 @@ impl<'g> Resources<'g> {
         let _e33 = self.v_path_slope(path_22, _e32);
         let h_4 = <rt::Vec3<f32>>::from_scalars(height_13, (_e33 / kept), (path_22.h.z() / kept));
         let _e40 = start;
-        let rest_3 = (rt::Scalar(path_22.exit) - _e40);
-        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_4.x().max(rt::Scalar(0f32)), h_4.y(), h_4.z()), rest_3);
-        let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_3);
+        let rest_4 = (rt::Scalar(path_22.exit) - _e40);
+        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_4.x().max(rt::Scalar(0f32)), h_4.y(), h_4.z()), rest_4);
+        let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_4);
         let _e53 = start;
         let base_5 = (rt::Scalar(path_22.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e58 = start;
@@ -5679,26 +6597,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn segment_of(
         &self,
         pixel_49: PixelIn,
-        at_41: Entered,
+        at_42: Entered,
         k_9: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_49, at_41, rt::into(k_9)))
+        rt::into(self.v_segment_of(pixel_49, at_42, rt::into(k_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_segment_of(
         &self,
         pixel_49: PixelIn,
-        at_41: Entered,
+        at_42: Entered,
         k_9: rt::Scalar<u32>,
     ) -> Path {
         let mut path_23: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_49, at_41, k_9);
+        let _e3 = self.v_surface_segment_stage(pixel_49, at_42, k_9);
         path_23 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_41.fade).elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_42.fade).elementwise_gt(rt::Scalar(0f32))) {
             let _e8 = path_23;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_41.fade));
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_42.fade));
             path_23 = _e13;
             let _e16 = path_23.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
@@ -5725,15 +6643,15 @@ impl<'g> Resources<'g> {
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_37: rt::Scalar<bool>;
+        let mut local_41: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(t_14.elementwise_gt(rt::Scalar(path_24.exit))) {
             let _e9 = self.v_path_height(path_24, rt::Scalar(path_24.exit));
-            local_37 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+            local_41 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_37 = rt::Scalar(false);
+            local_41 = rt::Scalar(false);
         }
-        let _e13 = local_37;
+        let _e13 = local_41;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
@@ -5748,17 +6666,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_starting_point(&self, path_25: Path, found: Found) -> rt::Scalar<f32> {
-        let mut local_38: rt::Scalar<bool>;
+        let mut local_42: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_25.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
-            local_38 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
+            local_42 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_38 = rt::Scalar(true);
+            local_42 = rt::Scalar(true);
         }
-        let _e16 = local_38;
+        let _e16 = local_42;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found.far);
         }
@@ -5859,49 +6777,24 @@ impl<'g> Resources<'g> {
         let _e34 = hit_7;
         return _e34;
     }
-    pub(crate) fn height_and_slope(
-        &self,
-        uv_14: impl rt::Into<rt::Vec2<f32>>,
-        level_15: impl rt::Into<rt::Scalar<u32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_14), rt::into(level_15)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_height_and_slope(
-        &self,
-        uv_14: rt::Vec2<f32>,
-        level_15: rt::Scalar<u32>,
-    ) -> rt::Vec3<f32> {
-        let _e2 = self.v_height_size(level_15);
-        let point_16 = ((uv_14 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_16);
-        let f_1 = (point_16 - _e8);
-        let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_15);
-        let top_6 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
-        let bottom_2 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
-        let left_2 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
-        let right = (_e11.y() + ((_e11.w() - _e11.y()) * f_1.y()));
-        return <rt::Vec3<f32>>::from_scalars((top_6 + ((bottom_2 - top_6) * f_1.y())), ((right - left_2) * _e2.x()), ((bottom_2 - top_6) * _e2.y()));
-    }
     pub(crate) fn normal_z(
         &self,
         path_29: Path,
-        slope: impl rt::Into<rt::Vec2<f32>>,
+        slope_1: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_29, rt::into(slope)))
+        rt::into(self.v_normal_z(path_29, rt::into(slope_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_z(
         &self,
         path_29: Path,
-        slope: rt::Vec2<f32>,
+        slope_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m_3 = path_29.metric;
-        let area_4 = ((m_3.x() * m_3.z()) - (m_3.y() * m_3.y()));
-        let squared_2 = (((((slope.x() * slope.x()) * m_3.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m_3.y())) + ((slope.y() * slope.y()) * m_3.x())) / area_4);
-        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_3.w() * m_3.w()) * squared_2)).sqrt());
+        let m_4 = path_29.metric;
+        let area_4 = ((m_4.x() * m_4.z()) - (m_4.y() * m_4.y()));
+        let squared_2 = (((((slope_1.x() * slope_1.x()) * m_4.z()) - (((rt::Scalar(2f32) * slope_1.x()) * slope_1.y()) * m_4.y())) + ((slope_1.y() * slope_1.y()) * m_4.x())) / area_4);
+        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_4.w() * m_4.w()) * squared_2)).sqrt());
     }
     pub(crate) fn refine_slope(
         &self,
@@ -5928,17 +6821,17 @@ impl<'g> Resources<'g> {
         let _e9 = self.v_path_uv(path_30, _e8);
         let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_30.level));
         let _e13 = self.v_path_height(path_30, _e8);
-        let rise = (_e11.x() - _e13);
+        let rise_1 = (_e11.x() - _e13);
         t_16 = _e8;
         if rt::Scalar::into_branch_condition(params_29.x().elementwise_gt(rt::Scalar(0.5f32))) {
             let _e19 = self.v_path_slope(path_30, _e8);
             let closing = (_e19 - ((_e11.y() * path_30.duv.x()) + (_e11.z() * path_30.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
-                t_16 = (_e8 + (rise / closing));
+                t_16 = (_e8 + (rise_1 / closing));
             }
         } else {
             let _e40 = self.v_normal_z(path_30, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_16 = (_e8 - ((rise * path_30.metric.w()) * _e40));
+            t_16 = (_e8 - ((rise_1 * path_30.metric.w()) * _e40));
         }
         let _e43 = t_16;
         let _e53 = self.v_hit_on_path(path_30, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (found_4.cost + HEIGHTS_READ));
@@ -5987,19 +6880,19 @@ impl<'g> Resources<'g> {
                     cost_4 = (_e24 + HEIGHTS_READ);
                     let _e28 = t_17;
                     let _e29 = self.v_path_height(path_31, _e28);
-                    let rise_1 = (_e23.x() - _e29);
+                    let rise_2 = (_e23.x() - _e29);
                     if rt::Scalar::into_branch_condition(params_30.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e34 = t_17;
                         let _e35 = self.v_path_slope(path_31, _e34);
                         let closing_1 = (_e35 - ((_e23.y() * path_31.duv.x()) + (_e23.z() * path_31.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
                             let _e48 = t_17;
-                            t_17 = (_e48 + (rise_1 / closing_1));
+                            t_17 = (_e48 + (rise_2 / closing_1));
                         }
                     } else {
                         let _e51 = t_17;
                         let _e58 = self.v_normal_z(path_31, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
-                        t_17 = (_e51 - ((rise_1 * path_31.metric.w()) * _e58));
+                        t_17 = (_e51 - ((rise_2 * path_31.metric.w()) * _e58));
                     }
                     let _e61 = t_17;
                     t_17 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_31.exit));
@@ -6018,28 +6911,28 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found_6: Found) -> rt::Scalar<bool> {
-        let mut local_39: rt::Scalar<bool>;
-        let mut local_40: rt::Scalar<bool>;
-        let mut local_41: rt::Scalar<bool>;
+        let mut local_43: rt::Scalar<bool>;
+        let mut local_44: rt::Scalar<bool>;
+        let mut local_45: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.far).elementwise_gt(rt::Scalar(found_6.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_6.status).elementwise_eq(FOUND_BRACKET))) {
-                local_40 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
+                local_44 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
-                local_40 = rt::Scalar(true);
+                local_44 = rt::Scalar(true);
             }
-            let _e16 = local_40;
+            let _e16 = local_44;
             if rt::Scalar::into_branch_condition((!_e16)) {
-                local_41 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
+                local_45 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
             } else {
-                local_41 = rt::Scalar(true);
+                local_45 = rt::Scalar(true);
             }
-            let _e24 = local_41;
-            local_39 = _e24;
+            let _e24 = local_45;
+            local_43 = _e24;
         } else {
-            local_39 = rt::Scalar(false);
+            local_43 = rt::Scalar(false);
         }
-        let _e26 = local_39;
+        let _e26 = local_43;
         return _e26;
     }
     pub(crate) fn refine_binary(
@@ -6060,7 +6953,7 @@ impl<'g> Resources<'g> {
         let mut near_2: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_42: rt::Scalar<bool>;
+        let mut local_46: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_11: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -6075,11 +6968,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
             let _e19 = self.v_path_height(path_32, _e18);
-            local_42 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_46 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_42 = rt::Scalar(true);
+            local_46 = rt::Scalar(true);
         }
-        let _e23 = local_42;
+        let _e23 = local_46;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -6233,7 +7126,7 @@ impl<'g> Resources<'g> {
         found_9: Found,
         params_33: rt::Vec4<f32>,
     ) -> Hit {
-        let mut before: rt::Scalar<f32>;
+        let mut before_1: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
@@ -6245,13 +7138,13 @@ impl<'g> Resources<'g> {
             let _e5 = self.v_refine_none(path_34, found_9, params_33);
             return _e5;
         }
-        before = rt::Scalar(found_9.near);
+        before_1 = rt::Scalar(found_9.near);
         last = rt::Scalar(found_9.far);
         before_gap = rt::Scalar(found_9.near_gap);
         last_gap = rt::Scalar(found_9.far_gap);
         cost_7 = found_9.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
-            let _e19 = before;
+            let _e19 = before_1;
             let _e20 = self.v_path_gap(path_34, _e19);
             before_gap = _e20;
             let _e21 = last;
@@ -6284,11 +7177,11 @@ impl<'g> Resources<'g> {
                     }
                     let _e46 = last;
                     let _e47 = last;
-                    let _e48 = before;
+                    let _e48 = before_1;
                     let _e50 = last_gap;
                     let t_35 = (_e46 + ((_e47 - _e48) * (_e50 / change_4))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
                     let _e57 = last;
-                    before = _e57;
+                    before_1 = _e57;
                     let _e58 = last_gap;
                     before_gap = _e58;
                     last = t_35;
@@ -6327,7 +7220,7 @@ impl<'g> Resources<'g> {
         let mut t_19: rt::Scalar<f32>;
         let mut cell_7: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_43: rt::Scalar<bool>;
+        let mut local_47: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_10.cost);
@@ -6384,11 +7277,11 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(found_10.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_43 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
+                            local_47 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_43 = rt::Scalar(true);
+                            local_47 = rt::Scalar(true);
                         }
-                        let _e89 = local_43;
+                        let _e89 = local_47;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
                             let _e93 = self.v_hit_on_path(path_35, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
@@ -6442,11 +7335,11 @@ impl<'g> Resources<'g> {
         let backward = (rt::Scalar(found_11.far) - half_1).max(rt::Scalar(0f32));
         let forward_2 = (rt::Scalar(found_11.far) + half_1).min(rt::Scalar(path_36.exit));
         let _e28 = self.v_path_gap(path_36, backward);
-        let before_2 = _e28.abs();
+        let before_3 = _e28.abs();
         let _e30 = self.v_path_gap(path_36, forward_2);
         let behind_2 = _e30.abs();
-        if rt::Scalar::into_branch_condition((before_2 + behind_2).elementwise_gt(rt::Scalar(0f32))) {
-            part_5 = (before_2 / (before_2 + behind_2));
+        if rt::Scalar::into_branch_condition((before_3 + behind_2).elementwise_gt(rt::Scalar(0f32))) {
+            part_5 = (before_3 / (before_3 + behind_2));
         }
         let cost_22 = ((found_11.cost + HEIGHTS_READ) + HEIGHTS_READ);
         let _e45 = part_5;
@@ -6547,7 +7440,7 @@ impl<'g> Resources<'g> {
         let mut k_14: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let cosine_5 = (path_39.h.y().abs() * path_39.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max(((params_37.x() * params_37.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_39.share)).ceil());
+        let steps_1 = rt::Scalar(1f32).max(((params_37.x() * params_37.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_39.share)).ceil());
         let _e24 = self.v_path_gap(path_39, rt::Scalar(0f32));
         near_gap_2 = _e24;
         let _e28 = near_gap_2;
@@ -6560,7 +7453,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = k_14;
-                if rt::Scalar::into_branch_condition(_e40.elementwise_le(steps)) {
+                if rt::Scalar::into_branch_condition(_e40.elementwise_le(steps_1)) {
                 } else {
                     break 'naga_break;
                 }
@@ -6568,7 +7461,7 @@ impl<'g> Resources<'g> {
                     let _e42 = cost_9;
                     cost_9 = (_e42 + STEP);
                     let _e46 = k_14;
-                    let t_36 = (rt::Scalar(path_39.exit) * (_e46 / steps));
+                    let t_36 = (rt::Scalar(path_39.exit) * (_e46 / steps_1));
                     let _e49 = self.v_path_gap(path_39, t_36);
                     let _e50 = cost_9;
                     cost_9 = (_e50 + HEIGHTS_READ);
@@ -6630,15 +7523,15 @@ impl<'g> Resources<'g> {
         first_1: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_44: rt::Scalar<bool>;
+        let mut local_48: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_6.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first_1) {
-                local_44 = c_6.x().elementwise_lt(rt::Scalar(0f32));
+                local_48 = c_6.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_44 = rt::Scalar(false);
+                local_48 = rt::Scalar(false);
             }
-            let _e14 = local_44;
+            let _e14 = local_48;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_6.x(), c_6.x(), cost_10);
             }
@@ -6720,38 +7613,38 @@ impl<'g> Resources<'g> {
     pub(crate) fn image_of(
         &self,
         cell_9: impl rt::Into<rt::Scalar<i32>>,
-        n_4: impl rt::Into<rt::Scalar<i32>>,
+        n_5: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_image_of(rt::into(cell_9), rt::into(n_4)))
+        rt::into(self.v_image_of(rt::into(cell_9), rt::into(n_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_image_of(
         &self,
         cell_9: rt::Scalar<i32>,
-        n_4: rt::Scalar<i32>,
+        n_5: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_45: rt::Scalar<bool>;
+        let mut local_49: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_9.elementwise_ge(rt::Scalar(0i32))) {
-            local_45 = cell_9.elementwise_lt(n_4);
+            local_49 = cell_9.elementwise_lt(n_5);
         } else {
-            local_45 = rt::Scalar(false);
+            local_49 = rt::Scalar(false);
         }
-        let _e8 = local_45;
+        let _e8 = local_49;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_9, rt::Scalar(0i32));
         }
         let _e13 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_CLAMP)) {
-            return <rt::Vec2<i32>>::from_scalars(cell_9.clamp(rt::Scalar(0i32), (n_4 - rt::Scalar(1i32))), rt::Scalar(2i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_9.clamp(rt::Scalar(0i32), (n_5 - rt::Scalar(1i32))), rt::Scalar(2i32));
         }
         let _e24 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e24.elementwise_eq(WRAP_REPEAT)) {
-            return <rt::Vec2<i32>>::from_scalars((((cell_9 % n_4) + n_4) % n_4), rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars((((cell_9 % n_5) + n_5) % n_5), rt::Scalar(0i32));
         }
-        let period_1 = (rt::Scalar(2i32) * n_4);
+        let period_1 = (rt::Scalar(2i32) * n_5);
         let folded_1 = (((cell_9 % period_1) + period_1) % period_1);
-        if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_4)) {
+        if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_5)) {
             return <rt::Vec2<i32>>::from_scalars(folded_1, rt::Scalar(0i32));
         }
         if rt::Scalar::into_branch_condition(folded_1.elementwise_eq((period_1 - rt::Scalar(1i32)))) {
@@ -6774,17 +7667,17 @@ impl<'g> Resources<'g> {
         cell_10: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_46: rt::Scalar<bool>;
+        let mut local_50: rt::Scalar<bool>;
 
         let _e4 = self.v_height_texels(rt::Scalar(path_41.level));
         let _e7 = self.v_image_of(cell_10.x(), _e4.x());
         let _e10 = self.v_image_of(cell_10.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_46 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_50 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_46 = rt::Scalar(true);
+            local_50 = rt::Scalar(true);
         }
-        let _e21 = local_46;
+        let _e21 = local_50;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
@@ -6813,34 +7706,34 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn stays_above(
         &self,
-        above_1: impl rt::Into<rt::Vec3<f32>>,
-        slope_1: impl rt::Into<rt::Scalar<f32>>,
+        above_2: impl rt::Into<rt::Vec3<f32>>,
+        slope_2: impl rt::Into<rt::Scalar<f32>>,
         left: impl rt::Into<rt::Scalar<f32>>,
         speed: impl rt::Into<rt::Scalar<f32>>,
         lost: impl rt::Into<rt::Scalar<f32>>,
         span_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_above(rt::into(above_1), rt::into(slope_1), rt::into(left), rt::into(speed), rt::into(lost), rt::into(span_4)))
+        rt::into(self.v_stays_above(rt::into(above_2), rt::into(slope_2), rt::into(left), rt::into(speed), rt::into(lost), rt::into(span_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_stays_above(
         &self,
-        above_1: rt::Vec3<f32>,
-        slope_1: rt::Scalar<f32>,
+        above_2: rt::Vec3<f32>,
+        slope_2: rt::Scalar<f32>,
         left: rt::Scalar<f32>,
         speed: rt::Scalar<f32>,
         lost: rt::Scalar<f32>,
         span_4: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let rise_2 = (slope_1 * speed.abs());
-        let gap_1 = ((above_1.x() + (slope_1 * left)) - lost);
+        let rise_3 = (slope_2 * speed.abs());
+        let gap_1 = ((above_2.x() + (slope_2 * left)) - lost);
         if rt::Scalar::into_branch_condition(gap_1.elementwise_le(rt::Scalar(0f32))) {
             return rt::Scalar(0f32);
         }
-        let closing_2 = ((rise_2 - above_1.y()) + (rt::Scalar(0.0000009536743f32) * (rise_2 + above_1.y().abs())));
-        if rt::Scalar::into_branch_condition(above_1.z().elementwise_ne(rt::Scalar(0f32))) {
-            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_1, (rt::Scalar(0f32) - closing_2), above_1.z()), span_4);
+        let closing_2 = ((rise_3 - above_2.y()) + (rt::Scalar(0.0000009536743f32) * (rise_3 + above_2.y().abs())));
+        if rt::Scalar::into_branch_condition(above_2.z().elementwise_ne(rt::Scalar(0f32))) {
+            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_1, (rt::Scalar(0f32) - closing_2), above_2.z()), span_4);
             return _e30;
         }
         if rt::Scalar::into_branch_condition(closing_2.elementwise_gt(rt::Scalar(0f32))) {
@@ -6865,8 +7758,8 @@ impl<'g> Resources<'g> {
         let mut t_22: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
-        let mut slope_2: rt::Scalar<f32>;
-        let mut local_47: rt::Scalar<bool>;
+        let mut slope_3: rt::Scalar<f32>;
+        let mut local_51: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_43);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -6899,27 +7792,27 @@ impl<'g> Resources<'g> {
                     let _e53 = self.v_path_height(path_43, _e52);
                     let _e55 = t_22;
                     let _e56 = self.v_path_slope(path_43, _e55);
-                    let above_6 = <rt::Vec3<f32>>::from_scalars((_e53 - top_7), _e56, path_43.h.z());
+                    let above_7 = <rt::Vec3<f32>>::from_scalars((_e53 - top_7), _e56, path_43.h.z());
                     let _e63 = t_22;
                     let _e67 = t_22;
                     let of_heights = (rt::Scalar(0.0000009536743f32) * (path_43.h.x().abs() + (_e63 * (path_43.h.y().abs() + (_e67 * path_43.h.z().abs())))));
                     let _e77 = t_22;
                     next_1 = _e77.max(end_6);
-                    slope_2 = rt::Scalar(-1f32);
-                    let _e82 = self.v_least_at(above_6, span_8);
-                    let _e83 = self.v_quadratic(above_6, _e82);
+                    slope_3 = rt::Scalar(-1f32);
+                    let _e82 = self.v_least_at(above_7, span_8);
+                    let _e83 = self.v_quadratic(above_7, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_47 = above_6.x().elementwise_gt(of_heights);
+                        local_51 = above_7.x().elementwise_gt(of_heights);
                     } else {
-                        local_47 = rt::Scalar(false);
+                        local_51 = rt::Scalar(false);
                     }
-                    let _e90 = local_47;
+                    let _e90 = local_51;
                     if rt::Scalar::into_branch_condition(_e90) {
                         if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_43.exit))) {
                             let _e93 = cell_11;
                             let _e95 = self.v_frustum_slope(path_43, _e93.cast_elem_as_i32(), forward_3);
-                            slope_2 = _e95;
-                            let _e96 = slope_2;
+                            slope_3 = _e95;
+                            let _e96 = slope_3;
                             if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
                                 let _e99 = cost_12;
                                 let _e101 = self.v_map_read(path_43, rt::Scalar(1u32));
@@ -6937,22 +7830,22 @@ impl<'g> Resources<'g> {
                             return _e108;
                         }
                     }
-                    let _e112 = slope_2;
+                    let _e112 = slope_3;
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_11;
                         let _e119 = t_22;
-                        let at_96 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_3 = at_96.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_96), forward_3);
+                        let at_98 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_3 = at_98.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_98), forward_3);
                         let _e131 = t_22;
                         let far_5 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                        let _e139 = slope_2;
+                        let _e139 = slope_3;
                         let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_5));
                         let _e145 = t_22;
-                        let rest_4 = (rt::Scalar(path_43.exit) - _e145);
-                        let _e147 = slope_2;
-                        let _e152 = self.v_stays_above(above_6, _e147, left_3.x(), _e2.step.x(), lost_1.x(), rest_4);
-                        let _e153 = slope_2;
-                        let _e158 = self.v_stays_above(above_6, _e153, left_3.y(), _e2.step.y(), lost_1.y(), rest_4);
+                        let rest_5 = (rt::Scalar(path_43.exit) - _e145);
+                        let _e147 = slope_3;
+                        let _e152 = self.v_stays_above(above_7, _e147, left_3.x(), _e2.step.x(), lost_1.x(), rest_5);
+                        let _e153 = slope_3;
+                        let _e158 = self.v_stays_above(above_7, _e153, left_3.y(), _e2.step.y(), lost_1.y(), rest_5);
                         let _e159 = next_1;
                         let _e160 = t_22;
                         next_1 = _e159.max((_e160 + _e152.min(_e158)));
@@ -6963,7 +7856,7 @@ impl<'g> Resources<'g> {
                         let _e170 = cost_12;
                         return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
                     }
-                    let _e174 = slope_2;
+                    let _e174 = slope_3;
                     if rt::Scalar::into_branch_condition(_e174.elementwise_ge(rt::Scalar(0f32))) {
                         let _e177 = cell_11;
                         let _e178 = next_1;
@@ -6983,79 +7876,79 @@ impl<'g> Resources<'g> {
         let _e186 = cost_12;
         return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
-    pub(crate) fn nearest_corner(&self, at_42: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_42)))
+    pub(crate) fn nearest_corner(&self, at_43: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_nearest_corner(&self, at_42: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_42.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_43: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_43.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
         path_44: Path,
-        grid_6: Grid,
-        offset_4: impl rt::Into<rt::Vec2<f32>>,
+        grid_8: Grid,
+        offset_5: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
-        slope_3: impl rt::Into<rt::Scalar<f32>>,
+        slope_4: impl rt::Into<rt::Scalar<f32>>,
         t_23: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_44, grid_6, rt::into(offset_4), rt::into(apex), rt::into(slope_3), rt::into(t_23)))
+        rt::into(self.v_stays_inside(path_44, grid_8, rt::into(offset_5), rt::into(apex), rt::into(slope_4), rt::into(t_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
         &self,
         path_44: Path,
-        grid_6: Grid,
-        offset_4: rt::Vec2<f32>,
+        grid_8: Grid,
+        offset_5: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
-        slope_3: rt::Scalar<f32>,
+        slope_4: rt::Scalar<f32>,
         t_23: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_48: rt::Scalar<bool>;
+        let mut local_52: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_5 = (rt::Scalar(path_44.exit) - t_23);
+        let rest_6 = (rt::Scalar(path_44.exit) - t_23);
         let _e8 = self.v_path_height(path_44, t_23);
         let height_14 = (_e8 - apex);
         let terms = (path_44.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_44.exit)) * path_44.h.z().abs()));
         let _e21 = self.v_path_slope(path_44, t_23);
-        let rise_3 = ((_e21 + (path_44.h.z().min(rt::Scalar(0f32)) * rest_5)) - (rt::Scalar(0.0000009536743f32) * terms));
-        most = rest_5;
-        if rt::Scalar::into_branch_condition(rise_3.elementwise_lt(rt::Scalar(0f32))) {
+        let rise_4 = ((_e21 + (path_44.h.z().min(rt::Scalar(0f32)) * rest_6)) - (rt::Scalar(0.0000009536743f32) * terms));
+        most = rest_6;
+        if rt::Scalar::into_branch_condition(rise_4.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
-            most = _e34.min((height_14 / (rt::Scalar(0f32) - rise_3)));
+            most = _e34.min((height_14 / (rt::Scalar(0f32) - rise_4)));
         }
         let _e39 = most;
         let end_7 = (t_23 + _e39);
         let _e52 = self.v_height_size(rt::Scalar(path_44.level));
-        let far_6 = (((grid_6.origin.abs() + (grid_6.step.abs() * end_7)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
+        let far_6 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_7)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
         let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_44.h.x().abs() + (end_7 * (path_44.h.y().abs() + (end_7 * path_44.h.z().abs())))));
-        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_3) * (far_6.x() + far_6.y())));
+        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_6.x() + far_6.y())));
         let gap_2 = (height_14 - (rt::Scalar(2f32) * lost_2));
         let _e85 = self.v_height_size(rt::Scalar(path_44.level));
-        let aside_4 = (((grid_6.origin - offset_4) + (grid_6.step * t_23)) / _e85);
-        let c_12 = (((slope_3 * aside_4.length()) - gap_2) * ((slope_3 * aside_4.length()) + gap_2));
+        let aside_4 = (((grid_8.origin - offset_5) + (grid_8.step * t_23)) / _e85);
+        let c_15 = (((slope_4 * aside_4.length()) - gap_2) * ((slope_4 * aside_4.length()) + gap_2));
         if rt::Scalar::into_branch_condition((!gap_2.elementwise_le(rt::Scalar(0f32)))) {
-            local_48 = c_12.elementwise_ge(rt::Scalar(0f32));
+            local_52 = c_15.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_48 = rt::Scalar(true);
+            local_52 = rt::Scalar(true);
         }
-        let _e102 = local_48;
+        let _e102 = local_52;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_17 = (((slope_3 * slope_3) * aside_4.dot(path_44.duv)) - (gap_2 * rise_3));
-        let a_18 = (((slope_3 * slope_3) * path_44.duv.dot(path_44.duv)) - (rise_3 * rise_3));
-        let discriminant_3 = ((b_17 * b_17) - (a_18 * c_12));
+        let b_23 = (((slope_4 * slope_4) * aside_4.dot(path_44.duv)) - (gap_2 * rise_4));
+        let a_24 = (((slope_4 * slope_4) * path_44.duv.dot(path_44.duv)) - (rise_4 * rise_4));
+        let discriminant_3 = ((b_23 * b_23) - (a_24 * c_15));
         if rt::Scalar::into_branch_condition(discriminant_3.elementwise_ge(rt::Scalar(0f32))) {
             let root_4 = discriminant_3.sqrt();
-            if rt::Scalar::into_branch_condition(b_17.elementwise_ge(rt::Scalar(0f32))) {
-                leave_6 = ((rt::Scalar(0f32) - c_12) / (b_17 + root_4));
+            if rt::Scalar::into_branch_condition(b_23.elementwise_ge(rt::Scalar(0f32))) {
+                leave_6 = ((rt::Scalar(0f32) - c_15) / (b_23 + root_4));
             } else {
-                if rt::Scalar::into_branch_condition(a_18.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_6 = ((root_4 - b_17) / a_18);
+                if rt::Scalar::into_branch_condition(a_24.elementwise_gt(rt::Scalar(0f32))) {
+                    leave_6 = ((root_4 - b_23) / a_24);
                 }
             }
         }
@@ -7064,7 +7957,7 @@ impl<'g> Resources<'g> {
         leave_6 = _e135.min(_e136);
         let _e139 = leave_6;
         let _e145 = leave_6;
-        if rt::Scalar::into_branch_condition(((slope_3 * (aside_4 + (path_44.duv * _e139)).length()) + lost_2).elementwise_le((height_14 + (rise_3 * _e145)))) {
+        if rt::Scalar::into_branch_condition(((slope_4 * (aside_4 + (path_44.duv * _e139)).length()) + lost_2).elementwise_le((height_14 + (rise_4 * _e145)))) {
             let _e149 = leave_6;
             return _e149;
         }
@@ -7116,8 +8009,8 @@ impl<'g> Resources<'g> {
                     let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_12;
                     let _e49 = t_24;
-                    let at_97 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_97);
+                    let at_99 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_99);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_24;
                     next_2 = _e54;
@@ -7174,40 +8067,40 @@ impl<'g> Resources<'g> {
         &self,
         cell_13: impl rt::Into<rt::Scalar<i32>>,
         image: impl rt::Into<rt::Vec2<i32>>,
-        n_5: impl rt::Into<rt::Scalar<i32>>,
-        level_16: impl rt::Into<rt::Scalar<u32>>,
+        n_6: impl rt::Into<rt::Scalar<i32>>,
+        level_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_13), rt::into(image), rt::into(n_5), rt::into(level_16)))
+        rt::into(self.v_node_extent(rt::into(cell_13), rt::into(image), rt::into(n_6), rt::into(level_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
         &self,
         cell_13: rt::Scalar<i32>,
         image: rt::Vec2<i32>,
-        n_5: rt::Scalar<i32>,
-        level_16: rt::Scalar<u32>,
+        n_6: rt::Scalar<i32>,
+        level_17: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_49: rt::Scalar<bool>;
+        let mut local_53: rt::Scalar<bool>;
 
-        let first_10 = ((image.x() >> level_16) << level_16);
-        let side_3 = (rt::Scalar(1i32) << level_16);
+        let first_10 = ((image.x() >> level_17) << level_17);
+        let side_4 = (rt::Scalar(1i32) << level_17);
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(0i32))) {
             let low_2 = (cell_13 - (image.x() - first_10));
-            return <rt::Vec2<i32>>::from_scalars(low_2, (low_2 + side_3.min((n_5 - first_10))));
+            return <rt::Vec2<i32>>::from_scalars(low_2, (low_2 + side_4.min((n_6 - first_10))));
         }
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(1i32))) {
             let high = ((cell_13 + (image.x() - first_10)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high - side_3.min(((n_5 - rt::Scalar(1i32)) - first_10))), high);
+            return <rt::Vec2<i32>>::from_scalars((high - side_4.min(((n_6 - rt::Scalar(1i32)) - first_10))), high);
         }
-        if rt::Scalar::into_branch_condition(level_16.elementwise_gt(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(level_17.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_49 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_53 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_49 = rt::Scalar(false);
+            local_53 = rt::Scalar(false);
         }
-        let _e43 = local_49;
+        let _e43 = local_53;
         if rt::Scalar::into_branch_condition(_e43) {
-            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_5, cell_13.elementwise_ge(n_5)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_13.elementwise_ge(n_5)));
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_6, cell_13.elementwise_ge(n_6)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_13.elementwise_ge(n_6)));
         }
         return <rt::Vec2<i32>>::from_scalars(cell_13, (cell_13 + rt::Scalar(1i32)));
     }
@@ -7249,15 +8142,15 @@ impl<'g> Resources<'g> {
         params_41: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_17: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_18: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_14: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_50: rt::Scalar<bool>;
-        let mut local_51: rt::Scalar<bool>;
-        let mut local_52: rt::Scalar<bool>;
-        let mut local_53: rt::Scalar<bool>;
+        let mut local_54: rt::Scalar<bool>;
+        let mut local_55: rt::Scalar<bool>;
+        let mut local_56: rt::Scalar<bool>;
+        let mut local_57: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_46);
         let _e4 = self.v_height_texels(rt::Scalar(path_46.level));
@@ -7272,10 +8165,10 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
-                    let _e28 = level_17;
+                    let _e28 = level_18;
                     if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).cast_elem_as_f32().elementwise_lt(long_5)) {
-                        let _e33 = level_17;
-                        level_17 = (_e33 + rt::Scalar(1u32));
+                        let _e33 = level_18;
+                        level_18 = (_e33 + rt::Scalar(1u32));
                     }
                 }
             }
@@ -7297,41 +8190,41 @@ impl<'g> Resources<'g> {
                     let _e59 = self.v_image_of(_e57, _e4.x());
                     let _e61 = cell_14.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_18 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
-                    let _e67 = level_17;
+                    let place_21 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let _e67 = level_18;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over_1 = <rt::Vec2<i32>>::from_scalars((place_18.x() >> above_level), (place_18.y() >> above_level));
+                    let over_1 = <rt::Vec2<i32>>::from_scalars((place_21.x() >> above_level), (place_21.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_1.x()))) {
                             let _e89 = parent.y();
-                            local_51 = _e89.elementwise_ne(over_1.y());
+                            local_55 = _e89.elementwise_ne(over_1.y());
                         } else {
-                            local_51 = rt::Scalar(true);
+                            local_55 = rt::Scalar(true);
                         }
-                        let _e93 = local_51;
-                        local_50 = _e93;
+                        let _e93 = local_55;
+                        local_54 = _e93;
                     } else {
-                        local_50 = rt::Scalar(false);
+                        local_54 = rt::Scalar(false);
                     }
-                    let left_4 = local_50;
+                    let left_4 = local_54;
                     if rt::Scalar::into_branch_condition(left_4) {
-                        let _e98 = level_17;
+                        let _e98 = level_18;
                         let _e99 = top;
-                        local_52 = _e98.elementwise_lt(_e99);
+                        local_56 = _e98.elementwise_lt(_e99);
                     } else {
-                        local_52 = rt::Scalar(false);
+                        local_56 = rt::Scalar(false);
                     }
-                    let _e102 = local_52;
+                    let _e102 = local_56;
                     if rt::Scalar::into_branch_condition(_e102) {
-                        level_17 = above_level;
+                        level_18 = above_level;
                     }
                     let _e104 = cell_14.x();
-                    let _e106 = level_17;
+                    let _e106 = level_18;
                     let _e107 = self.v_node_extent(_e104, _e59, _e4.x(), _e106);
                     let _e109 = cell_14.y();
-                    let _e111 = level_17;
+                    let _e111 = level_18;
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
@@ -7339,8 +8232,8 @@ impl<'g> Resources<'g> {
                     let _e126 = t_25;
                     let span_10 = (end_9 - _e126).max(rt::Scalar(0f32));
                     let low_3 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
-                    let last_4 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
-                    let _e140 = level_17;
+                    let last_5 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
+                    let _e140 = level_18;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
                         let _e143 = cost_14;
                         cost_14 = (_e143 + HEIGHTS_READ);
@@ -7360,10 +8253,10 @@ impl<'g> Resources<'g> {
                         let _e162 = cost_14;
                         let _e164 = self.v_map_read(path_46, rt::Scalar(1u32));
                         cost_14 = (_e162 + _e164);
-                        let _e167 = level_17;
-                        let _e170 = level_17;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_18.x() >> _e167), (place_18.y() >> _e170));
-                        let _e174 = level_17;
+                        let _e167 = level_18;
+                        let _e170 = level_18;
+                        let node = <rt::Vec2<i32>>::from_scalars((place_21.x() >> _e167), (place_21.y() >> _e170));
+                        let _e174 = level_18;
                         let _e180 = self.v_search_texel(path_46, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_46.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
                         let _e182 = t_25;
@@ -7377,11 +8270,11 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition((!gap_3.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e214 = self.v_least_at(gap_3, span_10);
                             let _e215 = self.v_quadratic(gap_3, _e214);
-                            local_53 = _e215.elementwise_le(rt::Scalar(0f32));
+                            local_57 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_53 = rt::Scalar(true);
+                            local_57 = rt::Scalar(true);
                         }
-                        let _e219 = local_53;
+                        let _e219 = local_57;
                         if rt::Scalar::into_branch_condition(_e219) {
                             if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
                                 let _e223 = t_25;
@@ -7390,9 +8283,9 @@ impl<'g> Resources<'g> {
                             }
                             let _e229 = t_25;
                             let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
-                            cell_14 = _e232.cast_elem_as_i32().clamp(low_3, last_4);
-                            let _e235 = level_17;
-                            level_17 = (_e235 - rt::Scalar(1u32));
+                            cell_14 = _e232.cast_elem_as_i32().clamp(low_3, last_5);
+                            let _e235 = level_18;
+                            level_18 = (_e235 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
@@ -7403,16 +8296,16 @@ impl<'g> Resources<'g> {
                         return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
                     }
                     let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_9)));
-                    cell_14 = _e254.cast_elem_as_i32().clamp(low_3, last_4);
+                    cell_14 = _e254.cast_elem_as_i32().clamp(low_3, last_5);
                     if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_9)) {
                         cell_14.set_x((low_3.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
                     if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_9)) {
                         cell_14.set_y((low_3.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e280 = level_17;
-                    let _e285 = level_17;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_18.x() >> (_e280 + rt::Scalar(1u32))), (place_18.y() >> (_e285 + rt::Scalar(1u32))));
+                    let _e280 = level_18;
+                    let _e285 = level_18;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_21.x() >> (_e280 + rt::Scalar(1u32))), (place_21.y() >> (_e285 + rt::Scalar(1u32))));
                     let _e290 = t_25;
                     t_25 = _e290.max(end_9);
                 }
@@ -7425,41 +8318,41 @@ impl<'g> Resources<'g> {
     pub(crate) fn texel_extent(
         &self,
         texel_2: impl rt::Into<rt::Scalar<i32>>,
-        n_6: impl rt::Into<rt::Scalar<i32>>,
-        level_18: impl rt::Into<rt::Scalar<u32>>,
+        n_7: impl rt::Into<rt::Scalar<i32>>,
+        level_19: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_6), rt::into(level_18)))
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_7), rt::into(level_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_texel_extent(
         &self,
         texel_2: rt::Scalar<i32>,
-        n_6: rt::Scalar<i32>,
-        level_18: rt::Scalar<u32>,
+        n_7: rt::Scalar<i32>,
+        level_19: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_54: rt::Scalar<bool>;
+        let mut local_58: rt::Scalar<bool>;
 
-        let _e3 = self.v_wrap_index(texel_2, n_6);
-        let first_11 = ((_e3 >> level_18) << level_18);
-        let last_5 = (first_11 + (rt::Scalar(1i32) << level_18)).min(n_6);
+        let _e3 = self.v_wrap_index(texel_2, n_7);
+        let first_11 = ((_e3 >> level_19) << level_19);
+        let last_6 = (first_11 + (rt::Scalar(1i32) << level_19)).min(n_7);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_54 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_58 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_54 = rt::Scalar(true);
+            local_58 = rt::Scalar(true);
         }
-        let _e20 = local_54;
+        let _e20 = local_58;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_11), ((texel_2 - _e3) + last_5));
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_11), ((texel_2 - _e3) + last_6));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
-            let period_2 = (rt::Scalar(2i32) * n_6);
+            let period_2 = (rt::Scalar(2i32) * n_7);
             let folded_2 = (((texel_2 % period_2) + period_2) % period_2);
-            if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_6)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_11), ((texel_2 - _e3) + last_5));
+            if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_7)) {
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_11), ((texel_2 - _e3) + last_6));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_5) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_11) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_6) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_11) + rt::Scalar(1i32)));
         }
         return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
     }
@@ -7476,7 +8369,7 @@ impl<'g> Resources<'g> {
         path_47: Path,
         params_42: rt::Vec4<f32>,
     ) -> Found {
-        let mut level_19: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_20: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
         let mut t_26: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_15: rt::Vec3<u32> = NO_COST;
@@ -7488,24 +8381,24 @@ impl<'g> Resources<'g> {
         let _e6 = self.v_height_size(rt::Scalar(path_47.level));
         let origin_5 = (path_47.uv * _e6);
         let _e10 = self.v_height_size(rt::Scalar(path_47.level));
-        let step_4 = (path_47.duv * _e10);
+        let step_5 = (path_47.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = level_19;
+                let _e14 = level_20;
                 if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(_e3.x().max(_e3.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = level_19;
-                    level_19 = (_e21 + rt::Scalar(1u32));
+                    let _e21 = level_20;
+                    level_20 = (_e21 + rt::Scalar(1u32));
                 }
             }
         }
         let _e24 = self.v_cell_of(origin_5);
         texel_3 = _e24.cast_elem_as_i32();
         let limit_5 = params_42.x().cast_elem_as_u32();
-        let _e35 = level_19;
+        let _e35 = level_20;
         finest_1 = params_42.y().cast_elem_as_u32().min(_e35);
         if rt::Scalar::into_branch_condition(rt::Scalar(path_47.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
@@ -7524,33 +8417,33 @@ impl<'g> Resources<'g> {
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_19 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_22 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
-                    let _e59 = level_19;
+                    let _e59 = level_20;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_15;
                         cost_15 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_19, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_22, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
-                        let _e70 = level_19;
-                        let _e73 = level_19;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_19.x() >> _e70), (place_19.y() >> _e73));
+                        let _e70 = level_20;
+                        let _e73 = level_20;
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_22.x() >> _e70), (place_22.y() >> _e73));
                         let _e76 = cost_15;
                         let _e78 = self.v_map_read(path_47, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
-                        let _e81 = level_19;
+                        let _e81 = level_20;
                         let _e85 = self.v_search_texel(path_47, node_1, rt::Scalar(0i32), (_e81.cast_elem_as_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
-                    let _e90 = level_19;
+                    let _e90 = level_20;
                     let _e91 = self.v_texel_extent(_e88, _e3.x(), _e90);
                     let _e93 = texel_3.y();
-                    let _e95 = level_19;
+                    let _e95 = level_20;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
-                    let _e99 = self.v_leaves_extent(origin_5.x(), step_4.x(), _e91);
-                    let _e102 = self.v_leaves_extent(origin_5.y(), step_4.y(), _e96);
+                    let _e99 = self.v_leaves_extent(origin_5.x(), step_5.x(), _e91);
+                    let _e102 = self.v_leaves_extent(origin_5.y(), step_5.y(), _e96);
                     let leave_7 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
                     let _e109 = t_26;
                     let end_10 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_47.exit)).max(_e109);
@@ -7567,37 +8460,37 @@ impl<'g> Resources<'g> {
                         sinks = _e127;
                     }
                     let low_4 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
-                    let last_6 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
+                    let last_7 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e141 = t_26;
                         let _e142 = sinks;
                         t_26 = (_e141 + _e142);
-                        let _e144 = level_19;
+                        let _e144 = level_20;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
                             let _e148 = t_26;
                             let _e149 = cost_15;
                             return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
-                        let _e154 = level_19;
-                        level_19 = (_e154 - rt::Scalar(1u32));
+                        let _e154 = level_20;
+                        level_20 = (_e154 - rt::Scalar(1u32));
                         let _e157 = t_26;
-                        let _e160 = self.v_cell_of((origin_5 + (step_4 * _e157)));
-                        texel_3 = _e160.cast_elem_as_i32().clamp(low_4, last_6);
+                        let _e160 = self.v_cell_of((origin_5 + (step_5 * _e157)));
+                        texel_3 = _e160.cast_elem_as_i32().clamp(low_4, last_7);
                     } else {
                         if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_47.exit))) {
                             let _e166 = t_26;
                             let _e168 = cost_15;
                             return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
-                        let _e174 = self.v_cell_of((origin_5 + (step_4 * end_10)));
-                        texel_3 = _e174.cast_elem_as_i32().clamp(low_4, last_6);
+                        let _e174 = self.v_cell_of((origin_5 + (step_5 * end_10)));
+                        texel_3 = _e174.cast_elem_as_i32().clamp(low_4, last_7);
                         if rt::Scalar::into_branch_condition(leave_7.x().elementwise_le(end_10)) {
-                            texel_3.set_x((low_4.x() - rt::Scalar(1i32)).select(_e91.y(), step_4.x().elementwise_gt(rt::Scalar(0f32))));
+                            texel_3.set_x((low_4.x() - rt::Scalar(1i32)).select(_e91.y(), step_5.x().elementwise_gt(rt::Scalar(0f32))));
                         }
                         if rt::Scalar::into_branch_condition(leave_7.y().elementwise_le(end_10)) {
-                            texel_3.set_y((low_4.y() - rt::Scalar(1i32)).select(_e96.y(), step_4.y().elementwise_gt(rt::Scalar(0f32))));
+                            texel_3.set_y((low_4.y() - rt::Scalar(1i32)).select(_e96.y(), step_5.y().elementwise_gt(rt::Scalar(0f32))));
                         }
                         t_26 = end_10;
                     }
@@ -7610,24 +8503,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn leaves_window(
         &self,
-        grid_7: Grid,
+        grid_9: Grid,
         cell_15: impl rt::Into<rt::Vec2<f32>>,
         radius: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_leaves_window(grid_7, rt::into(cell_15), rt::into(radius)))
+        rt::into(self.v_leaves_window(grid_9, rt::into(cell_15), rt::into(radius)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_leaves_window(
         &self,
-        grid_7: Grid,
+        grid_9: Grid,
         cell_15: rt::Vec2<f32>,
         radius: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let wide_1 = <rt::Vec2<f32>>::from_scalars(radius, radius);
-        let _e5 = self.v_cell_leave(grid_7, (cell_15 - wide_1));
-        let _e7 = self.v_cell_leave(grid_7, (cell_15 + wide_1));
-        let leave_8 = _e5.select(_e7, grid_7.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
+        let _e5 = self.v_cell_leave(grid_9, (cell_15 - wide_1));
+        let _e7 = self.v_cell_leave(grid_9, (cell_15 + wide_1));
+        let leave_8 = _e5.select(_e7, grid_9.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
         return leave_8.x().min(leave_8.y());
     }
     pub(crate) fn search_dilation_erosion(
@@ -7649,10 +8542,10 @@ impl<'g> Resources<'g> {
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_55: rt::Scalar<bool>;
-        let mut local_56: rt::Scalar<bool>;
-        let mut local_57: rt::Scalar<bool>;
-        let mut local_58: rt::Scalar<bool>;
+        let mut local_59: rt::Scalar<bool>;
+        let mut local_60: rt::Scalar<bool>;
+        let mut local_61: rt::Scalar<bool>;
+        let mut local_62: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_48);
         let _e4 = self.v_height_texels(rt::Scalar(path_48.level));
@@ -7683,11 +8576,11 @@ impl<'g> Resources<'g> {
                     let _e50 = cell_16.y();
                     let _e53 = self.v_image_of(_e50.cast_elem_as_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_55 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_59 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_55 = rt::Scalar(true);
+                        local_59 = rt::Scalar(true);
                     }
-                    let _e64 = local_55;
+                    let _e64 = local_59;
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
@@ -7723,18 +8616,18 @@ impl<'g> Resources<'g> {
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_56 = _e131.elementwise_lt(end_11);
+                            local_60 = _e131.elementwise_lt(end_11);
                         } else {
-                            local_56 = rt::Scalar(false);
+                            local_60 = rt::Scalar(false);
                         }
-                        let _e134 = local_56;
+                        let _e134 = local_60;
                         if rt::Scalar::into_branch_condition(_e134) {
                             let _e137 = self.v_path_height(path_48, end_11);
-                            local_57 = _e137.elementwise_lt(_e72.x());
+                            local_61 = _e137.elementwise_lt(_e72.x());
                         } else {
-                            local_57 = rt::Scalar(false);
+                            local_61 = rt::Scalar(false);
                         }
-                        let _e141 = local_57;
+                        let _e141 = local_61;
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
@@ -7745,11 +8638,11 @@ impl<'g> Resources<'g> {
                     let _e145 = next_3;
                     if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_11))) {
                         let _e150 = t_27;
-                        local_58 = (!end_11.elementwise_gt(_e150));
+                        local_62 = (!end_11.elementwise_gt(_e150));
                     } else {
-                        local_58 = rt::Scalar(true);
+                        local_62 = rt::Scalar(true);
                     }
-                    let _e154 = local_58;
+                    let _e154 = local_62;
                     if rt::Scalar::into_branch_condition(_e154) {
                         let _e155 = looks;
                         if rt::Scalar::into_branch_condition(_e155) {
@@ -7807,7 +8700,7 @@ impl<'g> Resources<'g> {
         let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_59: rt::Scalar<bool>;
+        let mut local_63: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_49);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -7865,11 +8758,11 @@ impl<'g> Resources<'g> {
                         let _e116 = next_4;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_12))) {
                             let _e121 = t_28;
-                            local_59 = (!end_12.elementwise_gt(_e121));
+                            local_63 = (!end_12.elementwise_gt(_e121));
                         } else {
-                            local_59 = rt::Scalar(true);
+                            local_63 = rt::Scalar(true);
                         }
-                        let _e125 = local_59;
+                        let _e125 = local_63;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
@@ -7926,7 +8819,7 @@ impl<'g> Resources<'g> {
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
         let mut k_15: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_60: rt::Scalar<bool>;
+        let mut local_64: rt::Scalar<bool>;
 
         let aside_5 = path_50.duv.length();
         'naga_break: loop {
@@ -7946,11 +8839,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
                         let _e27 = t_29;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_60 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_64 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_60 = rt::Scalar(false);
+                            local_64 = rt::Scalar(false);
                         }
-                        let _e35 = local_60;
+                        let _e35 = local_64;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
@@ -7975,14 +8868,14 @@ impl<'g> Resources<'g> {
                         break 'naga_break;
                     }
                     let _e61 = t_29;
-                    let rest_6 = (rt::Scalar(path_50.exit) - _e61);
+                    let rest_7 = (rt::Scalar(path_50.exit) - _e61);
                     let _e63 = t_29;
                     let _e64 = self.v_path_slope(path_50, _e63);
-                    let rise_4 = (_e64 + (path_50.h.z().min(rt::Scalar(0f32)) * rest_6));
+                    let rise_5 = (_e64 + (path_50.h.z().min(rt::Scalar(0f32)) * rest_7));
                     let terms_1 = (path_50.h.x().abs() + (rt::Scalar(path_50.exit) * (path_50.h.y().abs() + (rt::Scalar(path_50.exit) * path_50.h.z().abs()))));
                     let far_8 = (((path_50.uv.abs() + (path_50.duv.abs() * rt::Scalar(path_50.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
                     let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_8.x()) + far_8.y()));
-                    let nearing = ((_e53 * aside_5) - rise_4);
+                    let nearing = ((_e53 * aside_5) - rise_5);
                     let closing_3 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
                         let _e112 = t_29;
@@ -8026,11 +8919,11 @@ impl<'g> Resources<'g> {
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_61: rt::Scalar<bool>;
+        let mut local_65: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_62: rt::Scalar<bool>;
+        let mut local_66: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_51);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -8069,11 +8962,11 @@ impl<'g> Resources<'g> {
                         let _e79 = t_30;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_61 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_65 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_61 = rt::Scalar(false);
+                            local_65 = rt::Scalar(false);
                         }
-                        let _e87 = local_61;
+                        let _e87 = local_65;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
                             let _e89 = t_30;
@@ -8137,11 +9030,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(params_46.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
                         let _e178 = t_30;
-                        local_62 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_51.exit))));
+                        local_66 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_51.exit))));
                     } else {
-                        local_62 = rt::Scalar(false);
+                        local_66 = rt::Scalar(false);
                     }
-                    let _e186 = local_62;
+                    let _e186 = local_66;
                     if rt::Scalar::into_branch_condition(_e186) {
                         let _e188 = t_30;
                         let _e190 = gap;
@@ -8195,7 +9088,7 @@ impl<'g> Resources<'g> {
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_63: rt::Scalar<bool>;
+        let mut local_67: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_52);
@@ -8230,11 +9123,11 @@ impl<'g> Resources<'g> {
                         let _e52 = t_31;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_63 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_67 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_63 = rt::Scalar(false);
+                            local_67 = rt::Scalar(false);
                         }
-                        let _e60 = local_63;
+                        let _e60 = local_67;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
                             let _e62 = t_31;
@@ -8391,19 +9284,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_polish(
         &self,
         pixel_50: PixelIn,
-        at_43: Entered,
+        at_44: Entered,
         path_55: Path,
         hit_8: Hit,
         params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_50, at_43, path_55, hit_8, rt::into(params_48)))
+        rt::into(self.v_surface_plane_polish(pixel_50, at_44, path_55, hit_8, rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_polish(
         &self,
         pixel_50: PixelIn,
-        at_43: Entered,
+        at_44: Entered,
         path_55: Path,
         hit_8: Hit,
         params_48: rt::Vec4<f32>,
@@ -8413,59 +9306,59 @@ impl<'g> Resources<'g> {
     pub(crate) fn weights_at_offset(
         &self,
         prism_11: Prism,
-        place_8: impl rt::Into<rt::Vec3<f32>>,
-        offset_5: impl rt::Into<rt::Scalar<f32>>,
+        place_11: impl rt::Into<rt::Vec3<f32>>,
+        offset_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_8), rt::into(offset_5)))
+        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_11), rt::into(offset_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_weights_at_offset(
         &self,
         prism_11: Prism,
-        place_8: rt::Vec3<f32>,
-        offset_5: rt::Scalar<f32>,
+        place_11: rt::Vec3<f32>,
+        offset_6: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let corner_6 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
-        let a_19 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
-        let b_18 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
-        let rest_7 = (place_8 - corner_6);
-        let across_5 = a_19.cross(b_18);
-        let square_1 = across_5.dot(across_5);
-        if rt::Scalar::into_branch_condition((!square_1.elementwise_gt(rt::Scalar(0f32)))) {
+        let corner_6 = (prism_11.p0_ + (prism_11.n0_ * offset_6));
+        let a_25 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_6));
+        let b_24 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_6));
+        let rest_8 = (place_11 - corner_6);
+        let across_5 = a_25.cross(b_24);
+        let square_2 = across_5.dot(across_5);
+        if rt::Scalar::into_branch_condition((!square_2.elementwise_gt(rt::Scalar(0f32)))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
         }
-        let second_4 = (rest_7.cross(b_18).dot(across_5) / square_1);
-        let third_3 = (a_19.cross(rest_7).dot(across_5) / square_1);
+        let second_4 = (rest_8.cross(b_24).dot(across_5) / square_2);
+        let third_3 = (a_25.cross(rest_8).dot(across_5) / square_2);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_4) - third_3), second_4, third_3);
     }
     pub(crate) fn shell_point_near(
         &self,
         prism_12: Prism,
-        place_9: impl rt::Into<rt::Vec3<f32>>,
+        place_12: impl rt::Into<rt::Vec3<f32>>,
         height_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_near(prism_12, rt::into(place_9), rt::into(height_4)))
+        rt::into(self.v_shell_point_near(prism_12, rt::into(place_12), rt::into(height_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shell_point_near(
         &self,
         prism_12: Prism,
-        place_9: rt::Vec3<f32>,
+        place_12: rt::Vec3<f32>,
         height_4: rt::Scalar<f32>,
     ) -> ShellPoint {
         let low_5 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
-        let offset_7 = (low_5 + ((_e10 - low_5).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_4));
-        let _e16 = self.v_weights_at_offset(prism_12, place_9, offset_7);
+        let offset_8 = (low_5 + ((_e10 - low_5).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_4));
+        let _e16 = self.v_weights_at_offset(prism_12, place_12, offset_8);
         let _e18 = self.v_lift_of(prism_12.lift, _e16);
-        let _e20 = self.v_weights_at_offset(prism_12, place_9, (offset_7 + _e18));
+        let _e20 = self.v_weights_at_offset(prism_12, place_12, (offset_8 + _e18));
         let near_8 = <ShellPoint>::new(_e20, height_4);
-        let _e22 = self.v_shell_point_from(prism_12, place_9, near_8);
+        let _e22 = self.v_shell_point_from(prism_12, place_12, near_8);
         let moved = (_e22.weights - near_8.weights).abs();
-        let away = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_4).abs()));
-        if rt::Scalar::into_branch_condition(away.elementwise_lt(rt::Scalar(0.5f32))) {
+        let away_1 = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_4).abs()));
+        if rt::Scalar::into_branch_condition(away_1.elementwise_lt(rt::Scalar(0.5f32))) {
             return _e22;
         }
         return near_8;
@@ -8474,10 +9367,10 @@ impl<'g> Resources<'g> {
         &self,
         pixel_51: PixelIn,
         prism_13: Prism,
-        place_10: impl rt::Into<rt::Vec3<f32>>,
+        place_13: impl rt::Into<rt::Vec3<f32>>,
         height_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_point_of_way(pixel_51, prism_13, rt::into(place_10), rt::into(height_5)))
+        rt::into(self.v_point_of_way(pixel_51, prism_13, rt::into(place_13), rt::into(height_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8485,31 +9378,31 @@ impl<'g> Resources<'g> {
         &self,
         pixel_51: PixelIn,
         prism_13: Prism,
-        place_10: rt::Vec3<f32>,
+        place_13: rt::Vec3<f32>,
         height_5: rt::Scalar<f32>,
     ) -> ShellPoint {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_51.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_shell_point_near(prism_13, place_10, height_5);
+            let _e8 = self.v_shell_point_near(prism_13, place_13, height_5);
             return _e8;
         }
-        let _e9 = self.v_shell_point(prism_13, place_10, height_5);
+        let _e9 = self.v_shell_point(prism_13, place_13, height_5);
         return _e9;
     }
     pub(crate) fn surface_prism_polish(
         &self,
         pixel_52: PixelIn,
-        at_44: Entered,
+        at_45: Entered,
         path_56: Path,
         hit_9: Hit,
         params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_52, at_44, path_56, hit_9, rt::into(params_49)))
+        rt::into(self.v_surface_prism_polish(pixel_52, at_45, path_56, hit_9, rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_polish(
         &self,
         pixel_52: PixelIn,
-        at_44: Entered,
+        at_45: Entered,
         path_56: Path,
         hit_9: Hit,
         params_49: rt::Vec4<f32>,
@@ -8518,18 +9411,18 @@ impl<'g> Resources<'g> {
         let mut point_4: ShellPoint;
         let mut step_3: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let along_29 = pixel_52.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_52, along_29);
-        let _e8 = self.v_prism_of(pixel_52, along_29, _e7, params_49);
+        let along_30 = pixel_52.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_52, along_30);
+        let _e8 = self.v_prism_of(pixel_52, along_30, _e7, params_49);
         let _e10 = self.v_path_gap(path_56, rt::Scalar(hit_9.t));
         let _e11 = self.v_grid_of(path_56);
-        let texels_4 = _e11.step.abs();
-        let most_8 = ((rt::Scalar(2f32) * params_49.x()) / texels_4.x().max(texels_4.y()).max((path_56.h.y().abs() / rt::Scalar(0.0625f32))));
+        let texels_5 = _e11.step.abs();
+        let most_9 = ((rt::Scalar(2f32) * params_49.x()) / texels_5.x().max(texels_5.y()).max((path_56.h.y().abs() / rt::Scalar(0.0625f32))));
         t_32 = rt::Scalar(hit_9.t);
         let _e30 = t_32;
         let _e34 = t_32;
         let _e35 = self.v_path_height(path_56, _e34);
-        let _e36 = self.v_point_of_way(pixel_52, _e8, (along_29 * ((rt::Scalar(path_56.start) + _e30) - _e7)), _e35);
+        let _e36 = self.v_point_of_way(pixel_52, _e8, (along_30 * ((rt::Scalar(path_56.start) + _e30) - _e7)), _e35);
         point_4 = _e36;
         'naga_break: loop {
             'naga_continue: {
@@ -8553,18 +9446,18 @@ impl<'g> Resources<'g> {
                     let change_5 = _e62.y();
                     if rt::Scalar::into_branch_condition(change_5.elementwise_lt(rt::Scalar(0f32))) {
                         let _e66 = t_32;
-                        t_32 = (_e66 - (gap_6 / change_5)).clamp((rt::Scalar(hit_9.t) - most_8), (rt::Scalar(hit_9.t) + most_8));
+                        t_32 = (_e66 - (gap_6 / change_5)).clamp((rt::Scalar(hit_9.t) - most_9), (rt::Scalar(hit_9.t) + most_9));
                     }
                     let _e75 = t_32;
-                    let place_20 = (along_29 * ((rt::Scalar(path_56.start) + _e75) - _e7));
+                    let place_23 = (along_30 * ((rt::Scalar(path_56.start) + _e75) - _e7));
                     if rt::Scalar::into_branch_condition(rt::Scalar(pixel_52.shell.order).elementwise_ge(SHELL_FOLDED)) {
                         let _e83 = t_32;
                         let _e84 = self.v_path_height(path_56, _e83);
-                        let _e85 = self.v_shell_point_near(_e8, place_20, _e84);
+                        let _e85 = self.v_shell_point_near(_e8, place_23, _e84);
                         point_4 = _e85;
                     } else {
                         let _e86 = point_4;
-                        let _e87 = self.v_shell_point_from(_e8, place_20, _e86);
+                        let _e87 = self.v_shell_point_from(_e8, place_23, _e86);
                         point_4 = _e87;
                     }
                 }
@@ -8579,19 +9472,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
         pixel_53: PixelIn,
-        at_45: Entered,
+        at_46: Entered,
         path_57: Path,
         hit_10: Hit,
         params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_53, at_45, path_57, hit_10, rt::into(params_50)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_53, at_46, path_57, hit_10, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_polish(
         &self,
         pixel_53: PixelIn,
-        at_45: Entered,
+        at_46: Entered,
         path_57: Path,
         hit_10: Hit,
         params_50: rt::Vec4<f32>,
@@ -8601,19 +9494,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_polish(
         &self,
         pixel_54: PixelIn,
-        at_46: Entered,
+        at_47: Entered,
         path_58: Path,
         hit_11: Hit,
         params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_54, at_46, path_58, hit_11, rt::into(params_51)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_54, at_47, path_58, hit_11, rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_vertical_polish(
         &self,
         pixel_54: PixelIn,
-        at_46: Entered,
+        at_47: Entered,
         path_58: Path,
         hit_11: Hit,
         params_51: rt::Vec4<f32>,
@@ -8623,19 +9516,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_polish(
         &self,
         pixel_55: PixelIn,
-        at_47: Entered,
+        at_48: Entered,
         path_59: Path,
         hit_12: Hit,
         params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_55, at_47, path_59, hit_12, rt::into(params_52)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_55, at_48, path_59, hit_12, rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_tetrahedra_polish(
         &self,
         pixel_55: PixelIn,
-        at_47: Entered,
+        at_48: Entered,
         path_59: Path,
         hit_12: Hit,
         params_52: rt::Vec4<f32>,
@@ -8645,71 +9538,71 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_facets_polish(
         &self,
         pixel_56: PixelIn,
-        at_48: Entered,
+        at_49: Entered,
         path_60: Path,
         hit_13: Hit,
         params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_facets_polish(pixel_56, at_48, path_60, hit_13, rt::into(params_53)))
+        rt::into(self.v_surface_facets_polish(pixel_56, at_49, path_60, hit_13, rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_polish(
         &self,
         pixel_56: PixelIn,
-        at_48: Entered,
+        at_49: Entered,
         path_60: Path,
         hit_13: Hit,
         params_53: rt::Vec4<f32>,
     ) -> Hit {
         return hit_13;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_57: PixelIn, at_49: Entered, path_61: Path, hit_14: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_57, at_49, path_61, hit_14))
+    pub(crate) fn surface_polish_stage(&self, pixel_57: PixelIn, at_50: Entered, path_61: Path, hit_14: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_57, at_50, path_61, hit_14))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_57: PixelIn, at_49: Entered, path_61: Path, hit_14: Hit) -> Hit {
+    fn v_surface_polish_stage(&self, pixel_57: PixelIn, at_50: Entered, path_61: Path, hit_14: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_57, at_49, path_61, hit_14, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_57, at_50, path_61, hit_14, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_57, at_49, path_61, hit_14, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_57, at_50, path_61, hit_14, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_57, at_49, path_61, hit_14, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_57, at_50, path_61, hit_14, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_57, at_49, path_61, hit_14, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_57, at_50, path_61, hit_14, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_57, at_49, path_61, hit_14, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_57, at_50, path_61, hit_14, _e37);
                 return _e38;
             }
             _ => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_polish(pixel_57, at_49, path_61, hit_14, _e43);
+                let _e44 = self.v_surface_facets_polish(pixel_57, at_50, path_61, hit_14, _e43);
                 return _e44;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_58: PixelIn, at_50: Entered, path_62: Path, hit_15: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_58, at_50, path_62, hit_15))
+    pub(crate) fn polish_hit(&self, pixel_58: PixelIn, at_51: Entered, path_62: Path, hit_15: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_58, at_51, path_62, hit_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_polish_hit(&self, pixel_58: PixelIn, at_50: Entered, path_62: Path, hit_15: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_58, at_50, path_62, hit_15);
+    fn v_polish_hit(&self, pixel_58: PixelIn, at_51: Entered, path_62: Path, hit_15: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_58, at_51, path_62, hit_15);
         return _e4;
     }
     pub(crate) fn key_of(&self, depth_5: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -8722,18 +9615,18 @@ impl<'g> Resources<'g> {
         let _e6 = rt::Scalar(self.frame.near);
         return (_e3 / (_e6 + depth_5.max(rt::Scalar(0f32))));
     }
-    pub(crate) fn in_hole(&self, uv_15: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_in_hole(rt::into(uv_15)))
+    pub(crate) fn in_hole(&self, uv_16: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_in_hole(rt::into(uv_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_in_hole(&self, uv_15: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    fn v_in_hole(&self, uv_16: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e3 = rt::Scalar(self.surface_settings.has_holes);
         if rt::Scalar::into_branch_condition(_e3.elementwise_ne(rt::Scalar(1u32))) {
             return rt::Scalar(false);
         }
         let _e8 = self.v_height_texels(rt::Scalar(0u32));
         let _e10 = self.v_height_size(rt::Scalar(0u32));
-        let _e16 = self.v_cell_of(((uv_15 * _e10) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e16 = self.v_cell_of(((uv_16 * _e10) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
         let cell_20 = _e16.cast_elem_as_i32();
         let _e20 = self.v_wrap_index(cell_20.x(), _e8.x());
         let _e25 = self.v_wrap_index((cell_20.x() + rt::Scalar(1i32)), _e8.x());
@@ -8741,24 +9634,24 @@ impl<'g> Resources<'g> {
         let _e33 = self.v_wrap_index((cell_20.y() + rt::Scalar(1i32)), _e8.y());
         let _e37 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e20, _e28), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e42 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e25, _e28), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let above_7 = _e37.x().max(_e42.x());
+        let above_8 = _e37.x().max(_e42.x());
         let _e48 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e20, _e33), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e53 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e25, _e33), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let below_5 = _e48.x().max(_e53.x());
-        return above_7.max(below_5).elementwise_gt(rt::Scalar(0f32));
+        let below_6 = _e48.x().max(_e53.x());
+        return above_8.max(below_6).elementwise_gt(rt::Scalar(0f32));
     }
-    pub(crate) fn first_hit(&self, pixel_59: PixelIn, at_51: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_59, at_51))
+    pub(crate) fn first_hit(&self, pixel_59: PixelIn, at_52: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_59, at_52))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_hit(&self, pixel_59: PixelIn, at_51: Entered) -> FirstHit {
+    fn v_first_hit(&self, pixel_59: PixelIn, at_52: Entered) -> FirstHit {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
         let mut first_2: FirstHit;
         let mut k_16: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut hit_16: Hit;
-        let mut local_64: rt::Scalar<bool>;
-        let mut local_65: rt::Scalar<bool>;
-        let mut local_66: rt::Scalar<bool>;
+        let mut local_68: rt::Scalar<bool>;
+        let mut local_69: rt::Scalar<bool>;
+        let mut local_70: rt::Scalar<bool>;
 
         let _e4 = cost_21;
         let _e5 = self.v_miss(_e4);
@@ -8766,13 +9659,13 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e12 = k_16;
-                if rt::Scalar::into_branch_condition(_e12.elementwise_lt(rt::Scalar(at_51.segments))) {
+                if rt::Scalar::into_branch_condition(_e12.elementwise_lt(rt::Scalar(at_52.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e15 = k_16;
-                    let _e16 = self.v_segment_of(pixel_59, at_51, _e15);
+                    let _e16 = self.v_segment_of(pixel_59, at_52, _e15);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e16.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e20 = self.v_trace(_e16);
                         hit_16 = _e20;
@@ -8782,7 +9675,7 @@ impl<'g> Resources<'g> {
                         let _e27 = rt::Scalar(hit_16.found);
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(1u32))) {
                             let _e30 = hit_16;
-                            let _e31 = self.v_polish_hit(pixel_59, at_51, _e16, _e30);
+                            let _e31 = self.v_polish_hit(pixel_59, at_52, _e16, _e30);
                             hit_16 = _e31;
                             let _e32 = hit_16;
                             let _e33 = self.v_depth_on_ray(pixel_59, _e16, _e32);
@@ -8794,27 +9687,27 @@ impl<'g> Resources<'g> {
                                 let _e43 = rt::Scalar(first_2.hit.found);
                                 if rt::Scalar::into_branch_condition((!_e43.elementwise_eq(rt::Scalar(0u32)))) {
                                     let _e50 = rt::Scalar(first_2.key);
-                                    local_65 = _e34.elementwise_gt(_e50);
+                                    local_69 = _e34.elementwise_gt(_e50);
                                 } else {
-                                    local_65 = rt::Scalar(true);
+                                    local_69 = rt::Scalar(true);
                                 }
-                                let _e53 = local_65;
-                                local_64 = _e53;
+                                let _e53 = local_69;
+                                local_68 = _e53;
                             } else {
-                                local_64 = rt::Scalar(false);
+                                local_68 = rt::Scalar(false);
                             }
-                            let _e55 = local_64;
+                            let _e55 = local_68;
                             if rt::Scalar::into_branch_condition(_e55) {
                                 let _e56 = hit_16;
                                 let _e57 = k_16;
                                 first_2 = <FirstHit>::new(_e56, _e57, _e34);
                             }
                             if rt::Scalar::into_branch_condition(is_open) {
-                                local_66 = rt::Scalar(pixel_59.shell.order).elementwise_lt(SHELL_FOLDED);
+                                local_70 = rt::Scalar(pixel_59.shell.order).elementwise_lt(SHELL_FOLDED);
                             } else {
-                                local_66 = rt::Scalar(false);
+                                local_70 = rt::Scalar(false);
                             }
-                            let _e66 = local_66;
+                            let _e66 = local_70;
                             if rt::Scalar::into_branch_condition(_e66) {
                                 break 'naga_break;
                             }
@@ -8830,42 +9723,42 @@ impl<'g> Resources<'g> {
         let _e73 = first_2;
         return _e73;
     }
-    pub(crate) fn footprint_m(&self, at_52: Entered) -> f32 {
-        rt::into(self.v_footprint_m(at_52))
+    pub(crate) fn footprint_m(&self, at_53: Entered) -> f32 {
+        rt::into(self.v_footprint_m(at_53))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_footprint_m(&self, at_52: Entered) -> rt::Scalar<f32> {
+    fn v_footprint_m(&self, at_53: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        return ((rt::Scalar(at_52.footprint) * at_52.metric.x().sqrt()) / _e7.x());
+        return ((rt::Scalar(at_53.footprint) * at_53.metric.x().sqrt()) / _e7.x());
     }
-    pub(crate) fn near_uv(&self, uv_16: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_16)))
+    pub(crate) fn near_uv(&self, uv_17: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_near_uv(&self, uv_16: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_near_uv(&self, uv_17: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_16 - uv_16.floor());
+            return (uv_17 - uv_17.floor());
         }
         let _e10 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_16 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_16).floor()));
+            return (uv_17 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_17).floor()));
         }
-        return uv_16;
+        return uv_17;
     }
-    pub(crate) fn from_hit(&self, at_53: Entered, hit_17: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_53, hit_17, light_1))
+    pub(crate) fn from_hit(&self, at_54: Entered, hit_17: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_54, hit_17, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_from_hit(&self, at_53: Entered, hit_17: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_53, light_1.direction);
+    fn v_from_hit(&self, at_54: Entered, hit_17: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_54, light_1.direction);
         let _e6 = self.v_near_uv(hit_17.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_53.level));
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_54.level));
         let h_5 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_5, rt::Scalar(0f32), rt::Scalar(0f32), at_53.metric, RAY_SHADOW, rt::Scalar(at_53.level), rt::Scalar(0f32), rt::Scalar(1f32));
+        return <Path>::new(_e6, _e4.xy(), h_5, rt::Scalar(0f32), rt::Scalar(0f32), at_54.metric, RAY_SHADOW, rt::Scalar(at_54.level), rt::Scalar(0f32), rt::Scalar(1f32));
     }
     pub(crate) fn way_out(&self, path_63: Path, light_2: Toward) -> f32 {
         rt::into(self.v_way_out(path_63, light_2))
@@ -8890,14 +9783,14 @@ impl<'g> Resources<'g> {
         let _e34 = way_6;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_54: Entered, hit_18: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_54, hit_18, light_3))
+    pub(crate) fn light_ray(&self, at_55: Entered, hit_18: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_55, hit_18, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_54: Entered, hit_18: Hit, light_3: Toward) -> LightRay {
-        let mut local_67: rt::Scalar<bool>;
+    fn v_light_ray(&self, at_55: Entered, hit_18: Hit, light_3: Toward) -> LightRay {
+        let mut local_71: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_54, hit_18, light_3);
+        let _e3 = self.v_from_hit(at_55, hit_18, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -8912,11 +9805,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.cast_elem_as_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_67 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
+            local_71 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_67 = rt::Scalar(true);
+            local_71 = rt::Scalar(true);
         }
-        let _e45 = local_67;
+        let _e45 = local_71;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -8999,13 +9892,13 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn free_way(&self, at_55: Entered, hit_19: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_55, hit_19, light_4))
+    pub(crate) fn free_way(&self, at_56: Entered, hit_19: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_56, hit_19, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_free_way(&self, at_55: Entered, hit_19: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_55, hit_19, light_4);
+    fn v_free_way(&self, at_56: Entered, hit_19: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_56, hit_19, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -9026,36 +9919,128 @@ impl<'g> Resources<'g> {
     pub(crate) fn holds_filter(
         &self,
         view_6: LightView,
-        place_11: impl rt::Into<rt::Vec3<f32>>,
+        place_14: impl rt::Into<rt::Vec3<f32>>,
         half: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_holds_filter(view_6, rt::into(place_11), rt::into(half)))
+        rt::into(self.v_holds_filter(view_6, rt::into(place_14), rt::into(half)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_holds_filter(
         &self,
         view_6: LightView,
-        place_11: rt::Vec3<f32>,
+        place_14: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_68: rt::Scalar<bool>;
-        let mut local_69: rt::Scalar<bool>;
+        let mut local_72: rt::Scalar<bool>;
+        let mut local_73: rt::Scalar<bool>;
 
-        let least_2 = (place_11.x().min(place_11.y()) - half);
-        let most_9 = (place_11.x().max(place_11.y()) + half);
-        if rt::Scalar::into_branch_condition(place_11.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_68 = least_2.elementwise_ge(rt::Scalar(0f32));
+        let least_3 = (place_14.x().min(place_14.y()) - half);
+        let most_10 = (place_14.x().max(place_14.y()) + half);
+        if rt::Scalar::into_branch_condition(place_14.z().elementwise_gt(rt::Scalar(0f32))) {
+            local_72 = least_3.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_68 = rt::Scalar(false);
+            local_72 = rt::Scalar(false);
         }
-        let _e19 = local_68;
+        let _e19 = local_72;
         if rt::Scalar::into_branch_condition(_e19) {
-            local_69 = most_9.elementwise_le(rt::Scalar(view_6.size).cast_elem_as_f32());
+            local_73 = most_10.elementwise_le(rt::Scalar(view_6.size).cast_elem_as_f32());
         } else {
-            local_69 = rt::Scalar(false);
+            local_73 = rt::Scalar(false);
         }
-        let _e26 = local_69;
+        let _e26 = local_73;
         return _e26;
+    }
+    pub(crate) fn is_before(
+        &self,
+        plane: impl rt::Into<rt::Vec4<f32>>,
+        position: impl rt::Into<rt::Vec3<f32>>,
+        direction_5: impl rt::Into<rt::Vec3<f32>>,
+        low_m: impl rt::Into<rt::Scalar<f32>>,
+        high_m: impl rt::Into<rt::Scalar<f32>>,
+    ) -> bool {
+        rt::into(self.v_is_before(rt::into(plane), rt::into(position), rt::into(direction_5), rt::into(low_m), rt::into(high_m)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_is_before(
+        &self,
+        plane: rt::Vec4<f32>,
+        position: rt::Vec3<f32>,
+        direction_5: rt::Vec3<f32>,
+        low_m: rt::Scalar<f32>,
+        high_m: rt::Scalar<f32>,
+    ) -> rt::Scalar<bool> {
+        let mut local_74: rt::Scalar<bool>;
+
+        let low_6 = (plane.xyz().dot((position + (direction_5 * low_m))) + plane.w());
+        let high_1 = (plane.xyz().dot((position + (direction_5 * high_m))) + plane.w());
+        if rt::Scalar::into_branch_condition(low_6.elementwise_gt(rt::Scalar(0f32))) {
+            local_74 = high_1.elementwise_gt(rt::Scalar(0f32));
+        } else {
+            local_74 = rt::Scalar(false);
+        }
+        let _e24 = local_74;
+        return _e24;
+    }
+    pub(crate) fn is_left_out(
+        &self,
+        grid_10: Tessellation,
+        a_10: BaseVertex,
+        b_10: BaseVertex,
+        c_7: BaseVertex,
+        low_m_1: impl rt::Into<rt::Scalar<f32>>,
+        high_m_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> bool {
+        rt::into(self.v_is_left_out(grid_10, a_10, b_10, c_7, rt::into(low_m_1), rt::into(high_m_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_is_left_out(
+        &self,
+        grid_10: Tessellation,
+        a_10: BaseVertex,
+        b_10: BaseVertex,
+        c_7: BaseVertex,
+        low_m_1: rt::Scalar<f32>,
+        high_m_1: rt::Scalar<f32>,
+    ) -> rt::Scalar<bool> {
+        let mut k_17: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_75: rt::Scalar<bool>;
+        let mut local_76: rt::Scalar<bool>;
+
+        'naga_break: loop {
+            'naga_continue: {
+                let _e8 = k_17;
+                if rt::Scalar::into_branch_condition(_e8.elementwise_lt(rt::Scalar(5u32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e12 = k_17;
+                    let plane_1 = grid_10.planes[rt::Scalar::into_array_index(_e12)];
+                    let _e14 = k_17;
+                    k_17 = (_e14 + rt::Scalar(1u32));
+                    let _e19 = self.v_is_before(plane_1, a_10.position, a_10.direction, low_m_1, high_m_1);
+                    if rt::Scalar::into_branch_condition(_e19) {
+                        let _e24 = self.v_is_before(plane_1, b_10.position, b_10.direction, low_m_1, high_m_1);
+                        local_75 = _e24;
+                    } else {
+                        local_75 = rt::Scalar(false);
+                    }
+                    let _e26 = local_75;
+                    if rt::Scalar::into_branch_condition(_e26) {
+                        let _e31 = self.v_is_before(plane_1, c_7.position, c_7.direction, low_m_1, high_m_1);
+                        local_76 = _e31;
+                    } else {
+                        local_76 = rt::Scalar(false);
+                    }
+                    let _e33 = local_76;
+                    if rt::Scalar::into_branch_condition(_e33) {
+                        return rt::Scalar(true);
+                    }
+                }
+            }
+        }
+        return rt::Scalar(false);
     }
     pub(crate) fn light_place(
         &self,
@@ -9071,46 +10056,46 @@ impl<'g> Resources<'g> {
         view_7: LightView,
         point_5: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_98 = <rt::Vec4<f32>>::new_31(point_5, rt::Scalar(1f32));
-        let depth_7 = view_7.depth.dot(at_98);
+        let at_100 = <rt::Vec4<f32>>::new_31(point_5, rt::Scalar(1f32));
+        let depth_7 = view_7.depth.dot(at_100);
         let over_2 = rt::Scalar(1f32).select(depth_7, rt::Scalar(view_7.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_7.column.dot(at_98), view_7.row.dot(at_98)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_7.column.dot(at_100), view_7.row.dot(at_100)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
     }
     pub(crate) fn patch_normal(
         &self,
-        at_56: Entered,
-        uv_17: impl rt::Into<rt::Vec2<f32>>,
+        at_57: Entered,
+        uv_18: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_56, rt::into(uv_17)))
+        rt::into(self.v_patch_normal(at_57, rt::into(uv_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_patch_normal(
         &self,
-        at_56: Entered,
-        uv_17: rt::Vec2<f32>,
+        at_57: Entered,
+        uv_18: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let facet = at_56.facing.normalize();
-            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_56.normal).elementwise_ge(rt::Scalar(0f32))));
+            let facet = at_57.facing.normalize();
+            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_57.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_17, rt::Scalar(at_56.level));
+        let _e18 = self.v_height_and_slope(uv_18, rt::Scalar(at_57.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_2 = (at_56.tangent + (at_56.normal * (_e18.y() * _e24)));
+        let along_u_2 = (at_57.tangent + (at_57.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_2 = (at_56.bitangent + (at_56.normal * (_e18.z() * _e33)));
+        let along_v_2 = (at_57.bitangent + (at_57.normal * (_e18.z() * _e33)));
         let across_6 = along_v_2.cross(along_u_2).normalize();
-        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_56.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_57.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
         view_8: LightView,
         point_6: impl rt::Into<rt::Vec3<f32>>,
-        normal_12: impl rt::Into<rt::Vec3<f32>>,
+        normal_13: impl rt::Into<rt::Vec3<f32>>,
         texel_4: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_plane_depth(view_8, rt::into(point_6), rt::into(normal_12), rt::into(texel_4)))
+        rt::into(self.v_plane_depth(view_8, rt::into(point_6), rt::into(normal_13), rt::into(texel_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9118,52 +10103,52 @@ impl<'g> Resources<'g> {
         &self,
         view_8: LightView,
         point_6: rt::Vec3<f32>,
-        normal_12: rt::Vec3<f32>,
+        normal_13: rt::Vec3<f32>,
         texel_4: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let corner_7 = ((view_8.corner.xyz() + (view_8.across.xyz() * texel_4.x())) + (view_8.along.xyz() * texel_4.y()));
         if rt::Scalar::into_branch_condition(rt::Scalar(view_8.from_point).elementwise_eq(rt::Scalar(1u32))) {
-            return (normal_12.dot((point_6 - view_8.eye.xyz())) / normal_12.dot(corner_7));
+            return (normal_13.dot((point_6 - view_8.eye.xyz())) / normal_13.dot(corner_7));
         }
-        return (normal_12.dot((point_6 - corner_7)) / normal_12.dot(view_8.depth.xyz()));
+        return (normal_13.dot((point_6 - corner_7)) / normal_13.dot(view_8.depth.xyz()));
     }
     pub(crate) fn light_texel(
         &self,
-        place_12: impl rt::Into<rt::Vec2<i32>>,
+        place_15: impl rt::Into<rt::Vec2<i32>>,
         view_9: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_light_texel(rt::into(place_12), rt::into(view_9)))
+        rt::into(self.v_light_texel(rt::into(place_15), rt::into(view_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_light_texel(
         &self,
-        place_12: rt::Vec2<i32>,
+        place_15: rt::Vec2<i32>,
         view_9: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_12, rt::Scalar::into_inner(view_9), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_15, rt::Scalar::into_inner(view_9), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4.x();
     }
     pub(crate) fn row_sees(
         &self,
-        at_57: InView,
-        row: impl rt::Into<rt::Scalar<f32>>,
+        at_58: InView,
+        row_6: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_57, rt::into(row), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_58, rt::into(row_6), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_row_sees(
         &self,
-        at_57: InView,
-        row: rt::Scalar<f32>,
+        at_58: InView,
+        row_6: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column: rt::Scalar<f32>;
 
-        let view_16 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_57.number))];
-        column = at_57.low.x().floor();
+        let view_16 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_58.number))];
+        column = at_58.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = column;
@@ -9174,13 +10159,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e18 = column;
                     let _e24 = column;
-                    let wide_2 = (at_57.high.x().min((_e18 + rt::Scalar(1f32))) - at_57.low.x().max(_e24));
+                    let wide_2 = (at_58.high.x().min((_e18 + rt::Scalar(1f32))) - at_58.low.x().max(_e24));
                     let _e27 = column;
-                    let place_21 = <rt::Vec2<f32>>::from_scalars(_e27, row);
-                    let _e35 = self.v_plane_depth(view_16, at_57.point, at_57.normal, (place_21 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_8 = _e35.clamp(rt::Scalar(at_57.least_depth), rt::Scalar(at_57.most_depth));
+                    let place_24 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
+                    let _e35 = self.v_plane_depth(view_16, at_58.point, at_58.normal, (place_24 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_8 = _e35.clamp(rt::Scalar(at_58.least_depth), rt::Scalar(at_58.most_depth));
                     let key = (rt::Scalar(view_16.near) / (rt::Scalar(view_16.near) + depth_8.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_21.cast_elem_as_i32(), rt::Scalar(at_57.number).cast_elem_as_i32());
+                    let _e48 = self.v_light_texel(place_24.cast_elem_as_i32(), rt::Scalar(at_58.number).cast_elem_as_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -9195,55 +10180,55 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_part(
         &self,
-        number_3: impl rt::Into<rt::Scalar<u32>>,
-        at_58: Entered,
-        normal_13: impl rt::Into<rt::Vec3<f32>>,
-        place_13: impl rt::Into<rt::Vec3<f32>>,
+        number_8: impl rt::Into<rt::Scalar<u32>>,
+        at_59: Entered,
+        normal_14: impl rt::Into<rt::Vec3<f32>>,
+        place_16: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_3), at_58, rt::into(normal_13), rt::into(place_13), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_8), at_59, rt::into(normal_14), rt::into(place_16), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
         &self,
-        number_3: rt::Scalar<u32>,
-        at_58: Entered,
-        normal_13: rt::Vec3<f32>,
-        place_13: rt::Vec3<f32>,
+        number_8: rt::Scalar<u32>,
+        at_59: Entered,
+        normal_14: rt::Vec3<f32>,
+        place_16: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
         bias: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut seen: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut row_1: rt::Scalar<f32>;
+        let mut row_7: rt::Scalar<f32>;
 
-        let view_17 = self.frame.light_views[rt::Scalar::into_array_index(number_3)];
-        let texel_m = (rt::Scalar(view_17.texel_m) * rt::Scalar(1f32).select(place_13.z(), rt::Scalar(view_17.from_point).elementwise_eq(rt::Scalar(1u32))));
-        let _e19 = self.v_footprint_m(at_58);
-        let point_17 = (at_58.point + (normal_13 * (bias * texel_m.max(_e19))));
+        let view_17 = self.frame.light_views[rt::Scalar::into_array_index(number_8)];
+        let texel_m = (rt::Scalar(view_17.texel_m) * rt::Scalar(1f32).select(place_16.z(), rt::Scalar(view_17.from_point).elementwise_eq(rt::Scalar(1u32))));
+        let _e19 = self.v_footprint_m(at_59);
+        let point_17 = (at_59.point + (normal_14 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
-        let low_6 = (place_13.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
-        let high_1 = (low_6 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
-        let last_7 = high_1.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_17.size).cast_elem_as_f32(), rt::Scalar(view_17.size).cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_3, point_17, normal_13, low_6, high_1, (place_13.z() - reach_1), (place_13.z() + reach_1));
-        row_1 = low_6.y().floor();
+        let low_7 = (place_16.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
+        let high_2 = (low_7 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
+        let last_8 = high_2.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_17.size).cast_elem_as_f32(), rt::Scalar(view_17.size).cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
+        let in_view = <InView>::new(number_8, point_17, normal_14, low_7, high_2, (place_16.z() - reach_1), (place_16.z() + reach_1));
+        row_7 = low_7.y().floor();
         'naga_break: loop {
             'naga_continue: {
-                let _e55 = row_1;
-                if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_7.y())) {
+                let _e55 = row_7;
+                if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_8.y())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e59 = row_1;
-                    let _e64 = row_1;
-                    let tall = (high_1.y().min((_e59 + rt::Scalar(1f32))) - low_6.y().max(_e64));
+                    let _e59 = row_7;
+                    let _e64 = row_7;
+                    let tall = (high_2.y().min((_e59 + rt::Scalar(1f32))) - low_7.y().max(_e64));
                     let _e67 = seen;
-                    let _e68 = row_1;
-                    let _e70 = self.v_row_sees(in_view, _e68, last_7.x());
+                    let _e68 = row_7;
+                    let _e70 = self.v_row_sees(in_view, _e68, last_8.x());
                     seen = (_e67 + (_e70 * tall));
-                    let _e73 = row_1;
-                    row_1 = (_e73 + rt::Scalar(1f32));
+                    let _e73 = row_7;
+                    row_7 = (_e73 + rt::Scalar(1f32));
                 }
             }
         }
@@ -9252,58 +10237,58 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_seen(
         &self,
-        at_59: Entered,
-        uv_18: impl rt::Into<rt::Vec2<f32>>,
-        number_4: impl rt::Into<rt::Scalar<u32>>,
+        at_60: Entered,
+        uv_19: impl rt::Into<rt::Vec2<f32>>,
+        number_9: impl rt::Into<rt::Scalar<u32>>,
         toward: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_59, rt::into(uv_18), rt::into(number_4), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_60, rt::into(uv_19), rt::into(number_9), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
-        at_59: Entered,
-        uv_18: rt::Vec2<f32>,
-        number_4: rt::Scalar<u32>,
+        at_60: Entered,
+        uv_19: rt::Vec2<f32>,
+        number_9: rt::Scalar<u32>,
         toward: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
         bias_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut k_17: rt::Scalar<u32>;
+        let mut k_18: rt::Scalar<u32>;
 
-        let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_4)];
+        let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_9)];
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_59, uv_18);
+        let _e14 = self.v_patch_normal(at_60, uv_19);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let width_5 = filter_texels.max(rt::Scalar(0.001f32));
-        k_17 = rt::Scalar(light_17.first_view);
+        k_18 = rt::Scalar(light_17.first_view);
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_17;
+                let _e24 = k_18;
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt((rt::Scalar(light_17.first_view) + rt::Scalar(light_17.views)))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e31 = k_17;
+                    let _e31 = k_18;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_light_place(_e33, at_59.point);
-                    let _e38 = k_17;
+                    let _e35 = self.v_light_place(_e33, at_60.point);
+                    let _e38 = k_18;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
                     let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_5));
                     if rt::Scalar::into_branch_condition(_e43) {
-                        let _e44 = k_17;
-                        let _e45 = self.v_seen_part(_e44, at_59, _e14, _e35, width_5, bias_1);
+                        let _e44 = k_18;
+                        let _e45 = self.v_seen_part(_e44, at_60, _e14, _e35, width_5, bias_1);
                         return _e45;
                     }
-                    let _e46 = k_17;
-                    k_17 = (_e46 + rt::Scalar(1u32));
+                    let _e46 = k_18;
+                    k_18 = (_e46 + rt::Scalar(1u32));
                 }
             }
         }
@@ -9325,16 +10310,16 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return ((middle_9 * rt::Scalar(0.33333334f32)) + (four * rt::Scalar(0.16666667f32)));
     }
-    pub(crate) fn means_of_one(&self, n_7: impl rt::Into<rt::Vec3<f32>>) -> Normals {
-        rt::into(self.v_means_of_one(rt::into(n_7)))
+    pub(crate) fn means_of_one(&self, n_8: impl rt::Into<rt::Vec3<f32>>) -> Normals {
+        rt::into(self.v_means_of_one(rt::into(n_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_means_of_one(&self, n_7: rt::Vec3<f32>) -> Normals {
-        let upright = n_7.z().max(rt::Scalar(0.05f32));
-        let slope_10 = (<rt::Vec2<f32>>::from_scalars((-n_7.x()), (-n_7.y())) / rt::Vec2::splat_from_scalar(upright));
-        let square_2 = ((slope_10 * slope_10) * upright);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_7, slope_10.x()), <rt::Vec4<f32>>::from_scalars(square_2.x(), ((slope_10.x() * slope_10.y()) * upright), square_2.y(), slope_10.y()));
+    fn v_means_of_one(&self, n_8: rt::Vec3<f32>) -> Normals {
+        let upright = n_8.z().max(rt::Scalar(0.05f32));
+        let slope_11 = (<rt::Vec2<f32>>::from_scalars((-n_8.x()), (-n_8.y())) / rt::Vec2::splat_from_scalar(upright));
+        let square_3 = ((slope_11 * slope_11) * upright);
+        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_8, slope_11.x()), <rt::Vec4<f32>>::from_scalars(square_3.x(), ((slope_11.x() * slope_11.y()) * upright), square_3.y(), slope_11.y()));
     }
     pub(crate) fn no_table(&self) -> SeenTable {
         rt::into(self.v_no_table())
@@ -9345,72 +10330,72 @@ impl<'g> Resources<'g> {
         let none = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         return <SeenTable>::new(none, none, none);
     }
-    pub(crate) fn one_seen(&self, normal_14: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
-        rt::into(self.v_one_seen(rt::into(normal_14)))
+    pub(crate) fn one_seen(&self, normal_15: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
+        rt::into(self.v_one_seen(rt::into(normal_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_one_seen(&self, normal_14: rt::Vec3<f32>) -> SeenNormals {
+    fn v_one_seen(&self, normal_15: rt::Vec3<f32>) -> SeenNormals {
         let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let none_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let parts_1 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let parts_4 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let _e13 = self.v_no_table();
-        return <SeenNormals>::new(normal_14, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts_1, rt::Scalar(0f32), _e13);
+        return <SeenNormals>::new(normal_15, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts_4, rt::Scalar(0f32), _e13);
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_60: Entered,
+        at_61: Entered,
         v: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_60, rt::into(v)))
+        rt::into(self.v_to_tangent_space(at_61, rt::into(v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_to_tangent_space(
         &self,
-        at_60: Entered,
+        at_61: Entered,
         v: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_3 = at_60.tangent.normalize();
-        let along_v_3 = at_60.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v), (-along_v_3.dot(v)), at_60.normal.dot(v));
+        let along_u_3 = at_61.tangent.normalize();
+        let along_v_3 = at_61.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v), (-along_v_3.dot(v)), at_61.normal.dot(v));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_61: Entered,
-        uv_19: impl rt::Into<rt::Vec2<f32>>,
-        level_20: impl rt::Into<rt::Scalar<u32>>,
+        at_62: Entered,
+        uv_20: impl rt::Into<rt::Vec2<f32>>,
+        level_21: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_61, rt::into(uv_19), rt::into(level_20)))
+        rt::into(self.v_normals_of_level(at_62, rt::into(uv_20), rt::into(level_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_61: Entered,
-        uv_19: rt::Vec2<f32>,
-        level_20: rt::Scalar<u32>,
+        at_62: Entered,
+        uv_20: rt::Vec2<f32>,
+        level_21: rt::Scalar<u32>,
     ) -> Normals {
-        if rt::Scalar::into_branch_condition(level_20.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_61, uv_19);
-            let _e6 = self.v_to_tangent_space(at_61, _e5);
+        if rt::Scalar::into_branch_condition(level_21.elementwise_eq(rt::Scalar(0u32))) {
+            let _e5 = self.v_finest_normal(at_62, uv_20);
+            let _e6 = self.v_to_tangent_space(at_62, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_19, rt::Scalar(0i32), level_20);
-            let _e16 = self.v_normal_at(uv_19, rt::Scalar(1i32), level_20);
+            let _e14 = self.v_normal_at(uv_20, rt::Scalar(0i32), level_21);
+            let _e16 = self.v_normal_at(uv_20, rt::Scalar(1i32), level_21);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_2 = ((tile.x() * at_61.tangent.normalize().dot(at_61.tangent)) / at_61.tangent.dot(at_61.tangent));
-        let y_1 = ((tile.y() * at_61.bitangent.normalize().dot(at_61.bitangent)) / at_61.bitangent.dot(at_61.bitangent));
-        let _e44 = self.v_normal_at(uv_19, rt::Scalar(0i32), (level_20 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_19, rt::Scalar(1i32), (level_20 - rt::Scalar(1u32)));
-        let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_2), (_e44.y() * y_1), _e44.z());
+        let x_3 = ((tile.x() * at_62.tangent.normalize().dot(at_62.tangent)) / at_62.tangent.dot(at_62.tangent));
+        let y_2 = ((tile.y() * at_62.bitangent.normalize().dot(at_62.bitangent)) / at_62.bitangent.dot(at_62.bitangent));
+        let _e44 = self.v_normal_at(uv_20, rt::Scalar(0i32), (level_21 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_20, rt::Scalar(1i32), (level_21 - rt::Scalar(1u32)));
+        let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_3), (_e44.y() * y_2), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
-        let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_2) * x_2), ((_e48.y() * x_2) * y_1), ((_e48.z() * y_1) * y_1)) * longer_1);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (_e44.w() * x_2)), <rt::Vec4<f32>>::new_31(squares, (_e48.w() * y_1)));
+        let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_3) * x_3), ((_e48.y() * x_3) * y_2), ((_e48.z() * y_2) * y_2)) * longer_1);
+        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (_e44.w() * x_3)), <rt::Vec4<f32>>::new_31(squares, (_e48.w() * y_2)));
     }
     pub(crate) fn sum_of_four(&self, four_1: impl rt::Into<rt::Vec4<f32>>) -> f32 {
         rt::into(self.v_sum_of_four(rt::into(four_1)))
@@ -9422,73 +10407,73 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_62: Entered,
+        at_63: Entered,
         normals: Normals,
         view_10: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_62, normals, rt::into(view_10)))
+        rt::into(self.v_seen_normals(at_63, normals, rt::into(view_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_62: Entered,
+        at_63: Entered,
         normals: Normals,
         view_10: rt::Vec3<f32>,
     ) -> SeenNormals {
         let first_12 = normals.first;
         let second_5 = normals.second;
-        let slope_11 = <rt::Vec2<f32>>::from_scalars(first_12.w(), second_5.w());
+        let slope_12 = <rt::Vec2<f32>>::from_scalars(first_12.w(), second_5.w());
         let upright_1 = first_12.z().max(rt::Scalar(0.05f32));
-        let x_3 = (first_12.x() / upright_1);
-        let y_2 = (first_12.y() / upright_1);
-        let a_20 = ((second_5.x() / upright_1) - (x_3 * x_3)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_19 = (((second_5.y() / upright_1) - (x_3 * y_2)) / a_20);
-        let spread = ((second_5.z() / upright_1) - (y_2 * y_2)).max(rt::Scalar(0f32));
-        let d_2 = (spread - (b_19 * b_19)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_12.x())) - (first_12.xyz() * slope_11.x()));
-        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_12.y())) - (first_12.xyz() * slope_11.y()));
-        let most_10 = ((a_20 * a_20) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_30 = (with_x / rt::Vec3::splat_from_scalar(a_20.max((with_x.length() / most_10))));
-        let rest_8 = (with_y - (along_30 * b_19));
-        let across_7 = (rest_8 / rt::Vec3::splat_from_scalar(d_2.max((rest_8.length() / most_10))));
-        let _e77 = self.v_to_tangent_space(at_62, view_10);
-        let middle_14 = (_e77.z() - _e77.xy().dot(slope_11));
-        let _e91 = self.v_facing_four(middle_14, (-((_e77.x() * a_20) + (_e77.y() * b_19))), (-(_e77.y() * d_2)));
+        let x_4 = (first_12.x() / upright_1);
+        let y_3 = (first_12.y() / upright_1);
+        let a_26 = ((second_5.x() / upright_1) - (x_4 * x_4)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_25 = (((second_5.y() / upright_1) - (x_4 * y_3)) / a_26);
+        let spread = ((second_5.z() / upright_1) - (y_3 * y_3)).max(rt::Scalar(0f32));
+        let d_2 = (spread - (b_25 * b_25)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_12.x())) - (first_12.xyz() * slope_12.x()));
+        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_12.y())) - (first_12.xyz() * slope_12.y()));
+        let most_11 = ((a_26 * a_26) + spread).sqrt().min(rt::Scalar(1f32));
+        let along_31 = (with_x / rt::Vec3::splat_from_scalar(a_26.max((with_x.length() / most_11))));
+        let rest_9 = (with_y - (along_31 * b_25));
+        let across_7 = (rest_9 / rt::Vec3::splat_from_scalar(d_2.max((rest_9.length() / most_11))));
+        let _e77 = self.v_to_tangent_space(at_63, view_10);
+        let middle_14 = (_e77.z() - _e77.xy().dot(slope_12));
+        let _e91 = self.v_facing_four(middle_14, (-((_e77.x() * a_26) + (_e77.y() * b_25))), (-(_e77.y() * d_2)));
         let one = middle_14.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one, _e94);
-        let all = _e95.max(rt::Scalar(0.001f32));
-        let aside_7 = ((along_30 * ((_e91.x() - _e91.y()) / all)) + (across_7 * ((_e91.z() - _e91.w()) / all)));
-        let _e113 = self.v_from_tangent_space(at_62, (first_12.xyz() + (aside_7 * rt::Scalar(0.28867513f32))));
+        let all_1 = _e95.max(rt::Scalar(0.001f32));
+        let aside_7 = ((along_31 * ((_e91.x() - _e91.y()) / all_1)) + (across_7 * ((_e91.z() - _e91.w()) / all_1)));
+        let _e113 = self.v_from_tangent_space(at_63, (first_12.xyz() + (aside_7 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_12.xyz(), along_30, across_7, slope_11, <rt::Vec2<f32>>::from_scalars(a_20, b_19), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_12.xyz(), along_31, across_7, slope_12, <rt::Vec2<f32>>::from_scalars(a_26, b_25), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_63: Entered) -> f32 {
-        rt::into(self.v_table_part(at_63))
+    pub(crate) fn table_part(&self, at_64: Entered) -> f32 {
+        rt::into(self.v_table_part(at_64))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_table_part(&self, at_63: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_64: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_63.fade) * ((rt::Scalar(at_63.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_64.fade) * ((rt::Scalar(at_64.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_64: Entered,
+        at_65: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_64, seen_1, table, rt::into(part_6)))
+        rt::into(self.v_with_table(at_65, seen_1, table, rt::into(part_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_with_table(
         &self,
-        at_64: Entered,
+        at_65: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: rt::Scalar<f32>,
@@ -9496,9 +10481,9 @@ impl<'g> Resources<'g> {
         let mut told: SeenNormals;
 
         told = seen_1;
-        let before_3 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_64, table.mean);
-        let mean_4 = (before_3 + ((_e9 - before_3) * part_6));
+        let before_4 = (seen_1.normal * rt::Scalar(seen_1.length));
+        let _e9 = self.v_from_tangent_space(at_65, table.mean);
+        let mean_4 = (before_4 + ((_e9 - before_4) * part_6));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
         rt::Scalar(told.table_part) = part_6;
@@ -9513,14 +10498,14 @@ impl<'g> Resources<'g> {
     fn v_turn_of(&self, v_1: rt::Vec2<f32>) -> rt::Scalar<f32> {
         let mut turn: rt::Scalar<f32>;
 
-        let x_4 = v_1.x().abs();
-        let y_3 = v_1.y().abs();
-        if rt::Scalar::into_branch_condition((!(x_4 + y_3).elementwise_gt(rt::Scalar(0f32)))) {
+        let x_5 = v_1.x().abs();
+        let y_4 = v_1.y().abs();
+        if rt::Scalar::into_branch_condition((!(x_5 + y_4).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let _e13 = self.v_eighth_turn((x_4.min(y_3) / x_4.max(y_3)));
+        let _e13 = self.v_eighth_turn((x_5.min(y_4) / x_5.max(y_4)));
         turn = _e13;
-        if rt::Scalar::into_branch_condition(y_3.elementwise_gt(x_4)) {
+        if rt::Scalar::into_branch_condition(y_4.elementwise_gt(x_5)) {
             let _e16 = turn;
             turn = (rt::Scalar(0.25f32) - _e16);
         }
@@ -9538,66 +10523,66 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_between(
         &self,
-        a_9: SeenTexel,
-        b_9: SeenTexel,
+        a_11: SeenTexel,
+        b_11: SeenTexel,
         part_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_between(a_9, b_9, rt::into(part_7)))
+        rt::into(self.v_seen_between(a_11, b_11, rt::into(part_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_between(
         &self,
-        a_9: SeenTexel,
-        b_9: SeenTexel,
+        a_11: SeenTexel,
+        b_11: SeenTexel,
         part_7: rt::Scalar<f32>,
     ) -> SeenTexel {
-        return <SeenTexel>::new((a_9.first + ((b_9.first - a_9.first) * part_7)), (a_9.second + ((b_9.second - a_9.second) * part_7)));
+        return <SeenTexel>::new((a_11.first + ((b_11.first - a_11.first) * part_7)), (a_11.second + ((b_11.second - a_11.second) * part_7)));
     }
     pub(crate) fn seen_texel(
         &self,
-        uv_20: impl rt::Into<rt::Vec2<f32>>,
+        uv_21: impl rt::Into<rt::Vec2<f32>>,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
-        level_21: impl rt::Into<rt::Scalar<u32>>,
+        level_22: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_20), rt::into(azimuth), rt::into(elevation), rt::into(level_21)))
+        rt::into(self.v_seen_texel(rt::into(uv_21), rt::into(azimuth), rt::into(elevation), rt::into(level_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_texel(
         &self,
-        uv_20: rt::Vec2<f32>,
+        uv_21: rt::Vec2<f32>,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
-        level_21: rt::Scalar<u32>,
+        level_22: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_8 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_20, layer_8, level_21);
-        let _e12 = self.v_detail_texel_between(uv_20, (layer_8 + rt::Scalar(1i32)), level_21);
+        let _e9 = self.v_detail_texel_between(uv_21, layer_8, level_22);
+        let _e12 = self.v_detail_texel_between(uv_21, (layer_8 + rt::Scalar(1i32)), level_22);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
         &self,
-        uv_21: impl rt::Into<rt::Vec2<f32>>,
+        uv_22: impl rt::Into<rt::Vec2<f32>>,
         azimuth_1: impl rt::Into<rt::Scalar<i32>>,
         elevation_1: impl rt::Into<rt::Scalar<i32>>,
         levels_1: Levels,
     ) -> SeenTexel {
-        rt::into(self.v_seen_in_levels(rt::into(uv_21), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
+        rt::into(self.v_seen_in_levels(rt::into(uv_22), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_in_levels(
         &self,
-        uv_21: rt::Vec2<f32>,
+        uv_22: rt::Vec2<f32>,
         azimuth_1: rt::Scalar<i32>,
         elevation_1: rt::Scalar<i32>,
         levels_1: Levels,
     ) -> SeenTexel {
-        let _e5 = self.v_seen_texel(uv_21, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
+        let _e5 = self.v_seen_texel(uv_22, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
         if rt::Scalar::into_branch_condition(rt::Scalar(levels_1.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e12 = self.v_seen_texel(uv_21, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
+            let _e12 = self.v_seen_texel(uv_22, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
             let _e14 = self.v_seen_between(_e5, _e12, rt::Scalar(levels_1.part));
             return _e14;
         }
@@ -9605,27 +10590,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_65: Entered,
-        uv_22: impl rt::Into<rt::Vec2<f32>>,
+        at_66: Entered,
+        uv_23: impl rt::Into<rt::Vec2<f32>>,
         view_11: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_65, rt::into(uv_22), rt::into(view_11), levels_2))
+        rt::into(self.v_table_of(at_66, rt::into(uv_23), rt::into(view_11), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_65: Entered,
-        uv_22: rt::Vec2<f32>,
+        at_66: Entered,
+        uv_23: rt::Vec2<f32>,
         view_11: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_65, view_11);
+        let _e4 = self.v_climb(at_66, view_11);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_5 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
-        let up = (toward_5.z() / toward_5.length());
-        let elevation_3 = ((up * rt::Scalar(4f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(3f32));
+        let up_2 = (toward_5.z() / toward_5.length());
+        let elevation_3 = ((up_2 * rt::Scalar(4f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(3f32));
         let _e29 = self.v_turn_of(toward_5.xy());
         let azimuth_3 = (_e29 * rt::Scalar(8f32));
         let a0_ = (azimuth_3.floor().cast_elem_as_i32() % rt::Scalar(8i32));
@@ -9633,68 +10618,68 @@ impl<'g> Resources<'g> {
         let e0_ = elevation_3.floor().cast_elem_as_i32();
         let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
         let across_8 = (azimuth_3 - azimuth_3.floor());
-        let _e48 = self.v_seen_in_levels(uv_22, a0_, e0_, levels_2);
-        let _e49 = self.v_seen_in_levels(uv_22, a1_, e0_, levels_2);
+        let _e48 = self.v_seen_in_levels(uv_23, a0_, e0_, levels_2);
+        let _e49 = self.v_seen_in_levels(uv_23, a1_, e0_, levels_2);
         let _e50 = self.v_seen_between(_e48, _e49, across_8);
-        let _e51 = self.v_seen_in_levels(uv_22, a0_, e1_1, levels_2);
-        let _e52 = self.v_seen_in_levels(uv_22, a1_, e1_1, levels_2);
+        let _e51 = self.v_seen_in_levels(uv_23, a0_, e1_1, levels_2);
+        let _e52 = self.v_seen_in_levels(uv_23, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_8);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_5 = ((tile_1.x() * at_65.tangent.normalize().dot(at_65.tangent)) / at_65.tangent.dot(at_65.tangent));
-        let y_4 = ((tile_1.y() * at_65.bitangent.normalize().dot(at_65.bitangent)) / at_65.bitangent.dot(at_65.bitangent));
+        let x_6 = ((tile_1.x() * at_66.tangent.normalize().dot(at_66.tangent)) / at_66.tangent.dot(at_66.tangent));
+        let y_5 = ((tile_1.y() * at_66.bitangent.normalize().dot(at_66.bitangent)) / at_66.bitangent.dot(at_66.bitangent));
         let mean_5 = _e56.first.xyz();
-        let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_5), (mean_5.y() * y_4), mean_5.z());
+        let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_6), (mean_5.y() * y_5), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
         let upright_2 = ((rt::Scalar(1f32) - _e56.first.w()) - _e56.second.y()).max(rt::Scalar(0f32));
-        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_5) * x_5), ((_e56.second.y() * y_4) * y_4), upright_2) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_5) * y_4), (_e56.second.z() * x_5), (_e56.second.w() * y_4)) * squared_3));
+        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_6) * x_6), ((_e56.second.y() * y_5) * y_5), upright_2) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_6) * y_5), (_e56.second.z() * x_6), (_e56.second.w() * y_5)) * squared_3));
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_66: Entered,
-        uv_23: impl rt::Into<rt::Vec2<f32>>,
+        at_67: Entered,
+        uv_24: impl rt::Into<rt::Vec2<f32>>,
         view_12: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_66, rt::into(uv_23), rt::into(view_12)))
+        rt::into(self.v_mesostructure_normals(at_67, rt::into(uv_24), rt::into(view_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_66: Entered,
-        uv_23: rt::Vec2<f32>,
+        at_67: Entered,
+        uv_24: rt::Vec2<f32>,
         view_12: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_70: rt::Scalar<bool>;
+        let mut local_77: rt::Scalar<bool>;
         let mut first_3: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
         let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_one_seen(at_66.normal);
+            let _e9 = self.v_one_seen(at_67.normal);
             return _e9;
         }
-        let upright_3 = at_66.normal.dot(view_12);
+        let upright_3 = at_67.normal.dot(view_12);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_6 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_66.fade)));
+        let width_6 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_67.fade)));
         let _e22 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_5 = ((rt::Scalar(at_66.footprint) * _e22) * width_6);
+        let texels_6 = ((rt::Scalar(at_67.footprint) * _e22) * width_6);
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
-        let _e28 = self.v_levels_of(texels_5, _e27);
+        let _e28 = self.v_levels_of(texels_6, _e27);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_70 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
+            local_77 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_70 = rt::Scalar(false);
+            local_77 = rt::Scalar(false);
         }
-        let _e39 = local_70;
+        let _e39 = local_77;
         if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_66, uv_23);
+            let _e40 = self.v_finest_normal(at_67, uv_24);
             let _e41 = self.v_one_seen(_e40);
             return _e41;
         }
-        let _e43 = self.v_normals_of_level(at_66, uv_23, rt::Scalar(_e28.fine));
+        let _e43 = self.v_normals_of_level(at_67, uv_24, rt::Scalar(_e28.fine));
         first_3 = _e43.first;
         second = _e43.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_66, uv_23, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e54 = self.v_normals_of_level(at_67, uv_24, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
             let _e55 = first_3;
             let _e57 = first_3;
             first_3 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
@@ -9704,15 +10689,15 @@ impl<'g> Resources<'g> {
         }
         let _e69 = first_3;
         let _e70 = second;
-        let _e72 = self.v_seen_normals(at_66, <Normals>::new(_e69, _e70), view_12);
-        let _e73 = self.v_table_part(at_66);
+        let _e72 = self.v_seen_normals(at_67, <Normals>::new(_e69, _e70), view_12);
+        let _e73 = self.v_table_part(at_67);
         if rt::Scalar::into_branch_condition(_e73.elementwise_gt(rt::Scalar(0f32))) {
             let _e79 = rt::Scalar(self.surface_settings.height_levels);
-            let _e80 = self.v_levels_of(rt::Scalar(at_66.footprint), _e79);
+            let _e80 = self.v_levels_of(rt::Scalar(at_67.footprint), _e79);
             let _e81 = self.v_has_table(_e80);
             if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_66, uv_23, view_12, _e80);
-                let _e83 = self.v_with_table(at_66, _e72, _e82, _e73);
+                let _e82 = self.v_table_of(at_67, uv_24, view_12, _e80);
+                let _e83 = self.v_with_table(at_67, _e72, _e82, _e73);
                 return _e83;
             }
         }
@@ -9720,39 +10705,39 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_67: Entered,
+        at_68: Entered,
         hit_20: Hit,
         light_5: Toward,
         params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_67, hit_20, light_5, rt::into(params_54)))
+        rt::into(self.v_shadow_ray(at_68, hit_20, light_5, rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_ray(
         &self,
-        at_67: Entered,
+        at_68: Entered,
         hit_20: Hit,
         light_5: Toward,
         params_54: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_67, hit_20, light_5);
+        let _e4 = self.v_free_way(at_68, hit_20, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_68: Entered,
+        at_69: Entered,
         hit_21: Hit,
         light_6: Toward,
         params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_68, hit_21, light_6, rt::into(params_55)))
+        rt::into(self.v_shadow_none(at_69, hit_21, light_6, rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_none(
         &self,
-        at_68: Entered,
+        at_69: Entered,
         hit_21: Hit,
         light_6: Toward,
         params_55: rt::Vec4<f32>,
@@ -9761,22 +10746,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_69: Entered,
+        at_70: Entered,
         hit_22: Hit,
         light_7: Toward,
         params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_69, hit_22, light_7, rt::into(params_56)))
+        rt::into(self.v_shadow_entry(at_70, hit_22, light_7, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_69: Entered,
+        at_70: Entered,
         hit_22: Hit,
         light_7: Toward,
         params_56: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_69, hit_22, light_7);
+        let _e4 = self.v_from_hit(at_70, hit_22, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -9823,9 +10808,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seed_of(&self, hit_23: Hit) -> rt::Scalar<u32> {
-        let place_22 = ((hit_23.uv - hit_23.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
-        let _e10 = self.v_mixed(place_22.y());
-        let _e12 = self.v_mixed((place_22.x() ^ _e10));
+        let place_25 = ((hit_23.uv - hit_23.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
+        let _e10 = self.v_mixed(place_25.y());
+        let _e12 = self.v_mixed((place_25.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn unit_of(&self, bits: impl rt::Into<rt::Scalar<u32>>) -> f32 {
@@ -9842,10 +10827,10 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_quarter_sine(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_6 = (turn_1 * rt::Scalar(6.2831855f32));
-        let s_2 = (x_6 * x_6);
-        let last_8 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
-        return (x_6 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_8)))))));
+        let x_7 = (turn_1 * rt::Scalar(6.2831855f32));
+        let s_2 = (x_7 * x_7);
+        let last_9 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
+        return (x_7 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_9)))))));
     }
     pub(crate) fn sine_of(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_sine_of(rt::into(turn_2)))
@@ -9853,16 +10838,16 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_sine_of(&self, turn_2: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let part_14 = (turn_2 - turn_2.floor());
-        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_14 - rt::Scalar(0.5f32)).abs()).abs()));
-        return _e11.select((rt::Scalar(0f32) - _e11), part_14.elementwise_gt(rt::Scalar(0.5f32)));
+        let part_17 = (turn_2 - turn_2.floor());
+        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_17 - rt::Scalar(0.5f32)).abs()).abs()));
+        return _e11.select((rt::Scalar(0f32) - _e11), part_17.elementwise_gt(rt::Scalar(0.5f32)));
     }
-    pub(crate) fn turned(&self, turn_3: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_turned(rt::into(turn_3)))
+    pub(crate) fn turned_1(&self, turn_3: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_turned_1(rt::into(turn_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_turned(&self, turn_3: rt::Scalar<f32>) -> rt::Vec2<f32> {
+    fn v_turned_1(&self, turn_3: rt::Scalar<f32>) -> rt::Vec2<f32> {
         let _e3 = self.v_sine_of((turn_3 + rt::Scalar(0.25f32)));
         let _e4 = self.v_sine_of(turn_3);
         return <rt::Vec2<f32>>::from_scalars(_e3, _e4);
@@ -9871,10 +10856,10 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: impl rt::Into<rt::Scalar<u32>>,
-        k_18: impl rt::Into<rt::Scalar<u32>>,
-        count_2: impl rt::Into<rt::Scalar<u32>>,
+        k_19: impl rt::Into<rt::Scalar<u32>>,
+        count_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_18), rt::into(count_2)))
+        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_19), rt::into(count_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9882,105 +10867,105 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: rt::Scalar<u32>,
-        k_18: rt::Scalar<u32>,
-        count_2: rt::Scalar<u32>,
+        k_19: rt::Scalar<u32>,
+        count_4: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_1 + k_18) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_1 + k_19) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_18.cast_elem_as_f32() + _e9) / count_2.cast_elem_as_f32());
+        let ring = ((k_19.cast_elem_as_f32() + _e9) / count_4.cast_elem_as_f32());
         let _e16 = self.v_unit_of(seed_1);
-        let _e18 = self.v_turned(((k_18.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_23 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
+        let _e18 = self.v_turned_1(((k_19.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let place_26 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
-        let up_1 = light_8.direction.cross(right_2);
-        let toward_6 = ((light_8.direction + (right_2 * place_23.x())) + (up_1 * place_23.y()));
-        let along_31 = toward_6.length();
-        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_31)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_31), rt::Scalar(0f32), rt::Scalar(light_8.number));
+        let up_3 = light_8.direction.cross(right_2);
+        let toward_6 = ((light_8.direction + (right_2 * place_26.x())) + (up_3 * place_26.y()));
+        let along_32 = toward_6.length();
+        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_32)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_32), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_70: Entered,
+        at_71: Entered,
         hit_24: Hit,
         light_9: Toward,
         params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_70, hit_24, light_9, rt::into(params_57)))
+        rt::into(self.v_shadow_soft(at_71, hit_24, light_9, rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_70: Entered,
+        at_71: Entered,
         hit_24: Hit,
         light_9: Toward,
         params_57: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_19: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_20: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_5 = params_57.x().cast_elem_as_u32();
+        let count_7 = params_57.x().cast_elem_as_u32();
         let _e6 = self.v_seed_of(hit_24);
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_19;
-                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_5)) {
+                let _e11 = k_20;
+                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_7)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
-                    let _e14 = k_19;
-                    let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_5);
-                    let _e16 = self.v_free_way(at_70, hit_24, _e15);
+                    let _e14 = k_20;
+                    let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_7);
+                    let _e16 = self.v_free_way(at_71, hit_24, _e15);
                     free = (_e13 + _e16);
-                    let _e18 = k_19;
-                    k_19 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_20;
+                    k_20 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
         let _e21 = free;
-        return (_e21 / count_5.cast_elem_as_f32());
+        return (_e21 / count_7.cast_elem_as_f32());
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_71: Entered,
+        at_72: Entered,
         hit_25: Hit,
         light_10: Toward,
         params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_71, hit_25, light_10, rt::into(params_58)))
+        rt::into(self.v_shadow_heuristic(at_72, hit_25, light_10, rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_71: Entered,
+        at_72: Entered,
         hit_25: Hit,
         light_10: Toward,
         params_58: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_20: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_21: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_71, hit_25, light_10);
+        let _e4 = self.v_from_hit(at_72, hit_25, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let _e11 = self.v_way_out(_e4, light_10);
         'naga_break: loop {
             'naga_continue: {
-                let _e16 = k_20;
+                let _e16 = k_21;
                 if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_58.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = k_20;
-                    let part_15 = (_e19 / params_58.x());
+                    let _e19 = k_21;
+                    let part_18 = (_e19 / params_58.x());
                     let _e22 = most_1;
-                    let _e24 = self.v_path_gap(_e4, (part_15 * _e11));
-                    most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_15)));
-                    let _e31 = k_20;
-                    k_20 = (_e31 + rt::Scalar(1f32));
+                    let _e24 = self.v_path_gap(_e4, (part_18 * _e11));
+                    most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_18)));
+                    let _e31 = k_21;
+                    k_21 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
@@ -9989,48 +10974,48 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_texel(
         &self,
-        place_14: impl rt::Into<rt::Vec2<i32>>,
+        place_17: impl rt::Into<rt::Vec2<i32>>,
         layer_6: impl rt::Into<rt::Scalar<i32>>,
-        level_22: impl rt::Into<rt::Scalar<i32>>,
+        level_23: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_14), rt::into(layer_6), rt::into(level_22)))
+        rt::into(self.v_shadow_texel(rt::into(place_17), rt::into(layer_6), rt::into(level_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_texel(
         &self,
-        place_14: rt::Vec2<i32>,
+        place_17: rt::Vec2<i32>,
         layer_6: rt::Scalar<i32>,
-        level_22: rt::Scalar<i32>,
+        level_23: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_14, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_22));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_17, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_23));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_24: impl rt::Into<rt::Vec2<f32>>,
+        uv_25: impl rt::Into<rt::Vec2<f32>>,
         layer_7: impl rt::Into<rt::Scalar<i32>>,
-        level_23: impl rt::Into<rt::Scalar<u32>>,
+        level_24: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_24), rt::into(layer_7), rt::into(level_23)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_25), rt::into(layer_7), rt::into(level_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_texel_between(
         &self,
-        uv_24: rt::Vec2<f32>,
+        uv_25: rt::Vec2<f32>,
         layer_7: rt::Scalar<i32>,
-        level_23: rt::Scalar<u32>,
+        level_24: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_23);
-        let _e4 = self.v_texels_around(uv_24, _e3);
-        let k_31 = level_23.cast_elem_as_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_31);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_31);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_31);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_31);
+        let _e3 = self.v_height_texels(level_24);
+        let _e4 = self.v_texels_around(uv_25, _e3);
+        let k_32 = level_24.cast_elem_as_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_32);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_32);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_32);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_32);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -10040,16 +11025,16 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_own_slope(&self, way_7: Path) -> rt::Scalar<f32> {
-        let mut level_24: Path;
+        let mut level_25: Path;
 
         let _e1 = self.v_grid_of(way_7);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
         let end_16 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        level_24 = way_7;
-        level_24.h = <rt::Vec3<f32>>::from_scalars(way_7.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
-        rt::Scalar(level_24.exit) = end_16;
-        let _e18 = level_24;
+        level_25 = way_7;
+        level_25.h = <rt::Vec3<f32>>::from_scalars(way_7.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
+        rt::Scalar(level_25.exit) = end_16;
+        let _e18 = level_25;
         let _e21 = self.v_height_cell(_e3.cast_elem_as_i32(), rt::Scalar(way_7.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_16))));
@@ -10060,116 +11045,116 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_part_above(&self, height_6: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_7 = height_6.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
-        let s_3 = (x_7 * x_7);
-        return (rt::Scalar(0.5f32) + (x_7 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
+        let x_8 = height_6.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
+        let s_3 = (x_8 * x_8);
+        return (rt::Scalar(0.5f32) + (x_8 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_72: Entered,
+        at_73: Entered,
         hit_26: Hit,
         light_11: Toward,
         params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_72, hit_26, light_11, rt::into(params_59)))
+        rt::into(self.v_shadow_horizon(at_73, hit_26, light_11, rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_72: Entered,
+        at_73: Entered,
         hit_26: Hit,
         light_11: Toward,
         params_59: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_72, light_11.direction);
+        let _e5 = self.v_climb(at_73, light_11.direction);
         let map_1 = self.surface_settings.maps[3usize];
-        let along_32 = (_e5.xy() * map_1.tile_m);
-        let _e13 = self.v_turn_of(along_32);
+        let along_33 = (_e5.xy() * map_1.tile_m);
+        let _e13 = self.v_turn_of(along_33);
         let azimuth_4 = (_e13 * params_59.x());
         let first_13 = azimuth_4.floor();
-        let count_6 = params_59.x().cast_elem_as_i32();
-        let before_4 = (first_13.cast_elem_as_i32() % count_6);
-        let part_16 = (azimuth_4 - first_13);
-        let _e24 = self.v_shadow_texel_between(hit_26.uv, before_4, rt::Scalar(at_72.level));
-        let low_7 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_26.uv, ((before_4 + rt::Scalar(1i32)) % count_6), rt::Scalar(at_72.level));
-        let sine_1 = (low_7 + ((_e31.x() - low_7) * part_16));
+        let count_8 = params_59.x().cast_elem_as_i32();
+        let before_5 = (first_13.cast_elem_as_i32() % count_8);
+        let part_19 = (azimuth_4 - first_13);
+        let _e24 = self.v_shadow_texel_between(hit_26.uv, before_5, rt::Scalar(at_73.level));
+        let low_8 = _e24.x();
+        let _e31 = self.v_shadow_texel_between(hit_26.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_73.level));
+        let sine_1 = (low_8 + ((_e31.x() - low_8) * part_19));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
-        let far_10 = (squared_4 * along_32.dot(along_32)).sqrt();
-        let _e48 = self.v_from_hit(at_72, hit_26, light_11);
+        let far_10 = (squared_4 * along_33.dot(along_33)).sqrt();
+        let _e48 = self.v_from_hit(at_73, hit_26, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_9 = (_e49 * _e52);
         let horizon = far_10.max(near_9);
-        let up_2 = at_72.normal.dot(light_11.direction);
+        let up_4 = at_73.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
-            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_2.elementwise_gt(horizon));
+            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_4.elementwise_gt(horizon));
         }
-        let flat = (rt::Scalar(1f32) - (up_2 * up_2)).max(rt::Scalar(0f32));
-        let beside_3 = (flat + (up_2 * horizon));
+        let flat = (rt::Scalar(1f32) - (up_4 * up_4)).max(rt::Scalar(0f32));
+        let beside_3 = (flat + (up_4 * horizon));
         if rt::Scalar::into_branch_condition((!beside_3.elementwise_gt(rt::Scalar(0f32)))) {
-            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_2.elementwise_gt(horizon));
+            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_4.elementwise_gt(horizon));
         }
-        let _e86 = self.v_part_above(((flat.sqrt() * (up_2 - horizon)) / (beside_3 * rt::Scalar(light_11.radius))));
+        let _e86 = self.v_part_above(((flat.sqrt() * (up_4 - horizon)) / (beside_3 * rt::Scalar(light_11.radius))));
         return _e86;
     }
     pub(crate) fn open_part(
         &self,
-        at_73: Entered,
+        at_74: Entered,
         hit_27: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_73, hit_27, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_74, hit_27, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_open_part(
         &self,
-        at_73: Entered,
+        at_74: Entered,
         hit_27: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_27.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_73.level));
+        let _e9 = self.v_shadow_texel_between(hit_27.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_74.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_74: Entered,
+        at_75: Entered,
         hit_28: Hit,
         light_12: Toward,
         params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_74, hit_28, light_12, rt::into(params_60)))
+        rt::into(self.v_shadow_visibility(at_75, hit_28, light_12, rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_74: Entered,
+        at_75: Entered,
         hit_28: Hit,
         light_12: Toward,
         params_60: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_74, light_12.direction);
+        let _e5 = self.v_climb(at_75, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_2 = self.surface_settings.maps[3usize];
-        let along_33 = (_e5.xy() * map_2.tile_m);
+        let along_34 = (_e5.xy() * map_2.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_15 = (_e5.z() * _e21);
-        let squared_5 = ((height_15 * height_15) / (along_33.dot(along_33) + (height_15 * height_15)));
+        let squared_5 = ((height_15 * height_15) / (along_34.dot(along_34) + (height_15 * height_15)));
         let azimuths = params_60.x().cast_elem_as_i32();
         let elevations_1 = params_60.y().cast_elem_as_i32();
-        let _e32 = self.v_turn_of(along_33);
+        let _e32 = self.v_turn_of(along_34);
         let azimuth_5 = (_e32 * params_60.x());
         let elevation_4 = ((squared_5 * params_60.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_60.y() - rt::Scalar(1f32)));
         if rt::Scalar::into_branch_condition(params_60.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_21 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
-            let _e56 = self.v_open_part(at_74, hit_28, a_21, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
+            let a_27 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
+            let _e56 = self.v_open_part(at_75, hit_28, a_27, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().cast_elem_as_i32() % azimuths);
@@ -10178,123 +11163,144 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_74, hit_28, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_74, hit_28, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_75, hit_28, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_75, hit_28, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_74, hit_28, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_75, hit_28, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_74, hit_28, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_75, hit_28, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_75: Entered,
+        at_76: Entered,
         hit_29: Hit,
         light_13: Toward,
         params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_75, hit_29, light_13, rt::into(params_61)))
+        rt::into(self.v_shadow_map(at_76, hit_29, light_13, rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_map(
         &self,
-        at_75: Entered,
+        at_76: Entered,
         hit_29: Hit,
         light_13: Toward,
         params_61: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_75, hit_29.uv, rt::Scalar(light_13.number), light_13.direction, params_61.z(), params_61.w());
+        let _e9 = self.v_light_seen(at_76, hit_29.uv, rt::Scalar(light_13.number), light_13.direction, params_61.z(), params_61.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_76: Entered,
+        at_77: Entered,
         hit_30: Hit,
         light_14: Toward,
         params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_76, hit_30, light_14, rt::into(params_62)))
+        rt::into(self.v_shadow_scene(at_77, hit_30, light_14, rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_scene(
         &self,
-        at_76: Entered,
+        at_77: Entered,
         hit_30: Hit,
         light_14: Toward,
         params_62: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_77: Entered, hit_31: Hit, light_15: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_77, hit_31, light_15))
+    pub(crate) fn shadow_stage(&self, at_78: Entered, hit_31: Hit, light_15: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_78, hit_31, light_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_77: Entered, hit_31: Hit, light_15: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_78: Entered, hit_31: Hit, light_15: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[6usize].params;
-                let _e13 = self.v_shadow_ray(at_77, hit_31, light_15, _e12);
+                let _e13 = self.v_shadow_ray(at_78, hit_31, light_15, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[6usize].params;
-                let _e19 = self.v_shadow_none(at_77, hit_31, light_15, _e18);
+                let _e19 = self.v_shadow_none(at_78, hit_31, light_15, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[6usize].params;
-                let _e25 = self.v_shadow_entry(at_77, hit_31, light_15, _e24);
+                let _e25 = self.v_shadow_entry(at_78, hit_31, light_15, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[6usize].params;
-                let _e31 = self.v_shadow_soft(at_77, hit_31, light_15, _e30);
+                let _e31 = self.v_shadow_soft(at_78, hit_31, light_15, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[6usize].params;
-                let _e37 = self.v_shadow_heuristic(at_77, hit_31, light_15, _e36);
+                let _e37 = self.v_shadow_heuristic(at_78, hit_31, light_15, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[6usize].params;
-                let _e43 = self.v_shadow_horizon(at_77, hit_31, light_15, _e42);
+                let _e43 = self.v_shadow_horizon(at_78, hit_31, light_15, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[6usize].params;
-                let _e49 = self.v_shadow_visibility(at_77, hit_31, light_15, _e48);
+                let _e49 = self.v_shadow_visibility(at_78, hit_31, light_15, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[6usize].params;
-                let _e55 = self.v_shadow_map(at_77, hit_31, light_15, _e54);
+                let _e55 = self.v_shadow_map(at_78, hit_31, light_15, _e54);
                 return _e55;
             }
             _ => {
                 let _e60 = self.surface_settings.choices[6usize].params;
-                let _e61 = self.v_shadow_scene(at_77, hit_31, light_15, _e60);
+                let _e61 = self.v_shadow_scene(at_78, hit_31, light_15, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_60: PixelIn, at_78: Entered, hit_32: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_60, at_78, hit_32))
+    pub(crate) fn mirrored_light(&self, pixel_60: PixelIn, at_79: Entered, hit_32: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_60, at_79, hit_32))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mirrored_light(&self, pixel_60: PixelIn, at_78: Entered, hit_32: Hit) -> rt::Scalar<f32> {
+    fn v_mirrored_light(&self, pixel_60: PixelIn, at_79: Entered, hit_32: Hit) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_32.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
         let down_2 = pixel_60.direction.normalize();
-        let up_3 = (down_2 - (at_78.normal * (rt::Scalar(2f32) * down_2.dot(at_78.normal))));
-        let _e24 = self.v_shadow_stage(at_78, hit_32, <Toward>::new(up_3, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
+        let up_5 = (down_2 - (at_79.normal * (rt::Scalar(2f32) * down_2.dot(at_79.normal))));
+        let _e24 = self.v_shadow_stage(at_79, hit_32, <Toward>::new(up_5, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
         return _e24;
+    }
+    pub(crate) fn parts_between(
+        &self,
+        a_12: Voxel,
+        b_12: Voxel,
+        level_26: impl rt::Into<rt::Scalar<u32>>,
+    ) -> u32 {
+        rt::into(self.v_parts_between(a_12, b_12, rt::into(level_26)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_parts_between(
+        &self,
+        a_12: Voxel,
+        b_12: Voxel,
+        level_26: rt::Scalar<u32>,
+    ) -> rt::Scalar<u32> {
+        let apart_5 = (b_12.at - a_12.at).abs().cast_elem_as_u32();
+        let farthest = apart_5.x().max(apart_5.y()).max(apart_5.z());
+        let parts_5 = (((farthest + (rt::Scalar(1u32) << level_26)) - rt::Scalar(1u32)) >> level_26);
+        return parts_5.clamp(rt::Scalar(1u32), DICE_PARTS).select(rt::Scalar(1u32), level_26.elementwise_eq(COARSEST));
     }
     pub(crate) fn pixel_direction(&self, pixel_61: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_pixel_direction(rt::into(pixel_61)))
@@ -10320,59 +11326,59 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn pixel_of(
         &self,
-        a_10: Corner,
-        b_10: Corner,
-        c_7: Corner,
+        a_13: Corner,
+        b_13: Corner,
+        c_8: Corner,
         shell_4: Shell,
-        side_2: impl rt::Into<rt::Scalar<f32>>,
+        side_3: impl rt::Into<rt::Scalar<f32>>,
         point_7: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_10, b_10, c_7, shell_4, rt::into(side_2), rt::into(point_7)))
+        rt::into(self.v_pixel_of(a_13, b_13, c_8, shell_4, rt::into(side_3), rt::into(point_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_pixel_of(
         &self,
-        a_10: Corner,
-        b_10: Corner,
-        c_7: Corner,
+        a_13: Corner,
+        b_13: Corner,
+        c_8: Corner,
         shell_4: Shell,
-        side_2: rt::Scalar<f32>,
+        side_3: rt::Scalar<f32>,
         point_7: rt::Vec2<f32>,
     ) -> PixelIn {
         let _e6 = self.v_pixel_eye(point_7);
         let _e7 = self.v_pixel_direction(point_7);
-        return <PixelIn>::new(_e6, _e7, side_2, a_10, b_10, c_7, shell_4);
+        return <PixelIn>::new(_e6, _e7, side_3, a_13, b_13, c_8, shell_4);
     }
     pub(crate) fn surface_plane_place(
         &self,
         pixel_63: PixelIn,
-        at_79: Entered,
+        at_80: Entered,
         path_65: Path,
         hit_33: Hit,
         params_63: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_63, at_79, path_65, hit_33, rt::into(params_63)))
+        rt::into(self.v_surface_plane_place(pixel_63, at_80, path_65, hit_33, rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_place(
         &self,
         pixel_63: PixelIn,
-        at_79: Entered,
+        at_80: Entered,
         path_65: Path,
         hit_33: Hit,
         params_63: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_8 = (hit_33.uv - at_79.uv);
+        let aside_8 = (hit_33.uv - at_80.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_33.uv, rt::Scalar(at_79.level));
+        let _e16 = self.v_height_at(hit_33.uv, rt::Scalar(at_80.level));
         let height_16 = (_e10 + (_e13 * _e16));
-        placed = at_79;
-        placed.point = (((at_79.point + (at_79.tangent * aside_8.x())) + (at_79.bitangent * aside_8.y())) + (at_79.normal * height_16));
+        placed = at_80;
+        placed.point = (((at_80.point + (at_80.tangent * aside_8.x())) + (at_80.bitangent * aside_8.y())) + (at_80.normal * height_16));
         placed.uv = hit_33.uv;
         let _e35 = placed;
         return _e35;
@@ -10380,97 +11386,97 @@ impl<'g> Resources<'g> {
     pub(crate) fn placed_at(
         &self,
         pixel_64: PixelIn,
-        at_80: Entered,
+        at_81: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_8: impl rt::Into<rt::Vec3<f32>>,
-        uv_25: impl rt::Into<rt::Vec2<f32>>,
+        uv_26: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_64, at_80, rt::into(weights_4), rt::into(point_8), rt::into(uv_25)))
+        rt::into(self.v_placed_at(pixel_64, at_81, rt::into(weights_4), rt::into(point_8), rt::into(uv_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_at(
         &self,
         pixel_64: PixelIn,
-        at_80: Entered,
+        at_81: Entered,
         weights_4: rt::Vec3<f32>,
         point_8: rt::Vec3<f32>,
-        uv_25: rt::Vec2<f32>,
+        uv_26: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_64, weights_4, point_8, uv_25, at_80.facing);
+        let _e6 = self.v_frame_at(pixel_64, weights_4, point_8, uv_26, at_81.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_80.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_80.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_80.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_81.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_81.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_81.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_prism_place(
         &self,
         pixel_65: PixelIn,
-        at_81: Entered,
+        at_82: Entered,
         path_66: Path,
         hit_34: Hit,
         params_64: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_65, at_81, path_66, hit_34, rt::into(params_64)))
+        rt::into(self.v_surface_prism_place(pixel_65, at_82, path_66, hit_34, rt::into(params_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_prism_place(
         &self,
         pixel_65: PixelIn,
-        at_81: Entered,
+        at_82: Entered,
         path_66: Path,
         hit_34: Hit,
         params_64: rt::Vec4<f32>,
     ) -> Entered {
-        let along_34 = pixel_65.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_65, along_34);
-        let _e8 = self.v_prism_of(pixel_65, along_34, _e7, params_64);
+        let along_35 = pixel_65.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_65, along_35);
+        let _e8 = self.v_prism_of(pixel_65, along_35, _e7, params_64);
         let s_4 = ((rt::Scalar(path_66.start) + rt::Scalar(hit_34.t)) - _e7);
-        let _e15 = self.v_point_of_way(pixel_65, _e8, (along_34 * s_4), rt::Scalar(hit_34.height));
-        let weights_5 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_65, at_81, weights_5, (pixel_65.origin + (along_34 * (rt::Scalar(path_66.start) + rt::Scalar(hit_34.t)))), hit_34.uv);
+        let _e15 = self.v_point_of_way(pixel_65, _e8, (along_35 * s_4), rt::Scalar(hit_34.height));
+        let weights_6 = _e15.weights;
+        let _e24 = self.v_placed_at(pixel_65, at_82, weights_6, (pixel_65.origin + (along_35 * (rt::Scalar(path_66.start) + rt::Scalar(hit_34.t)))), hit_34.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_82: Entered,
+        at_83: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_82, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_83, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_frame(
         &self,
-        at_82: Entered,
+        at_83: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_71: rt::Scalar<bool>;
+        let mut local_78: rt::Scalar<bool>;
 
-        placed_2 = at_82;
-        let _e5 = self.v_quadric_slope(at_82.quadric.xyz(), aside);
+        placed_2 = at_83;
+        let _e5 = self.v_quadric_slope(at_83.quadric.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_71 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_78 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_71 = rt::Scalar(false);
+            local_78 = rt::Scalar(false);
         }
-        let _e15 = local_71;
+        let _e15 = local_78;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_4 = at_82.metric;
-        let area_5 = ((m_4.x() * m_4.z()) - (m_4.y() * m_4.y()));
-        let along_t = (((_e5.x() * m_4.z()) - (_e5.y() * m_4.y())) / area_5);
-        let along_b = (((_e5.y() * m_4.x()) - (_e5.x() * m_4.y())) / area_5);
-        placed_2.tangent = (at_82.tangent + (at_82.normal * _e5.x()));
-        placed_2.bitangent = (at_82.bitangent + (at_82.normal * _e5.y()));
-        placed_2.normal = ((at_82.normal - (at_82.tangent * along_t)) - (at_82.bitangent * along_b)).normalize();
+        let m_5 = at_83.metric;
+        let area_5 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
+        let along_t = (((_e5.x() * m_5.z()) - (_e5.y() * m_5.y())) / area_5);
+        let along_b = (((_e5.y() * m_5.x()) - (_e5.x() * m_5.y())) / area_5);
+        placed_2.tangent = (at_83.tangent + (at_83.normal * _e5.x()));
+        placed_2.bitangent = (at_83.bitangent + (at_83.normal * _e5.y()));
+        placed_2.normal = ((at_83.normal - (at_83.tangent * along_t)) - (at_83.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_2 = _e63.dot(_e65);
@@ -10480,33 +11486,33 @@ impl<'g> Resources<'g> {
         let _e73 = placed_2.bitangent;
         let _e75 = placed_2.bitangent;
         let bb_2 = _e73.dot(_e75);
-        placed_2.metric = <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, m_4.w());
+        placed_2.metric = <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, m_5.w());
         let _e80 = placed_2;
         return _e80;
     }
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
         pixel_66: PixelIn,
-        at_83: Entered,
+        at_84: Entered,
         path_67: Path,
         hit_35: Hit,
         params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_66, at_83, path_67, hit_35, rt::into(params_65)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_66, at_84, path_67, hit_35, rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_place(
         &self,
         pixel_66: PixelIn,
-        at_83: Entered,
+        at_84: Entered,
         path_67: Path,
         hit_35: Hit,
         params_65: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_83, (hit_35.uv - at_83.uv));
+        let _e8 = self.v_quadric_frame(at_84, (hit_35.uv - at_84.uv));
         placed_3 = _e8;
         placed_3.point = (pixel_66.origin + (pixel_66.direction.normalize() * (rt::Scalar(path_67.start) + rt::Scalar(hit_35.t))));
         placed_3.uv = hit_35.uv;
@@ -10516,36 +11522,36 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_place(
         &self,
         pixel_67: PixelIn,
-        at_84: Entered,
+        at_85: Entered,
         path_68: Path,
         hit_36: Hit,
         params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_67, at_84, path_68, hit_36, rt::into(params_66)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_67, at_85, path_68, hit_36, rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
         pixel_67: PixelIn,
-        at_84: Entered,
+        at_85: Entered,
         path_68: Path,
         hit_36: Hit,
         params_66: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_9 = (hit_36.uv - at_84.uv);
+        let aside_9 = (hit_36.uv - at_85.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_36.uv, rt::Scalar(at_84.level));
+        let _e16 = self.v_height_at(hit_36.uv, rt::Scalar(at_85.level));
         let height_17 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_84.quadric.xyz(), aside_9);
-        let lifted_2 = (((_e19 - at_84.quadric.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_84, aside_9);
+        let _e27 = self.v_quadric_at(at_85.quadric.xyz(), aside_9);
+        let lifted_2 = (((_e19 - at_85.quadric.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_85, aside_9);
         placed_4 = _e29;
-        placed_4.point = (((at_84.point + (at_84.tangent * aside_9.x())) + (at_84.bitangent * aside_9.y())) + (at_84.normal * (height_17 + lifted_2)));
+        placed_4.point = (((at_85.point + (at_85.tangent * aside_9.x())) + (at_85.bitangent * aside_9.y())) + (at_85.normal * (height_17 + lifted_2)));
         placed_4.uv = hit_36.uv;
         let _e47 = placed_4;
         return _e47;
@@ -10553,119 +11559,119 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_place(
         &self,
         pixel_68: PixelIn,
-        at_85: Entered,
+        at_86: Entered,
         path_69: Path,
         hit_37: Hit,
         params_67: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_68, at_85, path_69, hit_37, rt::into(params_67)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_68, at_86, path_69, hit_37, rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
         pixel_68: PixelIn,
-        at_85: Entered,
+        at_86: Entered,
         path_69: Path,
         hit_37: Hit,
         params_67: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
-        let mut number_5: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut number_10: rt::Scalar<u32> = rt::Scalar(1u32);
 
-        let along_35 = pixel_68.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_68, along_35);
+        let along_36 = pixel_68.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_68, along_36);
         let t_37 = ((rt::Scalar(path_69.start) + rt::Scalar(hit_37.t)) - _e7);
-        let _e13 = self.v_tetrahedron(pixel_68, along_35, _e7, rt::Scalar(0u32));
+        let _e13 = self.v_tetrahedron(pixel_68, along_36, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
         beside_1 = (_e17 - t_37).max((t_37 - _e21));
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = number_5;
+                let _e27 = number_10;
                 if rt::Scalar::into_branch_condition(_e27.elementwise_lt(rt::Scalar(3u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = number_5;
-                    let _e31 = self.v_tetrahedron(pixel_68, along_35, _e7, _e30);
+                    let _e30 = number_10;
+                    let _e31 = self.v_tetrahedron(pixel_68, along_36, _e7, _e30);
                     let aside_10 = (_e31.inside.x() - t_37).max((t_37 - _e31.inside.y()));
                     let _e39 = beside_1;
                     if rt::Scalar::into_branch_condition(aside_10.elementwise_lt(_e39)) {
                         nearest = _e31;
                         beside_1 = aside_10;
                     }
-                    let _e41 = number_5;
-                    number_5 = (_e41 + rt::Scalar(1u32));
+                    let _e41 = number_10;
+                    number_10 = (_e41 + rt::Scalar(1u32));
                 }
             }
         }
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
-        let weights_6 = (_e45 + (_e47 * t_37));
-        let point_18 = (pixel_68.origin + (along_35 * (rt::Scalar(path_69.start) + rt::Scalar(hit_37.t))));
-        let _e58 = self.v_placed_at(pixel_68, at_85, weights_6.xyz(), point_18, hit_37.uv);
+        let weights_7 = (_e45 + (_e47 * t_37));
+        let point_18 = (pixel_68.origin + (along_36 * (rt::Scalar(path_69.start) + rt::Scalar(hit_37.t))));
+        let _e58 = self.v_placed_at(pixel_68, at_86, weights_7.xyz(), point_18, hit_37.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
         pixel_69: PixelIn,
-        at_86: Entered,
+        at_87: Entered,
         path_70: Path,
         hit_38: Hit,
         params_68: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_69, at_86, path_70, hit_38, rt::into(params_68)))
+        rt::into(self.v_surface_facets_place(pixel_69, at_87, path_70, hit_38, rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_place(
         &self,
         pixel_69: PixelIn,
-        at_86: Entered,
+        at_87: Entered,
         path_70: Path,
         hit_38: Hit,
         params_68: rt::Vec4<f32>,
     ) -> Entered {
-        return at_86;
+        return at_87;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_70: PixelIn, at_87: Entered, path_71: Path, hit_39: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_70, at_87, path_71, hit_39))
+    pub(crate) fn surface_place_stage(&self, pixel_70: PixelIn, at_88: Entered, path_71: Path, hit_39: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_70, at_88, path_71, hit_39))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_70: PixelIn, at_87: Entered, path_71: Path, hit_39: Hit) -> Entered {
+    fn v_surface_place_stage(&self, pixel_70: PixelIn, at_88: Entered, path_71: Path, hit_39: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_70, at_87, path_71, hit_39, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_70, at_88, path_71, hit_39, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_70, at_87, path_71, hit_39, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_70, at_88, path_71, hit_39, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_70, at_87, path_71, hit_39, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_70, at_88, path_71, hit_39, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_70, at_87, path_71, hit_39, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_70, at_88, path_71, hit_39, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_70, at_87, path_71, hit_39, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_70, at_88, path_71, hit_39, _e37);
                 return _e38;
             }
             _ => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_70, at_87, path_71, hit_39, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_70, at_88, path_71, hit_39, _e43);
                 return _e44;
             }
         }
@@ -10673,25 +11679,25 @@ impl<'g> Resources<'g> {
     pub(crate) fn place_hit(
         &self,
         pixel_71: PixelIn,
-        at_88: Entered,
+        at_89: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
         hit_40: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_71, at_88, rt::into(segment), hit_40))
+        rt::into(self.v_place_hit(pixel_71, at_89, rt::into(segment), hit_40))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_place_hit(
         &self,
         pixel_71: PixelIn,
-        at_88: Entered,
+        at_89: Entered,
         segment: rt::Scalar<u32>,
         hit_40: Hit,
     ) -> Entered {
         let mut placed_5: Entered;
 
-        let _e4 = self.v_segment_of(pixel_71, at_88, segment);
-        let _e5 = self.v_surface_place_stage(pixel_71, at_88, _e4, hit_40);
+        let _e4 = self.v_segment_of(pixel_71, at_89, segment);
+        let _e5 = self.v_surface_place_stage(pixel_71, at_89, _e4, hit_40);
         placed_5 = _e5;
         let _e8 = self.v_depth_on_ray(pixel_71, _e4, hit_40);
         rt::Scalar(placed_5.depth) = _e8;
@@ -10700,78 +11706,78 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn toward_light(
         &self,
-        number_6: impl rt::Into<rt::Scalar<u32>>,
-        position: impl rt::Into<rt::Vec3<f32>>,
+        number_11: impl rt::Into<rt::Scalar<u32>>,
+        position_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> Toward {
-        rt::into(self.v_toward_light(rt::into(number_6), rt::into(position)))
+        rt::into(self.v_toward_light(rt::into(number_11), rt::into(position_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_toward_light(
         &self,
-        number_6: rt::Scalar<u32>,
-        position: rt::Vec3<f32>,
+        number_11: rt::Scalar<u32>,
+        position_1: rt::Vec3<f32>,
     ) -> Toward {
-        let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_6)];
+        let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_11)];
         if rt::Scalar::into_branch_condition(light_18.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_7 = (light_18.place.xyz() - position);
+            let toward_7 = (light_18.place.xyz() - position_1);
             let squared_6 = toward_7.dot(toward_7);
             let distance_3 = squared_6.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_6.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_7.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_6);
+            return <Toward>::new(toward_7.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_11);
         }
-        return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_6);
+        return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_11);
     }
     pub(crate) fn point_of_light(
         &self,
-        at_89: Entered,
+        at_90: Entered,
         hit_41: Hit,
-        number_7: impl rt::Into<rt::Scalar<u32>>,
-        k_21: impl rt::Into<rt::Scalar<u32>>,
-        count_3: impl rt::Into<rt::Scalar<u32>>,
+        number_12: impl rt::Into<rt::Scalar<u32>>,
+        k_22: impl rt::Into<rt::Scalar<u32>>,
+        count_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_89, hit_41, rt::into(number_7), rt::into(k_21), rt::into(count_3)))
+        rt::into(self.v_point_of_light(at_90, hit_41, rt::into(number_12), rt::into(k_22), rt::into(count_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_light(
         &self,
-        at_89: Entered,
+        at_90: Entered,
         hit_41: Hit,
-        number_7: rt::Scalar<u32>,
-        k_21: rt::Scalar<u32>,
-        count_3: rt::Scalar<u32>,
+        number_12: rt::Scalar<u32>,
+        k_22: rt::Scalar<u32>,
+        count_5: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_7, at_89.point);
-        if rt::Scalar::into_branch_condition(count_3.elementwise_gt(rt::Scalar(0u32))) {
+        let _e6 = self.v_toward_light(number_12, at_90.point);
+        if rt::Scalar::into_branch_condition(count_5.elementwise_gt(rt::Scalar(0u32))) {
             let _e9 = self.v_seed_of(hit_41);
-            let _e10 = self.v_point_of_disc(_e6, _e9, k_21, count_3);
+            let _e10 = self.v_point_of_disc(_e6, _e9, k_22, count_5);
             return _e10;
         }
         return _e6;
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_90: Entered,
+        at_91: Entered,
         hit_42: Hit,
-        number_8: impl rt::Into<rt::Scalar<u32>>,
-        k_22: impl rt::Into<rt::Scalar<u32>>,
-        count_4: impl rt::Into<rt::Scalar<u32>>,
+        number_13: impl rt::Into<rt::Scalar<u32>>,
+        k_23: impl rt::Into<rt::Scalar<u32>>,
+        count_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_90, hit_42, rt::into(number_8), rt::into(k_22), rt::into(count_4)))
+        rt::into(self.v_ray_to_light(at_91, hit_42, rt::into(number_13), rt::into(k_23), rt::into(count_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ray_to_light(
         &self,
-        at_90: Entered,
+        at_91: Entered,
         hit_42: Hit,
-        number_8: rt::Scalar<u32>,
-        k_22: rt::Scalar<u32>,
-        count_4: rt::Scalar<u32>,
+        number_13: rt::Scalar<u32>,
+        k_23: rt::Scalar<u32>,
+        count_6: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_90, hit_42, number_8, k_22, count_4);
-        let _e6 = self.v_light_ray(at_90, hit_42, _e5);
+        let _e5 = self.v_point_of_light(at_91, hit_42, number_13, k_23, count_6);
+        let _e6 = self.v_light_ray(at_91, hit_42, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
@@ -10800,16 +11806,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_91: Entered,
+        at_92: Entered,
         seen_2: SeenNormals,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_91, seen_2, rt::into(toward_2)))
+        rt::into(self.v_seen_cosine(at_92, seen_2, rt::into(toward_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_91: Entered,
+        at_92: Entered,
         seen_2: SeenNormals,
         toward_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -10818,7 +11824,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_2.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_2.normal.dot(toward_2).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_91, toward_2);
+        let _e10 = self.v_to_tangent_space(at_92, toward_2);
         let middle_15 = seen_2.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_15, seen_2.along.dot(_e10), seen_2.across.dot(_e10));
         let one_1 = (rt::Scalar(seen_2.middle_seen) * middle_15.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
@@ -10847,31 +11853,31 @@ impl<'g> Resources<'g> {
     pub(crate) fn whole_power(
         &self,
         base: impl rt::Into<rt::Scalar<f32>>,
-        exponent: impl rt::Into<rt::Scalar<u32>>,
+        exponent_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_whole_power(rt::into(base), rt::into(exponent)))
+        rt::into(self.v_whole_power(rt::into(base), rt::into(exponent_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_whole_power(
         &self,
         base: rt::Scalar<f32>,
-        exponent: rt::Scalar<u32>,
+        exponent_1: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
         let mut result: rt::Scalar<f32> = rt::Scalar(1f32);
         let mut square: rt::Scalar<f32>;
-        let mut rest_1: rt::Scalar<u32>;
+        let mut rest_2: rt::Scalar<u32>;
 
         square = base;
-        rest_1 = exponent;
+        rest_2 = exponent_1;
         'naga_break: loop {
             'naga_continue: {
-                let _e6 = rest_1;
+                let _e6 = rest_2;
                 if rt::Scalar::into_branch_condition(_e6.elementwise_gt(rt::Scalar(0u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e9 = rest_1;
+                    let _e9 = rest_2;
                     if rt::Scalar::into_branch_condition((_e9 % rt::Scalar(2u32)).elementwise_eq(rt::Scalar(1u32))) {
                         let _e14 = result;
                         let _e15 = square;
@@ -10880,8 +11886,8 @@ impl<'g> Resources<'g> {
                     let _e17 = square;
                     let _e18 = square;
                     square = (_e17 * _e18);
-                    let _e20 = rest_1;
-                    rest_1 = (_e20 / rt::Scalar(2u32));
+                    let _e20 = rest_2;
+                    rest_2 = (_e20 / rt::Scalar(2u32));
                 }
             }
         }
@@ -10890,7 +11896,7 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_blinn_phong(
         &self,
-        normal_15: impl rt::Into<rt::Vec3<f32>>,
+        normal_16: impl rt::Into<rt::Vec3<f32>>,
         mean: impl rt::Into<rt::Scalar<f32>>,
         cosine_1: impl rt::Into<rt::Scalar<f32>>,
         view_13: impl rt::Into<rt::Vec3<f32>>,
@@ -10898,12 +11904,12 @@ impl<'g> Resources<'g> {
         color_7: impl rt::Into<rt::Vec3<f32>>,
         params_69: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_15), rt::into(mean), rt::into(cosine_1), rt::into(view_13), rt::into(toward_3), rt::into(color_7), rt::into(params_69)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_16), rt::into(mean), rt::into(cosine_1), rt::into(view_13), rt::into(toward_3), rt::into(color_7), rt::into(params_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
         &self,
-        normal_15: rt::Vec3<f32>,
+        normal_16: rt::Vec3<f32>,
         mean: rt::Scalar<f32>,
         cosine_1: rt::Scalar<f32>,
         view_13: rt::Vec3<f32>,
@@ -10911,22 +11917,22 @@ impl<'g> Resources<'g> {
         color_7: rt::Vec3<f32>,
         params_69: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let mut exponent_1: rt::Scalar<u32>;
+        let mut exponent_2: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
 
         if rt::Scalar::into_branch_condition(cosine_1.elementwise_gt(rt::Scalar(0f32))) {
             let _e11 = rt::Scalar(self.surface_settings.shininess);
-            exponent_1 = _e11;
+            exponent_2 = _e11;
             if rt::Scalar::into_branch_condition(mean.elementwise_lt(rt::Scalar(1f32))) {
                 let _e19 = rt::Scalar(self.surface_settings.shininess);
                 let sharp = _e19.cast_elem_as_f32();
                 let wide_3 = ((sharp * mean) / (mean + (sharp * (rt::Scalar(1f32) - mean)))).floor().max(rt::Scalar(1f32));
-                exponent_1 = wide_3.cast_elem_as_u32();
+                exponent_2 = wide_3.cast_elem_as_u32();
                 dimmed = ((wide_3 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_15.dot((toward_3 + view_13).normalize()).max(rt::Scalar(0f32));
+            let lobe = normal_16.dot((toward_3 + view_13).normalize()).max(rt::Scalar(0f32));
             let _e43 = self.surface_settings.specular;
-            let _e45 = exponent_1;
+            let _e45 = exponent_2;
             let _e46 = self.v_whole_power(lobe, _e45);
             let _e47 = dimmed;
             let specular = (_e43.xyz() * (_e46 * _e47));
@@ -10936,20 +11942,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_stage(
         &self,
-        normal_16: impl rt::Into<rt::Vec3<f32>>,
+        normal_17: impl rt::Into<rt::Vec3<f32>>,
         mean_1: impl rt::Into<rt::Scalar<f32>>,
         cosine_2: impl rt::Into<rt::Scalar<f32>>,
         view_14: impl rt::Into<rt::Vec3<f32>>,
         toward_4: impl rt::Into<rt::Vec3<f32>>,
         color_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(normal_16), rt::into(mean_1), rt::into(cosine_2), rt::into(view_14), rt::into(toward_4), rt::into(color_8)))
+        rt::into(self.v_shade_stage(rt::into(normal_17), rt::into(mean_1), rt::into(cosine_2), rt::into(view_14), rt::into(toward_4), rt::into(color_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shade_stage(
         &self,
-        normal_16: rt::Vec3<f32>,
+        normal_17: rt::Vec3<f32>,
         mean_1: rt::Scalar<f32>,
         cosine_2: rt::Scalar<f32>,
         view_14: rt::Vec3<f32>,
@@ -10960,26 +11966,26 @@ impl<'g> Resources<'g> {
         match rt::Scalar::into_inner(_e10) {
             _ => {
                 let _e15 = self.surface_settings.choices[5usize].params;
-                let _e16 = self.v_shade_blinn_phong(normal_16, mean_1, cosine_2, view_14, toward_4, color_8, _e15);
+                let _e16 = self.v_shade_blinn_phong(normal_17, mean_1, cosine_2, view_14, toward_4, color_8, _e15);
                 return _e16;
             }
         }
     }
     pub(crate) fn reflected_light(
         &self,
-        at_92: Entered,
+        at_93: Entered,
         hit_43: Hit,
         seen_3: SeenNormals,
         view_15: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_92, hit_43, seen_3, rt::into(view_15), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_93, hit_43, seen_3, rt::into(view_15), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_92: Entered,
+        at_93: Entered,
         hit_43: Hit,
         seen_3: SeenNormals,
         view_15: rt::Vec3<f32>,
@@ -10987,33 +11993,33 @@ impl<'g> Resources<'g> {
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_16: rt::Vec3<f32>;
-        let mut k_23: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_24: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_92, hit_43, (seen_3.normal * rt::Scalar(seen_3.length)), view_15, diffuse);
+        let _e20 = self.v_ambient_stage(at_93, hit_43, (seen_3.normal * rt::Scalar(seen_3.length)), view_15, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_23;
+                let _e24 = k_24;
                 let _e27 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt(_e27)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e29 = k_23;
-                    let _e31 = self.v_toward_light(_e29, at_92.point);
-                    let _e33 = self.v_seen_cosine(at_92, seen_3, _e31.direction);
+                    let _e29 = k_24;
+                    let _e31 = self.v_toward_light(_e29, at_93.point);
+                    let _e33 = self.v_seen_cosine(at_93, seen_3, _e31.direction);
                     let _e37 = self.v_shade_stage(seen_3.normal, rt::Scalar(seen_3.length), _e33, view_15, _e31.direction, diffuse);
                     let _e38 = light_16;
-                    let _e41 = k_23;
+                    let _e41 = k_24;
                     let _e44 = self.frame.lights[rt::Scalar::into_array_index(_e41)].color;
-                    let _e48 = k_23;
+                    let _e48 = k_24;
                     light_16 = (_e38 + ((_e37 * _e44.xyz()) * (rt::Scalar(_e31.falloff) * visible[rt::Scalar::into_array_index(_e48)].x())));
-                    let _e54 = k_23;
-                    k_23 = (_e54 + rt::Scalar(1u32));
+                    let _e54 = k_24;
+                    k_24 = (_e54 + rt::Scalar(1u32));
                 }
             }
         }
@@ -11036,34 +12042,34 @@ impl<'g> Resources<'g> {
         let _e27 = self.frame.clip.y();
         return (_e23 + (_e27 / depth_6.max(rt::Scalar(0f32)))).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
     }
-    pub(crate) fn shade_hit(&self, pixel_72: PixelIn, at_93: Entered, hit_44: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_72, at_93, hit_44, visible_1))
+    pub(crate) fn shade_hit(&self, pixel_72: PixelIn, at_94: Entered, hit_44: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_72, at_94, hit_44, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_72: PixelIn, at_93: Entered, hit_44: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+    fn v_shade_hit(&self, pixel_72: PixelIn, at_94: Entered, hit_44: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_44.found).elementwise_eq(rt::Scalar(0u32))) {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_44.cost.x(), hit_44.cost.y(), hit_44.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_44.uv, rt::Scalar(at_93.level));
-        let view_18 = (pixel_72.origin - at_93.point).normalize();
-        let _e50 = self.v_mesostructure_normals(at_93, hit_44.uv, view_18);
-        let _e53 = self.v_color_or_white(hit_44.uv, rt::Scalar(at_93.footprint));
-        let _e54 = self.v_reflected_light(at_93, hit_44, _e50, view_18, _e53, visible_1);
+        let _e44 = self.v_height_at(hit_44.uv, rt::Scalar(at_94.level));
+        let view_18 = (pixel_72.origin - at_94.point).normalize();
+        let _e50 = self.v_mesostructure_normals(at_94, hit_44.uv, view_18);
+        let _e53 = self.v_color_or_white(hit_44.uv, rt::Scalar(at_94.footprint));
+        let _e54 = self.v_reflected_light(at_94, hit_44, _e50, view_18, _e53, visible_1);
         let _e60 = self.frame.forward;
-        let depth_9 = (at_93.point - pixel_72.origin).dot(_e60.xyz());
+        let depth_9 = (at_94.point - pixel_72.origin).dot(_e60.xyz());
         let _e65 = self.v_height_size(rt::Scalar(0u32));
         let _e71 = self.v_cell_of(((hit_44.uv * _e65) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e91 = self.v_z_of(rt::Scalar(at_93.depth));
+        let _e91 = self.v_z_of(rt::Scalar(at_94.depth));
         let _e94 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e54, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_44.exhausted), hit_44.uv, _e44, at_93.point, _e50.normal, depth_9, rt::Scalar(hit_44.t), _e71.cast_elem_as_i32(), hit_44.cost.x(), hit_44.cost.y(), hit_44.cost.z(), visible_1[0usize].x(), rt::Scalar(at_93.level), _e91, _e94);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e54, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_44.exhausted), hit_44.uv, _e44, at_94.point, _e50.normal, depth_9, rt::Scalar(hit_44.t), _e71.cast_elem_as_i32(), hit_44.cost.x(), hit_44.cost.y(), hit_44.cost.z(), visible_1[0usize].x(), rt::Scalar(at_94.level), _e91, _e94);
     }
-    pub(crate) fn visible_lights(&self, at_94: Entered, hit_45: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_94, hit_45))
+    pub(crate) fn visible_lights(&self, at_95: Entered, hit_45: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_95, hit_45))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_94: Entered, hit_45: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_95: Entered, hit_45: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut k_24: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_25: rt::Scalar<u32> = rt::Scalar(0u32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_45.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
@@ -11071,20 +12077,20 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_24;
+                let _e10 = k_25;
                 let _e13 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e10.elementwise_lt(_e13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_24;
-                    let _e17 = self.v_toward_light(_e15, at_94.point);
-                    let _e18 = self.v_shadow_stage(at_94, hit_45, _e17);
-                    let _e19 = k_24;
+                    let _e15 = k_25;
+                    let _e17 = self.v_toward_light(_e15, at_95.point);
+                    let _e18 = self.v_shadow_stage(at_95, hit_45, _e17);
+                    let _e19 = k_25;
                     visible_2[rt::Scalar::into_array_index(_e19)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e25 = k_24;
-                    k_24 = (_e25 + rt::Scalar(1u32));
+                    let _e25 = k_25;
+                    k_25 = (_e25 + rt::Scalar(1u32));
                 }
             }
         }
@@ -11103,6 +12109,120 @@ impl<'g> Resources<'g> {
         let _e8 = self.v_visible_lights(_e5, _e2.hit);
         let _e9 = self.v_shade_hit(pixel_73, _e5, _e2.hit, _e8);
         return _e9;
+    }
+    pub(crate) fn weighted_site(
+        &self,
+        a_14: BaseSite,
+        b_14: BaseSite,
+        c_9: BaseSite,
+        w_2: impl rt::Into<rt::Vec3<f32>>,
+    ) -> BaseSite {
+        rt::into(self.v_weighted_site(a_14, b_14, c_9, rt::into(w_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_weighted_site(
+        &self,
+        a_14: BaseSite,
+        b_14: BaseSite,
+        c_9: BaseSite,
+        w_2: rt::Vec3<f32>,
+    ) -> BaseSite {
+        return <BaseSite>::new((((a_14.position * w_2.x()) + (b_14.position * w_2.y())) + (c_9.position * w_2.z())), (((a_14.direction * w_2.x()) + (b_14.direction * w_2.y())) + (c_9.direction * w_2.z())), (((a_14.seen_uv * w_2.x()) + (b_14.seen_uv * w_2.y())) + (c_9.seen_uv * w_2.z())), (((a_14.uv * w_2.x()) + (b_14.uv * w_2.y())) + (c_9.uv * w_2.z())), (((rt::Scalar(a_14.texels_per_m) * w_2.x()) + (rt::Scalar(b_14.texels_per_m) * w_2.y())) + (rt::Scalar(c_9.texels_per_m) * w_2.z())), (((rt::Scalar(a_14.depth) * w_2.x()) + (rt::Scalar(b_14.depth) * w_2.y())) + (rt::Scalar(c_9.depth) * w_2.z())), (((a_14.normal * w_2.x()) + (b_14.normal * w_2.y())) + (c_9.normal * w_2.z())), (((a_14.tangent * w_2.x()) + (b_14.tangent * w_2.y())) + (c_9.tangent * w_2.z())), (((a_14.bitangent * w_2.x()) + (b_14.bitangent * w_2.y())) + (c_9.bitangent * w_2.z())), (((a_14.turn_u * w_2.x()) + (b_14.turn_u * w_2.y())) + (c_9.turn_u * w_2.z())), (((a_14.turn_v * w_2.x()) + (b_14.turn_v * w_2.y())) + (c_9.turn_v * w_2.z())));
+    }
+    pub(crate) fn site_between(
+        &self,
+        a_15: BaseSite,
+        b_15: BaseSite,
+        shares: impl rt::Into<rt::Vec2<f32>>,
+        at_96: impl rt::Into<rt::Scalar<u32>>,
+        parts_2: impl rt::Into<rt::Scalar<u32>>,
+    ) -> BaseSite {
+        rt::into(self.v_site_between(a_15, b_15, rt::into(shares), rt::into(at_96), rt::into(parts_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_site_between(
+        &self,
+        a_15: BaseSite,
+        b_15: BaseSite,
+        shares: rt::Vec2<f32>,
+        at_96: rt::Scalar<u32>,
+        parts_2: rt::Scalar<u32>,
+    ) -> BaseSite {
+        let of_a = ((parts_2 - at_96).cast_elem_as_f32() * shares.x());
+        let of_b = (at_96.cast_elem_as_f32() * shares.y());
+        let sum_6 = (of_a + of_b);
+        let _e17 = self.v_weighted_site(a_15, b_15, b_15, <rt::Vec3<f32>>::from_scalars((of_a / sum_6), (of_b / sum_6), rt::Scalar(0f32)));
+        return _e17;
+    }
+    pub(crate) fn site_inside(
+        &self,
+        a_16: BaseSite,
+        b_16: BaseSite,
+        c_10: BaseSite,
+        shares_1: impl rt::Into<rt::Vec3<f32>>,
+        weights_5: impl rt::Into<rt::Vec3<f32>>,
+    ) -> BaseSite {
+        rt::into(self.v_site_inside(a_16, b_16, c_10, rt::into(shares_1), rt::into(weights_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_site_inside(
+        &self,
+        a_16: BaseSite,
+        b_16: BaseSite,
+        c_10: BaseSite,
+        shares_1: rt::Vec3<f32>,
+        weights_5: rt::Vec3<f32>,
+    ) -> BaseSite {
+        let shared_out = (weights_5 * shares_1);
+        let sum_7 = ((shared_out.x() + shared_out.y()) + shared_out.z());
+        let _e13 = self.v_weighted_site(a_16, b_16, c_10, (shared_out / rt::Vec3::splat_from_scalar(sum_7)));
+        return _e13;
+    }
+    pub(crate) fn site_of_vertex(&self, vertex: BaseVertex, seen_4: BaseVertex, voxel: Voxel) -> BaseSite {
+        rt::into(self.v_site_of_vertex(vertex, seen_4, voxel))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_site_of_vertex(&self, vertex: BaseVertex, seen_4: BaseVertex, voxel: Voxel) -> BaseSite {
+        return <BaseSite>::new(vertex.position, vertex.direction, seen_4.uv, vertex.uv, rt::Scalar(seen_4.texels_per_m), (rt::Scalar(1f32) / rt::Scalar(voxel.share)), vertex.normal, vertex.tangent, vertex.bitangent, vertex.turn_u, vertex.turn_v);
+    }
+    pub(crate) fn voxel_of(
+        &self,
+        grid_11: Tessellation,
+        position_2: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Voxel {
+        rt::into(self.v_voxel_of(grid_11, rt::into(position_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_voxel_of(
+        &self,
+        grid_11: Tessellation,
+        position_2: rt::Vec3<f32>,
+    ) -> Voxel {
+        let mut share: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut away: rt::Scalar<f32>;
+
+        let from_eye = (position_2 - grid_11.eye.xyz());
+        let depth_10 = grid_11.forward.xyz().dot(from_eye);
+        let seen_5 = depth_10.max(rt::Scalar(grid_11.near_m));
+        away = (depth_10 * rt::Scalar(grid_11.per_m));
+        if rt::Scalar::into_branch_condition(rt::Scalar(grid_11.is_parallel).elementwise_eq(rt::Scalar(0u32))) {
+            share = (rt::Scalar(1f32) / seen_5);
+            let _e22 = self.v_log2_of((seen_5 / rt::Scalar(grid_11.near_m)));
+            away = (_e22 * rt::Scalar(grid_11.per_doubling));
+        }
+        let _e30 = share;
+        let right_3 = (((grid_11.right.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e30) + grid_11.middle.x());
+        let _e42 = share;
+        let down_3 = (grid_11.middle.y() - ((grid_11.up.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e42));
+        let far_11 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
+        let _e49 = away;
+        let at_101 = <rt::Vec3<f32>>::from_scalars(right_3, down_3, _e49).clamp((-far_11), far_11);
+        let _e60 = share;
+        return <Voxel>::new((at_101 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().cast_elem_as_i32(), _e60);
     }
 }
 

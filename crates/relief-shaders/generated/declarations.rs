@@ -24,6 +24,16 @@ pub const MODULES: &[Module] = &[
 // the reads fetched. Heights count as 32-bit floats, texels of baked maps as they are stored. What a cache
 // keeps from the GPU's memory is not taken off.
 "# },
+    Module { path: "shared/dice", head: r#"// A fixed pattern that fills a triangle whose sides are divided into any numbers of parts.
+//
+// The triangle is cut in rows along its side of fewest parts, from the corner across from it. Row `r` of `m`
+// goes from point `ceil(r n / m)` of the one of the two other sides to point `r` of the other, `m` the larger
+// of their numbers of parts, and is divided into that part of the short side's parts, rounded up. Two
+// neighbouring rows are zipped: of the two next points the one that lies less far along its row comes first.
+//
+// How many points and triangles come before a row are sums of quotients that are rounded down, for which
+// there is a formula: so any point and any triangle is found by its number.
+"# },
     Module { path: "shared/disc", head: r#"// The disc of a light, as a point of the surface sees it.
 "# },
     Module { path: "shared/displacement", head: r#"// The space that the relief fills above the base surface: how deep it is, where the base lies in it, how
@@ -121,6 +131,12 @@ pub const MODULES: &[Module] = &[
     Module { path: "shared/shell_point", head: r#"// Points of a shell as normals that are interpolated, and not normalised, span it.
 "# },
     Module { path: "shared/tangent_plane", head: r#"// The surface's tangent plane at a point, for the refinements that take the slope into account.
+"# },
+    Module { path: "shared/tessellation", head: r#"// Base triangles that are cut into smaller ones for a view, and displaced.
+//
+// Gumhold and Hüttner 1999, section 3.1: a side is divided by the voxels of the camera's grid space that its
+// ends lie in, and its points lie at equal distances in the picture. What is inside is filled by a fixed
+// pattern. All that belongs to a side follows from its two ends, so that neighbours meet.
 "# },
     Module { path: "shared/types", head: r#"// What the stages hand to each other. The Rust side of these structs is written by the linker.
 "# },
@@ -422,6 +438,12 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "roots/show", head: r#"// The picture for callers that show it: linear colours of the records of some rows, over the background.
 "# },
+    Module { path: "roots/tessellate", head: r#"// Displaced triangles of a base, made anew for each view on the GPU: what is not seen is left out, what
+// remains is counted and numbered, made, and drawn. Where there are more points or triangles than there is
+// room for, the grid is coarser; nothing is dropped.
+//
+// Tallies are those of the base's edges, then those of its triangles.
+"# },
     Module { path: "roots/trace", head: r#"// The first pass of a picture on the GPU: the base mesh is rasterised, and every fragment's ray traced. The
 // same for depths alone: of what lights see, and before a program's own pass.
 //
@@ -628,6 +650,76 @@ pub const DECLARATIONS: &[Declaration] = &[
         text: r#"@group(1) @binding(7) var<uniform> pyramid_pass: PyramidPass;"#,
     },
     Declaration {
+        module: "bindings",
+        name: "tessellation",
+        sampling: None,
+        uses: &["Tessellation"],
+        text: r#"@group(1) @binding(9) var<uniform> tessellation: Tessellation;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "base_vertices",
+        sampling: None,
+        uses: &["BaseVertex"],
+        text: r#"@group(1) @binding(10) var<storage, read> base_vertices: array<BaseVertex>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "base_edges",
+        sampling: None,
+        uses: &["BaseEdge"],
+        text: r#"@group(1) @binding(11) var<storage, read> base_edges: array<BaseEdge>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "base_patches",
+        sampling: None,
+        uses: &["BasePatch"],
+        text: r#"@group(1) @binding(12) var<storage, read> base_patches: array<BasePatch>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "voxels",
+        sampling: None,
+        uses: &["Voxel"],
+        text: r#"@group(1) @binding(13) var<storage, read_write> voxels: array<Voxel>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "tallies",
+        sampling: None,
+        uses: &["Tally"],
+        text: r#"@group(1) @binding(14) var<storage, read_write> tallies: array<Tally>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "tally_blocks",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(1) @binding(15) var<storage, read_write> tally_blocks: array<vec2u>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "made_totals",
+        sampling: None,
+        uses: &["MadeTotals"],
+        text: r#"@group(1) @binding(16) var<storage, read_write> made_totals: array<MadeTotals>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "made_corners",
+        sampling: None,
+        uses: &["Corner"],
+        text: r#"@group(1) @binding(17) var<storage, read_write> made_corners: array<Corner>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "made_faces",
+        sampling: None,
+        uses: &["Face"],
+        text: r#"@group(1) @binding(18) var<storage, read_write> made_faces: array<Face>;"#,
+    },
+    Declaration {
         module: "constants",
         name: "FOUND_MISS",
         sampling: None,
@@ -822,6 +914,27 @@ pub const DECLARATIONS: &[Declaration] = &[
         sampling: None,
         uses: &[],
         text: r#"const PROBE_ROW = 65536u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "TESSELLATE_GROUP",
+        sampling: None,
+        uses: &[],
+        text: r#"const TESSELLATE_GROUP = 64u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "TESSELLATE_ROW",
+        sampling: None,
+        uses: &[],
+        text: r#"const TESSELLATE_ROW = 65536u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "TESSELLATE_BLOCK",
+        sampling: None,
+        uses: &[],
+        text: r#"const TESSELLATE_BLOCK = 256u;"#,
     },
     Declaration {
         module: "constants",
@@ -1473,6 +1586,351 @@ const HEIGHTS_READ = vec3u(1u, 0u, 16u);"#,
         uses: &[],
         text: r#"// One read of a single height.
 const HEIGHT_READ = vec3u(1u, 0u, 4u);"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "DICE_PARTS",
+        sampling: None,
+        uses: &[],
+        text: r#"// The most parts of a side: with as many the numbers of points and triangles fit 32 bits.
+const DICE_PARTS = 32767u;"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "DICE_INSIDE",
+        sampling: None,
+        uses: &[],
+        text: r#"// The side of a `DicePoint` that lies inside.
+const DICE_INSIDE = 3u;"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "DiceRows",
+        sampling: None,
+        uses: &[],
+        text: r#"// A triangle seen from the corner where its two longer sides meet.
+struct DiceRows {
+    // The side from that corner onward, that of fewest parts, and the one back to it; and their parts.
+    sides: vec3u,
+    parts: vec3u,
+    // How many rows there are after the corner.
+    count: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "DicePoint",
+        sampling: None,
+        uses: &[],
+        text: r#"// A point of a triangle.
+struct DicePoint {
+    // Of the triangle's sides the one that it lies on, and how many parts lie before it there, fewer than there
+    // are; or `DICE_INSIDE`, and its number among those inside.
+    side: u32,
+    at: u32,
+    // The weights of the triangle's corners; of a point on a side they are not set.
+    weights: vec3f,
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "DicePlace",
+        sampling: None,
+        uses: &[],
+        text: r#"// Where a point lies in its row.
+struct DicePlace {
+    row: u32,
+    at: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "DiceTriangle",
+        sampling: None,
+        uses: &["DicePlace"],
+        text: r#"// A triangle of the pattern, in the sense of rotation of the whole one.
+struct DiceTriangle {
+    a: DicePlace,
+    b: DicePlace,
+    c: DicePlace,
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "one_of",
+        sampling: None,
+        uses: &[],
+        text: r#"// One of three numbers.
+fn one_of(numbers: vec3u, place: u32) -> u32 {
+    return select(select(numbers.z, numbers.y, place == 1u), numbers.x, place == 0u);
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "around_three",
+        sampling: None,
+        uses: &[],
+        text: r#"// The number that comes around after so many of three.
+fn around_three(place: u32, on: u32) -> u32 {
+    return (place + on) % 3u;
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "dice_rows",
+        sampling: None,
+        uses: &["DiceRows", "around_three", "one_of"],
+        text: r#"fn dice_rows(parts: vec3u) -> DiceRows {
+    let of_last = select(2u, 1u, parts.y <= parts.z);
+    let short = select(of_last, 0u, parts.x <= parts.y && parts.x <= parts.z);
+    let sides = vec3u(around_three(short, 2u), short, around_three(short, 1u));
+    let sorted = vec3u(one_of(parts, sides.x), one_of(parts, sides.y), one_of(parts, sides.z));
+    return DiceRows(sides, sorted, max(sorted.x, sorted.z));
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "dice_share",
+        sampling: None,
+        uses: &["DiceRows"],
+        text: r#"// How many of so many parts belong to the rows up to one.
+fn dice_share(rows: DiceRows, row: u32, parts: u32) -> u32 {
+    return (row * parts + rows.count - 1u) / rows.count;
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "dice_row_parts",
+        sampling: None,
+        uses: &["DiceRows", "dice_share"],
+        text: r#"// In how many parts a row is divided.
+fn dice_row_parts(rows: DiceRows, row: u32) -> u32 {
+    return dice_share(rows, row, rows.parts.y);
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "sum_of_quotients",
+        sampling: None,
+        uses: &[],
+        text: r#"// The sum of (slope i + offset) / by, rounded down, for i from 0 to count - 1.
+fn sum_of_quotients(count: u32, by: u32, slope: u32, offset: u32) -> u32 {
+    var n = count;
+    var m = by;
+    var a = slope;
+    var b = offset;
+    var sum = 0u;
+    while (n > 0u) {
+        sum = sum + n * (n - 1u) / 2u * (a / m) + n * (b / m);
+        a = a % m;
+        b = b % m;
+        let last = a * n + b;
+        n = last / m;
+        b = last % m;
+        let swapped = m;
+        m = max(a, 1u);
+        a = swapped;
+    }
+    return sum;
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "dice_parts_before",
+        sampling: None,
+        uses: &["DiceRows", "sum_of_quotients"],
+        text: r#"// How many parts the first rows have, but for one in each.
+fn dice_parts_before(rows: DiceRows, count: u32) -> u32 {
+    return sum_of_quotients(count, rows.count, rows.parts.y, rows.parts.y - 1u);
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "dice_points_before",
+        sampling: None,
+        uses: &["DiceRows", "dice_parts_before"],
+        text: r#"// How many points lie inside of the triangle before a row, which is one after the corner.
+fn dice_points_before(rows: DiceRows, row: u32) -> u32 {
+    return dice_parts_before(rows, row - 1u);
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "dice_points",
+        sampling: None,
+        uses: &["DiceRows", "dice_points_before"],
+        text: r#"// How many points lie inside of the triangle.
+fn dice_points(rows: DiceRows) -> u32 {
+    return dice_points_before(rows, rows.count);
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "dice_triangles_before",
+        sampling: None,
+        uses: &["DiceRows", "dice_parts_before", "dice_row_parts", "dice_share"],
+        text: r#"// How many triangles there are before so many rows end. Rows that share an end have one less between them.
+fn dice_triangles_before(rows: DiceRows, row: u32) -> u32 {
+    let ends = dice_share(rows, row, rows.parts.x) + dice_share(rows, row, rows.parts.z);
+    return 2u * dice_parts_before(rows, row) + ends - dice_row_parts(rows, row);
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "dice_triangles",
+        sampling: None,
+        uses: &["DiceRows", "dice_triangles_before"],
+        text: r#"// How many triangles there are.
+fn dice_triangles(rows: DiceRows) -> u32 {
+    return dice_triangles_before(rows, rows.count);
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "dice_guess",
+        sampling: None,
+        uses: &["DiceRows"],
+        text: r#"// Where something is to be looked for that grows as the square of the row does: at the end of all rows there
+// are so many, and before it.
+fn dice_guess(rows: DiceRows, before: u32, all: u32) -> u32 {
+    let part = sqrt((f32(before) + 0.5) / f32(max(all, 1u)));
+    return clamp(u32(part * f32(rows.count)), 0u, rows.count - 1u);
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "dice_row_of_point",
+        sampling: None,
+        uses: &["DiceRows", "dice_guess", "dice_points", "dice_points_before"],
+        text: r#"// The row that a point inside of the triangle lies in.
+fn dice_row_of_point(rows: DiceRows, number: u32) -> u32 {
+    var row = max(dice_guess(rows, number, dice_points(rows)), 1u);
+    while (dice_points_before(rows, row) > number) {
+        row = row - 1u;
+    }
+    while (dice_points_before(rows, row + 1u) <= number) {
+        row = row + 1u;
+    }
+    return row;
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "dice_row_of_triangle",
+        sampling: None,
+        uses: &["DiceRows", "dice_guess", "dice_triangles", "dice_triangles_before"],
+        text: r#"// The row that a triangle lies before.
+fn dice_row_of_triangle(rows: DiceRows, number: u32) -> u32 {
+    var row = dice_guess(rows, number, dice_triangles(rows));
+    while (dice_triangles_before(rows, row) > number) {
+        row = row - 1u;
+    }
+    while (dice_triangles_before(rows, row + 1u) <= number) {
+        row = row + 1u;
+    }
+    return row + 1u;
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "dice_border",
+        sampling: None,
+        uses: &["DicePoint", "DiceRows", "around_three", "one_of"],
+        text: r#"// A point of a side that so many parts lie before, counted from the corner, or on the short side from its
+// first end. The last point of a side is the first one of the next.
+fn dice_border(rows: DiceRows, side: u32, at: u32) -> DicePoint {
+    let number = one_of(rows.sides, side);
+    let parts = one_of(rows.parts, side);
+    let on_side = select(at, parts - at, side == 2u);
+    let no_weights = vec3f(0.0, 0.0, 0.0);
+    if (on_side == parts) {
+        return DicePoint(around_three(number, 1u), 0u, no_weights);
+    }
+    return DicePoint(number, on_side, no_weights);
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "dice_point",
+        sampling: None,
+        uses: &["DICE_INSIDE", "DicePlace", "DicePoint", "DiceRows", "dice_border", "dice_points_before", "dice_row_parts", "dice_share"],
+        text: r#"// The point at a place.
+fn dice_point(rows: DiceRows, place: DicePlace) -> DicePoint {
+    if (place.row == 0u) {
+        return dice_border(rows, 0u, 0u);
+    }
+    if (place.row == rows.count) {
+        return dice_border(rows, 1u, place.at);
+    }
+    let parts = dice_row_parts(rows, place.row);
+    let first = dice_share(rows, place.row, rows.parts.x);
+    let last = dice_share(rows, place.row, rows.parts.z);
+    if (place.at == 0u) {
+        return dice_border(rows, 0u, first);
+    }
+    if (place.at == parts) {
+        return dice_border(rows, 2u, last);
+    }
+    // Of the two ends of the short side, and of the corner.
+    let on_short = f32(parts - place.at) / f32(parts) * (f32(first) / f32(rows.parts.x));
+    let on_other = f32(place.at) / f32(parts) * (f32(last) / f32(rows.parts.z));
+    let on_corner = 1.0 - on_short - on_other;
+    let x = select(select(on_other, on_short, rows.sides.y == 0u), on_corner, rows.sides.x == 0u);
+    let y = select(select(on_other, on_short, rows.sides.y == 1u), on_corner, rows.sides.x == 1u);
+    let z = select(select(on_other, on_short, rows.sides.y == 2u), on_corner, rows.sides.x == 2u);
+    let number = dice_points_before(rows, place.row) + place.at - 1u;
+    return DicePoint(DICE_INSIDE, number, vec3f(x, y, z));
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "dice_place",
+        sampling: None,
+        uses: &["DicePlace", "DiceRows", "dice_points_before", "dice_row_of_point"],
+        text: r#"// The place of a point inside of the triangle.
+fn dice_place(rows: DiceRows, number: u32) -> DicePlace {
+    let row = dice_row_of_point(rows, number);
+    return DicePlace(row, number - dice_points_before(rows, row) + 1u);
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "dice_steps_below",
+        sampling: None,
+        uses: &[],
+        text: r#"// How many of the first steps between two rows of so many parts go along the lower one: a step goes to the
+// point that is reached first halfway to it, and where both are, along the lower row.
+fn dice_steps_below(above: u32, below: u32, steps: u32) -> u32 {
+    let least = select(0u, steps - above, steps > above);
+    let most = min(below, steps);
+    var j = clamp((2u * steps * below + above + below) / (2u * (above + below)), least, most);
+    while (j > least && (2u * j - 1u) * above > (2u * (steps - j) + 1u) * below) {
+        j = j - 1u;
+    }
+    while (j < most && (2u * j + 1u) * above <= (2u * (steps - j) - 1u) * below) {
+        j = j + 1u;
+    }
+    return j;
+}"#,
+    },
+    Declaration {
+        module: "shared/dice",
+        name: "dice_triangle",
+        sampling: None,
+        uses: &["DicePlace", "DiceRows", "DiceTriangle", "dice_row_of_triangle", "dice_row_parts", "dice_share", "dice_steps_below", "dice_triangles_before"],
+        text: r#"// A triangle by its number.
+fn dice_triangle(rows: DiceRows, number: u32) -> DiceTriangle {
+    let row = dice_row_of_triangle(rows, number);
+    let above = dice_row_parts(rows, row - 1u);
+    let below = dice_row_parts(rows, row);
+    let is_shared = row > 1u && dice_share(rows, row - 1u, rows.parts.x) == dice_share(rows, row, rows.parts.x);
+    let step = number - dice_triangles_before(rows, row - 1u) + select(0u, 1u, is_shared);
+    let j = dice_steps_below(above, below, step);
+    let i = step - j;
+    let goes_below = dice_steps_below(above, below, step + 1u) > j;
+    let next = DicePlace(select(row - 1u, row, goes_below), select(i + 1u, j + 1u, goes_below));
+    return DiceTriangle(DicePlace(row - 1u, i), DicePlace(row, j), next);
+}"#,
     },
     Declaration {
         module: "shared/disc",
@@ -5057,6 +5515,405 @@ fn normal_z(path: Path, slope: vec2f) -> f32 {
 }"#,
     },
     Declaration {
+        module: "shared/tessellation",
+        name: "COARSEST",
+        sampling: None,
+        uses: &[],
+        text: r#"// The coarsest level of a grid: no side is divided there.
+const COARSEST = 20u;"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "FARTHEST_VOXEL",
+        sampling: None,
+        uses: &[],
+        text: r#"// Corners are not told apart farther from the middle of the picture, in voxels.
+const FARTHEST_VOXEL = 262144.0;"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "ROOT_OF_TWO",
+        sampling: None,
+        uses: &[],
+        text: r#"// The greatest number below which square roots of 2 and of 1/2 are no matter.
+const ROOT_OF_TWO = 1.4142135;"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "Tessellation",
+        sampling: None,
+        uses: &[],
+        text: r#"// What is the same for all of a tessellated base: the view, and how much there is.
+struct Tessellation {
+    // The eye, and unit vectors of the camera.
+    eye: vec4f,
+    right: vec4f,
+    up: vec4f,
+    forward: vec4f,
+    // What lies before one of these planes is not made: a position p where dot(plane, (p, 1)) > 0.
+    planes: array<vec4f, 5>,
+    // The middle of the picture, in voxels.
+    middle: vec2f,
+    // Voxels of a metre, in perspective at a depth of 1 m.
+    per_m: f32,
+    // Voxels along the view axis from a depth to twice that.
+    per_doubling: f32,
+    // The depth before which everything is divided as if it were there.
+    near_m: f32,
+    // 1 where rays are parallel.
+    is_parallel: u32,
+    // Levels of the height map that are seen, at least 1.
+    levels: u32,
+    // Vertices, edges and triangles of the base.
+    vertices: u32,
+    edges: u32,
+    patches: u32,
+    // The most points besides the base's vertices, and the most triangles: with more the grid is coarser.
+    most_points: u32,
+    most_triangles: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "BaseVertex",
+        sampling: None,
+        uses: &[],
+        text: r#"// A vertex of the base.
+struct BaseVertex {
+    position: vec3f,
+    // The vertex whose place on the map says how far it is displaced: one for each position.
+    seen: u32,
+    // Along what it is displaced, of any length: the same for all vertices at a position.
+    direction: vec3f,
+    // Texels of the map in a metre around it.
+    texels_per_m: f32,
+    normal: vec3f,
+    tangent: vec3f,
+    bitangent: vec3f,
+    // The derivatives of the direction by u and v.
+    turn_u: vec3f,
+    turn_v: vec3f,
+    uv: vec2f,
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "BaseEdge",
+        sampling: None,
+        uses: &[],
+        text: r#"// An edge between two vertices of the base.
+struct BaseEdge {
+    // Its ends, in an order that all edges between the same positions agree on.
+    ends: vec2u,
+    // Those of the edge between these positions that says where points are.
+    seen: vec2u,
+    // The triangles that have it, the second the first again where it has one; COUNTLESS twice where it has
+    // more than two.
+    patches: vec2u,
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "COUNTLESS",
+        sampling: None,
+        uses: &[],
+        text: r#"// What stands for triangles that are not counted.
+const COUNTLESS = 4294967295u;"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "BasePatch",
+        sampling: None,
+        uses: &[],
+        text: r#"// A triangle of the base.
+struct BasePatch {
+    corners: vec3u,
+    // The least displacement on it, in metres.
+    low_m: f32,
+    // The edges between its corners, from the first on.
+    edges: vec3u,
+    // The greatest.
+    high_m: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "Voxel",
+        sampling: None,
+        uses: &[],
+        text: r#"// A vertex in grid space.
+struct Voxel {
+    // The voxel that it lies in: right, down and away from the eye.
+    at: vec3i,
+    // What it counts where points are divided in the picture: the inverse of its depth in perspective.
+    share: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "BaseSite",
+        sampling: None,
+        uses: &[],
+        text: r#"// A point of the base, and what is known there.
+struct BaseSite {
+    position: vec3f,
+    direction: vec3f,
+    // Where the map says how far it is displaced, and where it lies itself.
+    seen_uv: vec2f,
+    uv: vec2f,
+    // Texels of the map in a metre, and the depth, of whose product the level of the map follows.
+    texels_per_m: f32,
+    depth: f32,
+    normal: vec3f,
+    tangent: vec3f,
+    bitangent: vec3f,
+    turn_u: vec3f,
+    turn_v: vec3f,
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "log2_of",
+        sampling: None,
+        uses: &["ROOT_OF_TWO"],
+        text: r#"// The logarithm of a number above 0 to the base 2, by additions, products and quotients alone.
+fn log2_of(number: f32) -> f32 {
+    var rest = number;
+    var exponent = 0.0;
+    while (rest > ROOT_OF_TWO) {
+        rest = rest * 0.5;
+        exponent = exponent + 1.0;
+    }
+    while (rest * ROOT_OF_TWO < 1.0) {
+        rest = rest * 2.0;
+        exponent = exponent - 1.0;
+    }
+    // ln x = 2 artanh((x - 1) / (x + 1)), and its argument is at most 0.172.
+    let part = (rest - 1.0) / (rest + 1.0);
+    let square = part * part;
+    let sum = 1.0 + square * (0.33333334 + square * (0.2 + square * (0.14285715 + square * 0.11111111)));
+    return exponent + 2.8853900 * part * sum;
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "voxel_of",
+        sampling: None,
+        uses: &["FARTHEST_VOXEL", "Tessellation", "Voxel", "log2_of"],
+        text: r#"// A position in grid space.
+fn voxel_of(grid: Tessellation, position: vec3f) -> Voxel {
+    let from_eye = position - grid.eye.xyz;
+    let depth = dot(grid.forward.xyz, from_eye);
+    let seen = max(depth, grid.near_m);
+    var share = 1.0;
+    var away = depth * grid.per_m;
+    if (grid.is_parallel == 0u) {
+        share = 1.0 / seen;
+        away = log2_of(seen / grid.near_m) * grid.per_doubling;
+    }
+    let right = dot(grid.right.xyz, from_eye) * grid.per_m * share + grid.middle.x;
+    let down = grid.middle.y - dot(grid.up.xyz, from_eye) * grid.per_m * share;
+    let far = vec3f(FARTHEST_VOXEL, FARTHEST_VOXEL, FARTHEST_VOXEL);
+    let at = clamp(vec3f(right, down, away), -far, far);
+    return Voxel(vec3i(floor(at + vec3f(0.5, 0.5, 0.5))), share);
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "parts_between",
+        sampling: None,
+        uses: &["COARSEST", "DICE_PARTS", "Voxel"],
+        text: r#"// In how many parts an edge between two voxels is divided, where the grid is coarser by so many doublings.
+fn parts_between(a: Voxel, b: Voxel, level: u32) -> u32 {
+    let apart = vec3u(abs(b.at - a.at));
+    let farthest = max(max(apart.x, apart.y), apart.z);
+    let parts = (farthest + (1u << level) - 1u) >> level;
+    return select(clamp(parts, 1u, DICE_PARTS), 1u, level == COARSEST);
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "is_before",
+        sampling: None,
+        uses: &[],
+        text: r#"// Whether a corner, at the least and at the greatest displacement, lies before a plane.
+fn is_before(plane: vec4f, position: vec3f, direction: vec3f, low_m: f32, high_m: f32) -> bool {
+    let low = dot(plane.xyz, position + direction * low_m) + plane.w;
+    let high = dot(plane.xyz, position + direction * high_m) + plane.w;
+    return low > 0.0 && high > 0.0;
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "is_left_out",
+        sampling: None,
+        uses: &["BaseVertex", "Tessellation", "is_before"],
+        text: r#"// Whether all of a displaced triangle lies before one of the planes: it is within the hull of its corners at
+// the least and the greatest displacement.
+fn is_left_out(
+    grid: Tessellation,
+    a: BaseVertex,
+    b: BaseVertex,
+    c: BaseVertex,
+    low_m: f32,
+    high_m: f32,
+) -> bool {
+    var k = 0u;
+    while (k < 5u) {
+        let plane = grid.planes[k];
+        k = k + 1u;
+        if (is_before(plane, a.position, a.direction, low_m, high_m)
+            && is_before(plane, b.position, b.direction, low_m, high_m)
+            && is_before(plane, c.position, c.direction, low_m, high_m)) {
+            return true;
+        }
+    }
+    return false;
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "site_of_vertex",
+        sampling: None,
+        uses: &["BaseSite", "BaseVertex", "Voxel"],
+        text: r#"// A vertex of the base, displaced as another one says.
+fn site_of_vertex(vertex: BaseVertex, seen: BaseVertex, voxel: Voxel) -> BaseSite {
+    return BaseSite(
+        vertex.position,
+        vertex.direction,
+        seen.uv,
+        vertex.uv,
+        seen.texels_per_m,
+        1.0 / voxel.share,
+        vertex.normal,
+        vertex.tangent,
+        vertex.bitangent,
+        vertex.turn_u,
+        vertex.turn_v,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "site_between",
+        sampling: None,
+        uses: &["BaseSite", "weighted_site"],
+        text: r#"// The point of an edge that so many of its parts lie before, between two sites that are its ends. Its weights
+// are those of the ends' shares in the picture.
+fn site_between(a: BaseSite, b: BaseSite, shares: vec2f, at: u32, parts: u32) -> BaseSite {
+    let of_a = f32(parts - at) * shares.x;
+    let of_b = f32(at) * shares.y;
+    let sum = of_a + of_b;
+    return weighted_site(a, b, b, vec3f(of_a / sum, of_b / sum, 0.0));
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "site_inside",
+        sampling: None,
+        uses: &["BaseSite", "weighted_site"],
+        text: r#"// The point inside of a triangle that has those weights in the picture.
+fn site_inside(a: BaseSite, b: BaseSite, c: BaseSite, shares: vec3f, weights: vec3f) -> BaseSite {
+    let shared_out = weights * shares;
+    let sum = shared_out.x + shared_out.y + shared_out.z;
+    return weighted_site(a, b, c, shared_out / sum);
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "weighted_site",
+        sampling: None,
+        uses: &["BaseSite"],
+        text: r#"fn weighted_site(a: BaseSite, b: BaseSite, c: BaseSite, w: vec3f) -> BaseSite {
+    return BaseSite(
+        a.position * w.x + b.position * w.y + c.position * w.z,
+        a.direction * w.x + b.direction * w.y + c.direction * w.z,
+        a.seen_uv * w.x + b.seen_uv * w.y + c.seen_uv * w.z,
+        a.uv * w.x + b.uv * w.y + c.uv * w.z,
+        a.texels_per_m * w.x + b.texels_per_m * w.y + c.texels_per_m * w.z,
+        a.depth * w.x + b.depth * w.y + c.depth * w.z,
+        a.normal * w.x + b.normal * w.y + c.normal * w.z,
+        a.tangent * w.x + b.tangent * w.y + c.tangent * w.z,
+        a.bitangent * w.x + b.bitangent * w.y + c.bitangent * w.z,
+        a.turn_u * w.x + b.turn_u * w.y + c.turn_u * w.z,
+        a.turn_v * w.x + b.turn_v * w.y + c.turn_v * w.z,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "relief_between_levels",
+        sampling: None,
+        uses: &["height_and_slope"],
+        text: r#"// The height of the map and its derivatives by u and v, of a level that lies between two.
+fn relief_between_levels(uv: vec2f, level: f32) -> vec3f {
+    let finer = u32(level);
+    let part = level - f32(finer);
+    let fine = height_and_slope(uv, finer);
+    if (part == 0.0) {
+        return fine;
+    }
+    return fine + (height_and_slope(uv, finer + 1u) - fine) * part;
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "level_at",
+        sampling: None,
+        uses: &["BaseSite", "Tessellation", "log2_of"],
+        text: r#"// The level whose texels are as wide as a voxel.
+fn level_at(grid: Tessellation, site: BaseSite) -> f32 {
+    if (grid.levels <= 1u) {
+        return 0.0;
+    }
+    let texels = max(site.texels_per_m * site.depth / grid.per_m, 1.0);
+    return min(log2_of(texels), f32(grid.levels - 1u));
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "displaced_derivative",
+        sampling: None,
+        uses: &["turned"],
+        text: r#"// The derivative of a displaced position by a texture coordinate: of the base in the plane at right angles to
+// its normal, of the displacement, and of its direction.
+fn displaced_derivative(along: vec3f, up: vec3f, rise: vec3f, turned: vec3f) -> vec3f {
+    return along - up * dot(up, along) + rise + turned;
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "displaced_site",
+        sampling: None,
+        uses: &["BaseSite", "Corner", "Tessellation", "displaced_derivative", "level_at", "relief_between_levels", "surface_settings"],
+        text: r#"// What a point of the base becomes. Its normal is that of the displaced surface there (Szirmay-Kalos and
+// Umenhoffer 2008, equation 9, with what the direction of displacement turns by).
+fn displaced_site(grid: Tessellation, site: BaseSite) -> Corner {
+    let level = level_at(grid, site);
+    let seen = relief_between_levels(site.seen_uv, level);
+    let own = relief_between_levels(site.uv, level);
+    let scale_m = surface_settings.scale_m;
+    let position = site.position + site.direction * (seen.x * scale_m + surface_settings.bias_m);
+    let metres = own.x * scale_m + surface_settings.bias_m;
+    var up = site.normal;
+    if (dot(up, up) > 0.0) {
+        up = normalize(up);
+    }
+    let rise_u = site.direction * (own.y * scale_m);
+    let rise_v = site.direction * (own.z * scale_m);
+    let along = displaced_derivative(site.tangent, up, rise_u, site.turn_u * metres);
+    let down = displaced_derivative(site.bitangent, up, rise_v, site.turn_v * metres);
+    let is_mirrored = dot(cross(site.bitangent, site.tangent), up) < 0.0;
+    var normal = cross(down, along) * select(1.0, -1.0, is_mirrored);
+    if (dot(normal, normal) > 0.0) {
+        normal = normalize(normal);
+    } else {
+        normal = up;
+    }
+    return Corner(position, normal, along, down, site.uv, vec3f(0.0, 0.0, 0.0));
+}"#,
+    },
+    Declaration {
         module: "shared/types",
         name: "Path",
         sampling: None,
@@ -8342,6 +9199,436 @@ fn show_main(@builtin(global_invocation_id) id: vec3u) {
     let color = shown_records[place].color;
     let shown = color.xyz + frame.background.xyz * (1.0 - color.w);
     textureStore(picture, vec2i(at), vec4f(shown, 1.0));
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "Tally",
+        sampling: None,
+        uses: &[],
+        text: r#"// What is made of an edge or a triangle of the base.
+struct Tally {
+    // The parts of an edge; of a triangle 1 where it is made.
+    parts: u32,
+    // Its points and triangles; and in the end those of all before it.
+    points: u32,
+    triangles: u32,
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "MadeTotals",
+        sampling: None,
+        uses: &[],
+        text: r#"// How much is made, and what draws it.
+struct MadeTotals {
+    // Vertices, instances, and the first of each.
+    drawn: vec4u,
+    // Groups that make points, and that make triangles.
+    point_groups: vec4u,
+    triangle_groups: vec4u,
+    // Points besides the base's vertices, and triangles.
+    points: u32,
+    triangles: u32,
+    // By how many doublings the grid is coarser.
+    level: u32,
+    // 1 when that is known.
+    is_known: u32,
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "sums_of_group",
+        sampling: None,
+        uses: &["TESSELLATE_GROUP"],
+        text: r#"// Sums of each of a group, to be added up.
+var<workgroup> sums_of_group: array<vec2u, TESSELLATE_GROUP>;"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "added",
+        sampling: None,
+        uses: &["COUNTLESS"],
+        text: r#"// A sum that stays at the greatest number.
+fn added(a: vec2u, b: vec2u) -> vec2u {
+    let sum = a + b;
+    return select(sum, vec2u(COUNTLESS, COUNTLESS), sum < a);
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "number_of",
+        sampling: None,
+        uses: &["TESSELLATE_ROW"],
+        text: r#"fn number_of(id: vec3u) -> u32 {
+    return id.y * TESSELLATE_ROW + id.x;
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "begin_main",
+        sampling: None,
+        uses: &["MadeTotals", "made_totals"],
+        text: r#"// Begins: nothing is known yet.
+@compute @workgroup_size(1)
+fn begin_main() {
+    made_totals[0] = MadeTotals(vec4u(0u), vec4u(0u), vec4u(0u), 0u, 0u, 0u, 0u);
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "voxels_main",
+        sampling: None,
+        uses: &["TESSELLATE_GROUP", "base_vertices", "number_of", "tessellation", "voxel_of", "voxels"],
+        text: r#"// Where each vertex lies in grid space.
+@compute @workgroup_size(TESSELLATE_GROUP)
+fn voxels_main(@builtin(global_invocation_id) id: vec3u) {
+    let vertex = number_of(id);
+    if (vertex < tessellation.vertices) {
+        voxels[vertex] = voxel_of(tessellation, base_vertices[vertex].position);
+    }
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "seen_main",
+        sampling: None,
+        uses: &["TESSELLATE_GROUP", "base_patches", "base_vertices", "is_left_out", "number_of", "tallies", "tessellation"],
+        text: r#"// Which triangles are made.
+@compute @workgroup_size(TESSELLATE_GROUP)
+fn seen_main(@builtin(global_invocation_id) id: vec3u) {
+    let number = number_of(id);
+    if (number >= tessellation.patches) {
+        return;
+    }
+    let patch_of = base_patches[number];
+    let at = patch_of.corners;
+    let a = base_vertices[at.x];
+    let b = base_vertices[at.y];
+    let c = base_vertices[at.z];
+    let is_out = is_left_out(tessellation, a, b, c, patch_of.low_m, patch_of.high_m);
+    tallies[tessellation.edges + number].parts = select(1u, 0u, is_out);
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "edges_main",
+        sampling: None,
+        uses: &["COUNTLESS", "TESSELLATE_GROUP", "Tally", "base_edges", "made_totals", "number_of", "parts_between", "tallies", "tessellation", "voxels"],
+        text: r#"// In how many parts edges are divided. One whose triangles are left out has no points.
+@compute @workgroup_size(TESSELLATE_GROUP)
+fn edges_main(@builtin(global_invocation_id) id: vec3u) {
+    let number = number_of(id);
+    if (number >= tessellation.edges || made_totals[0].is_known == 1u) {
+        return;
+    }
+    let edge = base_edges[number];
+    let parts = parts_between(voxels[edge.ends.x], voxels[edge.ends.y], made_totals[0].level);
+    var is_made = edge.patches.x == COUNTLESS;
+    if (!is_made) {
+        let first = tallies[tessellation.edges + edge.patches.x].parts;
+        let second = tallies[tessellation.edges + edge.patches.y].parts;
+        is_made = first + second > 0u;
+    }
+    tallies[number] = Tally(parts, select(0u, parts - 1u, is_made), 0u);
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "rows_of",
+        sampling: None,
+        uses: &["DiceRows", "base_patches", "dice_rows", "tallies"],
+        text: r#"// The rows of a triangle of the base.
+fn rows_of(number: u32) -> DiceRows {
+    let edges = base_patches[number].edges;
+    return dice_rows(vec3u(tallies[edges.x].parts, tallies[edges.y].parts, tallies[edges.z].parts));
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "patches_main",
+        sampling: None,
+        uses: &["TESSELLATE_GROUP", "Tally", "dice_points", "dice_triangles", "made_totals", "number_of", "rows_of", "tallies", "tessellation"],
+        text: r#"// How many points and triangles those have.
+@compute @workgroup_size(TESSELLATE_GROUP)
+fn patches_main(@builtin(global_invocation_id) id: vec3u) {
+    let number = number_of(id);
+    if (number >= tessellation.patches || made_totals[0].is_known == 1u) {
+        return;
+    }
+    let place = tessellation.edges + number;
+    let is_made = tallies[place].parts;
+    if (is_made == 0u) {
+        tallies[place] = Tally(0u, 0u, 0u);
+        return;
+    }
+    let rows = rows_of(number);
+    tallies[place] = Tally(is_made, dice_points(rows), dice_triangles(rows));
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "tally_count",
+        sampling: None,
+        uses: &["tessellation"],
+        text: r#"// How many tallies there are.
+fn tally_count() -> u32 {
+    return tessellation.edges + tessellation.patches;
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "blocks_main",
+        sampling: None,
+        uses: &["TESSELLATE_BLOCK", "TESSELLATE_GROUP", "added", "made_totals", "number_of", "tallies", "tally_blocks", "tally_count"],
+        text: r#"// The sums of blocks of tallies.
+@compute @workgroup_size(TESSELLATE_GROUP)
+fn blocks_main(@builtin(global_invocation_id) id: vec3u) {
+    let block = number_of(id);
+    let first = block * TESSELLATE_BLOCK;
+    if (first >= tally_count() || made_totals[0].is_known == 1u) {
+        return;
+    }
+    let end = min(first + TESSELLATE_BLOCK, tally_count());
+    var sum = vec2u(0u, 0u);
+    for (var place = first; place < end; place++) {
+        sum = added(sum, vec2u(tallies[place].points, tallies[place].triangles));
+    }
+    tally_blocks[block] = sum;
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "groups_for",
+        sampling: None,
+        uses: &["TESSELLATE_GROUP", "TESSELLATE_ROW"],
+        text: r#"// Groups, in a row or in rows, for so many of something.
+fn groups_for(count: u32) -> vec4u {
+    let groups = (count + TESSELLATE_GROUP - 1u) / TESSELLATE_GROUP;
+    let in_row = TESSELLATE_ROW / TESSELLATE_GROUP;
+    return vec4u(min(groups, in_row), (groups + in_row - 1u) / in_row, 1u, 0u);
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "totals_main",
+        sampling: None,
+        uses: &["COARSEST", "MadeTotals", "TESSELLATE_BLOCK", "TESSELLATE_GROUP", "added", "groups_for", "made_totals", "sums_of_group", "tally_blocks", "tally_count", "tessellation"],
+        text: r#"// What comes before each block, and whether there is room for all. One group.
+@compute @workgroup_size(TESSELLATE_GROUP)
+fn totals_main(@builtin(local_invocation_index) lane: u32) {
+    let is_known = made_totals[0].is_known == 1u;
+    let level = made_totals[0].level;
+    let blocks = (tally_count() + TESSELLATE_BLOCK - 1u) / TESSELLATE_BLOCK;
+    let each = (blocks + TESSELLATE_GROUP - 1u) / TESSELLATE_GROUP;
+    let first = min(lane * each, blocks);
+    let end = min(first + each, blocks);
+    var sum = vec2u(0u, 0u);
+    if (!is_known) {
+        for (var block = first; block < end; block++) {
+            sum = added(sum, tally_blocks[block]);
+        }
+    }
+    sums_of_group[lane] = sum;
+    workgroupBarrier();
+    if (is_known) {
+        return;
+    }
+    var before = vec2u(0u, 0u);
+    for (var other = 0u; other < lane; other++) {
+        before = added(before, sums_of_group[other]);
+    }
+    if (lane == TESSELLATE_GROUP - 1u) {
+        let all = added(before, sum);
+        let fits = all.x <= tessellation.most_points && all.y <= tessellation.most_triangles;
+        if (fits || level == COARSEST) {
+            let points = groups_for(tessellation.vertices + all.x);
+            let drawn = vec4u(3u * all.y, 1u, 0u, 0u);
+            made_totals[0] = MadeTotals(drawn, points, groups_for(all.y), all.x, all.y, level, 1u);
+        } else {
+            made_totals[0].level = level + 1u;
+        }
+    }
+    for (var block = first; block < end; block++) {
+        let of_block = tally_blocks[block];
+        tally_blocks[block] = before;
+        before = added(before, of_block);
+    }
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "starts_main",
+        sampling: None,
+        uses: &["TESSELLATE_BLOCK", "TESSELLATE_GROUP", "Tally", "number_of", "tallies", "tally_blocks", "tally_count"],
+        text: r#"// What comes before each tally.
+@compute @workgroup_size(TESSELLATE_GROUP)
+fn starts_main(@builtin(global_invocation_id) id: vec3u) {
+    let block = number_of(id);
+    let first = block * TESSELLATE_BLOCK;
+    if (first >= tally_count()) {
+        return;
+    }
+    let end = min(first + TESSELLATE_BLOCK, tally_count());
+    var before = tally_blocks[block];
+    for (var place = first; place < end; place++) {
+        let tally = tallies[place];
+        tallies[place] = Tally(tally.parts, before.x, before.y);
+        before = before + vec2u(tally.points, tally.triangles);
+    }
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "tally_of_point",
+        sampling: None,
+        uses: &["tallies", "tally_count"],
+        text: r#"// The last tally before which there are no more points than so many.
+fn tally_of_point(point: u32) -> u32 {
+    var first = 0u;
+    var end = tally_count();
+    while (end - first > 1u) {
+        let middle = (first + end) / 2u;
+        if (tallies[middle].points <= point) {
+            first = middle;
+        } else {
+            end = middle;
+        }
+    }
+    return first;
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "patch_of_triangle",
+        sampling: None,
+        uses: &["tallies", "tally_count", "tessellation"],
+        text: r#"// The triangle of the base that has the made triangle of that number.
+fn patch_of_triangle(triangle: u32) -> u32 {
+    var first = tessellation.edges;
+    var end = tally_count();
+    while (end - first > 1u) {
+        let middle = (first + end) / 2u;
+        if (tallies[middle].triangles <= triangle) {
+            first = middle;
+        } else {
+            end = middle;
+        }
+    }
+    return first - tessellation.edges;
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "vertex_site",
+        sampling: None,
+        uses: &["BaseSite", "base_vertices", "site_of_vertex", "voxels"],
+        text: r#"fn vertex_site(vertex: u32, seen: u32) -> BaseSite {
+    return site_of_vertex(base_vertices[vertex], base_vertices[seen], voxels[seen]);
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "edge_site",
+        sampling: None,
+        uses: &["BaseEdge", "BaseSite", "site_between", "vertex_site", "voxels"],
+        text: r#"// A point of an edge that so many parts lie before.
+fn edge_site(edge: BaseEdge, at: u32, parts: u32) -> BaseSite {
+    let a = vertex_site(edge.ends.x, edge.seen.x);
+    let b = vertex_site(edge.ends.y, edge.seen.y);
+    let shares = vec2f(voxels[edge.seen.x].share, voxels[edge.seen.y].share);
+    return site_between(a, b, shares, at, parts);
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "patch_site",
+        sampling: None,
+        uses: &["BaseSite", "base_patches", "dice_place", "dice_point", "rows_of", "site_inside", "vertex_site", "voxels"],
+        text: r#"// A point inside of a triangle of the base, by its number there.
+fn patch_site(number: u32, point: u32) -> BaseSite {
+    let at = base_patches[number].corners;
+    let rows = rows_of(number);
+    let weights = dice_point(rows, dice_place(rows, point)).weights;
+    let shares = vec3f(voxels[at.x].share, voxels[at.y].share, voxels[at.z].share);
+    let a = vertex_site(at.x, at.x);
+    let b = vertex_site(at.y, at.y);
+    let c = vertex_site(at.z, at.z);
+    return site_inside(a, b, c, shares, weights);
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "site_of_point",
+        sampling: None,
+        uses: &["BaseSite", "base_edges", "base_vertices", "edge_site", "patch_site", "tallies", "tally_of_point", "tessellation", "vertex_site"],
+        text: r#"fn site_of_point(point: u32) -> BaseSite {
+    if (point < tessellation.vertices) {
+        return vertex_site(point, base_vertices[point].seen);
+    }
+    let place = tally_of_point(point - tessellation.vertices);
+    let number = point - tessellation.vertices - tallies[place].points;
+    if (place < tessellation.edges) {
+        return edge_site(base_edges[place], number + 1u, tallies[place].parts);
+    }
+    return patch_site(place - tessellation.edges, number);
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "points_main",
+        sampling: None,
+        uses: &["TESSELLATE_GROUP", "displaced_site", "made_corners", "made_totals", "number_of", "site_of_point", "tessellation"],
+        text: r#"// Makes points: the base's vertices, those of its edges, then those inside of its triangles.
+@compute @workgroup_size(TESSELLATE_GROUP)
+fn points_main(@builtin(global_invocation_id) id: vec3u) {
+    let point = number_of(id);
+    if (point < tessellation.vertices + made_totals[0].points) {
+        made_corners[point] = displaced_site(tessellation, site_of_point(point));
+    }
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "numbered_point",
+        sampling: None,
+        uses: &["DICE_INSIDE", "DicePlace", "DiceRows", "base_edges", "base_patches", "dice_point", "one_of", "tallies", "tessellation"],
+        text: r#"// The number of a point of a triangle of the base.
+fn numbered_point(number: u32, rows: DiceRows, place: DicePlace) -> u32 {
+    let point = dice_point(rows, place);
+    if (point.side == DICE_INSIDE) {
+        return tessellation.vertices + tallies[tessellation.edges + number].points + point.at;
+    }
+    let corners = base_patches[number].corners;
+    if (point.at == 0u) {
+        return one_of(corners, point.side);
+    }
+    let edge = one_of(base_patches[number].edges, point.side);
+    let is_forth = base_edges[edge].ends.x == one_of(corners, point.side);
+    let at = select(tallies[edge].parts - point.at, point.at, is_forth);
+    return tessellation.vertices + tallies[edge].points + at - 1u;
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "triangles_main",
+        sampling: None,
+        uses: &["Face", "Shell", "TESSELLATE_GROUP", "dice_triangle", "made_faces", "made_totals", "number_of", "numbered_point", "patch_of_triangle", "rows_of", "tallies", "tessellation"],
+        text: r#"// Makes triangles.
+@compute @workgroup_size(TESSELLATE_GROUP)
+fn triangles_main(@builtin(global_invocation_id) id: vec3u) {
+    let triangle = number_of(id);
+    if (triangle >= made_totals[0].triangles) {
+        return;
+    }
+    let number = patch_of_triangle(triangle);
+    let rows = rows_of(number);
+    let cut = dice_triangle(rows, triangle - tallies[tessellation.edges + number].triangles);
+    let a = numbered_point(number, rows, cut.a);
+    let b = numbered_point(number, rows, cut.b);
+    let c = numbered_point(number, rows, cut.c);
+    let whole = Shell(vec2f(0.0, 1.0), 36u, vec3f(0.0, 0.0, 0.0));
+    made_faces[triangle] = Face(vec3u(a, b, c), whole);
 }"#,
     },
     Declaration {

@@ -526,3 +526,228 @@ impl Shared for PyramidPass {
         }
     }
 }
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+/// An edge between two vertices of the base.
+pub struct BaseEdge {
+    /// Its ends, in an order that all edges between the same positions agree on.
+    pub ends: rt::Vec2<u32>,
+    /// Those of the edge between these positions that says where points are.
+    pub seen: rt::Vec2<u32>,
+    /// The triangles that have it, the second the first again where it has one; COUNTLESS twice where it has
+    /// more than two.
+    pub patches: rt::Vec2<u32>,
+}
+
+impl Shared for BaseEdge {
+    const SIZE: usize = 24;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.ends.write(&mut bytes[0..]);
+        self.seen.write(&mut bytes[8..]);
+        self.patches.write(&mut bytes[16..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            ends: Shared::read(&bytes[0..]),
+            seen: Shared::read(&bytes[8..]),
+            patches: Shared::read(&bytes[16..]),
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+/// A triangle of the base.
+pub struct BasePatch {
+    pub corners: rt::Vec3<u32>,
+    /// The least displacement on it, in metres.
+    pub low_m: f32,
+    /// The edges between its corners, from the first on.
+    pub edges: rt::Vec3<u32>,
+    /// The greatest.
+    pub high_m: f32,
+}
+
+impl Shared for BasePatch {
+    const SIZE: usize = 32;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.corners.write(&mut bytes[0..]);
+        self.low_m.write(&mut bytes[12..]);
+        self.edges.write(&mut bytes[16..]);
+        self.high_m.write(&mut bytes[28..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            corners: Shared::read(&bytes[0..]),
+            low_m: Shared::read(&bytes[12..]),
+            edges: Shared::read(&bytes[16..]),
+            high_m: Shared::read(&bytes[28..]),
+        }
+    }
+}
+
+impl Shared for BaseVertex {
+    const SIZE: usize = 128;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.position.write(&mut bytes[0..]);
+        self.seen.write(&mut bytes[12..]);
+        self.direction.write(&mut bytes[16..]);
+        self.texels_per_m.write(&mut bytes[28..]);
+        self.normal.write(&mut bytes[32..]);
+        self.tangent.write(&mut bytes[48..]);
+        self.bitangent.write(&mut bytes[64..]);
+        self.turn_u.write(&mut bytes[80..]);
+        self.turn_v.write(&mut bytes[96..]);
+        self.uv.write(&mut bytes[112..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            position: Shared::read(&bytes[0..]),
+            seen: Shared::read(&bytes[12..]),
+            direction: Shared::read(&bytes[16..]),
+            texels_per_m: Shared::read(&bytes[28..]),
+            normal: Shared::read(&bytes[32..]),
+            tangent: Shared::read(&bytes[48..]),
+            bitangent: Shared::read(&bytes[64..]),
+            turn_u: Shared::read(&bytes[80..]),
+            turn_v: Shared::read(&bytes[96..]),
+            uv: Shared::read(&bytes[112..]),
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+/// How much is made, and what draws it.
+pub struct MadeTotals {
+    /// Vertices, instances, and the first of each.
+    pub drawn: rt::Vec4<u32>,
+    /// Groups that make points, and that make triangles.
+    pub point_groups: rt::Vec4<u32>,
+    pub triangle_groups: rt::Vec4<u32>,
+    /// Points besides the base's vertices, and triangles.
+    pub points: u32,
+    pub triangles: u32,
+    /// By how many doublings the grid is coarser.
+    pub level: u32,
+    /// 1 when that is known.
+    pub is_known: u32,
+}
+
+impl Shared for MadeTotals {
+    const SIZE: usize = 64;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.drawn.write(&mut bytes[0..]);
+        self.point_groups.write(&mut bytes[16..]);
+        self.triangle_groups.write(&mut bytes[32..]);
+        self.points.write(&mut bytes[48..]);
+        self.triangles.write(&mut bytes[52..]);
+        self.level.write(&mut bytes[56..]);
+        self.is_known.write(&mut bytes[60..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            drawn: Shared::read(&bytes[0..]),
+            point_groups: Shared::read(&bytes[16..]),
+            triangle_groups: Shared::read(&bytes[32..]),
+            points: Shared::read(&bytes[48..]),
+            triangles: Shared::read(&bytes[52..]),
+            level: Shared::read(&bytes[56..]),
+            is_known: Shared::read(&bytes[60..]),
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+/// What is made of an edge or a triangle of the base.
+pub struct Tally {
+    /// The parts of an edge; of a triangle 1 where it is made.
+    pub parts: u32,
+    /// Its points and triangles; and in the end those of all before it.
+    pub points: u32,
+    pub triangles: u32,
+}
+
+impl Shared for Tally {
+    const SIZE: usize = 12;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.parts.write(&mut bytes[0..]);
+        self.points.write(&mut bytes[4..]);
+        self.triangles.write(&mut bytes[8..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            parts: Shared::read(&bytes[0..]),
+            points: Shared::read(&bytes[4..]),
+            triangles: Shared::read(&bytes[8..]),
+        }
+    }
+}
+
+impl Shared for Tessellation {
+    const SIZE: usize = 192;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.eye.write(&mut bytes[0..]);
+        self.right.write(&mut bytes[16..]);
+        self.up.write(&mut bytes[32..]);
+        self.forward.write(&mut bytes[48..]);
+        self.planes.write(&mut bytes[64..]);
+        self.middle.write(&mut bytes[144..]);
+        self.per_m.write(&mut bytes[152..]);
+        self.per_doubling.write(&mut bytes[156..]);
+        self.near_m.write(&mut bytes[160..]);
+        self.is_parallel.write(&mut bytes[164..]);
+        self.levels.write(&mut bytes[168..]);
+        self.vertices.write(&mut bytes[172..]);
+        self.edges.write(&mut bytes[176..]);
+        self.patches.write(&mut bytes[180..]);
+        self.most_points.write(&mut bytes[184..]);
+        self.most_triangles.write(&mut bytes[188..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            eye: Shared::read(&bytes[0..]),
+            right: Shared::read(&bytes[16..]),
+            up: Shared::read(&bytes[32..]),
+            forward: Shared::read(&bytes[48..]),
+            planes: Shared::read(&bytes[64..]),
+            middle: Shared::read(&bytes[144..]),
+            per_m: Shared::read(&bytes[152..]),
+            per_doubling: Shared::read(&bytes[156..]),
+            near_m: Shared::read(&bytes[160..]),
+            is_parallel: Shared::read(&bytes[164..]),
+            levels: Shared::read(&bytes[168..]),
+            vertices: Shared::read(&bytes[172..]),
+            edges: Shared::read(&bytes[176..]),
+            patches: Shared::read(&bytes[180..]),
+            most_points: Shared::read(&bytes[184..]),
+            most_triangles: Shared::read(&bytes[188..]),
+        }
+    }
+}
+
+impl Shared for Voxel {
+    const SIZE: usize = 16;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.at.write(&mut bytes[0..]);
+        self.share.write(&mut bytes[12..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            at: Shared::read(&bytes[0..]),
+            share: Shared::read(&bytes[12..]),
+        }
+    }
+}

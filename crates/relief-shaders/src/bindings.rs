@@ -77,7 +77,7 @@ const fn traced(number: u32, name: &'static str, kind: BindingKind, holds: &'sta
 
 /// All bindings. Group 0 is the same for every program; a program of the other groups binds those of them
 /// that it names.
-pub const BINDINGS: [Binding; 28] = [
+pub const BINDINGS: [Binding; 38] = [
     uniform(0, "surface_settings", "SurfaceSettings", "what changes with the surface"),
     filtered(1, "height_map", false, "heights"),
     filtered(
@@ -151,6 +151,22 @@ pub const BINDINGS: [Binding; 28] = [
         kind: BindingKind::Uniform("PyramidPass"),
         holds: "what changes with the level of a pyramid",
     },
+    Binding {
+        group: 1,
+        number: 9,
+        name: "tessellation",
+        kind: BindingKind::Uniform("Tessellation"),
+        holds: "the view that a base is tessellated for, and how much there is of it",
+    },
+    storage(1, 10, "base_vertices", "BaseVertex", true, "the vertices of a base that is tessellated"),
+    storage(1, 11, "base_edges", "BaseEdge", true, "its edges"),
+    storage(1, 12, "base_patches", "BasePatch", true, "its triangles"),
+    storage(1, 13, "voxels", "Voxel", false, "where its vertices lie in grid space"),
+    storage(1, 14, "tallies", "Tally", false, "what is made of each of its edges, then of its triangles"),
+    storage(1, 15, "tally_blocks", "vec2u", false, "points and triangles of blocks of these"),
+    storage(1, 16, "made_totals", "MadeTotals", false, "how much is made, and what draws it"),
+    storage(1, 17, "made_corners", "Corner", false, "the points that are made"),
+    storage(1, 18, "made_faces", "Face", false, "the triangles that are made"),
 ];
 
 impl Binding {

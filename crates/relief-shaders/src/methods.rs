@@ -205,6 +205,18 @@ pub const METHODS: &[Method] = &[
             section: "3",
         },
     },
+    Method {
+        name: "tessellate",
+        summary: "displaced triangles: each base triangle cut by a pattern, as finely as the view's pixels are",
+        geometry: geometry::TESSELLATE,
+        search: "none",
+        refine: "none",
+        settings: DEFAULTS,
+        publication: Publication {
+            paper: "Gumhold and Hüttner 1999, Multiresolution Rendering With Displacement Mapping",
+            section: "3.1",
+        },
+    },
 ];
 
 /// The method of that name.

@@ -110,6 +110,7 @@ impl Selection {
         match entry.name {
             geometry::VERTEX => Some(Geometry::Texels(params[0] as u32)),
             geometry::REMESH => Some(Geometry::Pixels(params[0])),
+            geometry::TESSELLATE => Some(Geometry::Tessellated(params[0])),
             _ => None,
         }
     }

@@ -33,6 +33,15 @@ pub const PROBE_GROUP: u32 = 64;
 /// Rays of a row of the probe's workgroups, so that more rays fit than a dispatch has columns.
 pub const PROBE_ROW: u32 = 65_536;
 
+/// Vertices, edges, triangles, blocks or points of a workgroup of the passes that tessellate.
+pub const TESSELLATE_GROUP: u32 = 64;
+
+/// Those of a row of workgroups, as [`PROBE_ROW`].
+pub const TESSELLATE_ROW: u32 = 65_536;
+
+/// Tallies that one invocation adds up.
+pub const TESSELLATE_BLOCK: u32 = 256;
+
 /// Vertices of the box that [`Root::TraceShells`] draws for a triangle.
 pub const BOX_VERTICES: u32 = 36;
 
@@ -105,11 +114,15 @@ pub enum Root {
     /// Builds a level of a pyramid of heights: `pyramid_vertex`, `pyramid_fragment`. It binds nothing of
     /// group 0.
     Pyramid,
+    /// Makes displaced triangles of a base for a view, in passes one after the other: `begin_main`,
+    /// `voxels_main`, `seen_main`; for each level of the grid `edges_main`, `patches_main`, `blocks_main` and
+    /// `totals_main`; then `starts_main`, `points_main` and `triangles_main`.
+    Tessellate,
 }
 
 impl Root {
     /// Every root.
-    pub const ALL: [Root; 12] = [
+    pub const ALL: [Root; 13] = [
         Root::Functions,
         Root::Trace,
         Root::TraceShells,
@@ -122,6 +135,7 @@ impl Root {
         Root::Show,
         Root::Probe,
         Root::Pyramid,
+        Root::Tessellate,
     ];
 
     /// The functions that it is assembled for.
@@ -139,6 +153,18 @@ impl Root {
             Root::Show => &["show_main"],
             Root::Probe => &["probe_main"],
             Root::Pyramid => &["pyramid_vertex", "pyramid_fragment"],
+            Root::Tessellate => &[
+                "begin_main",
+                "voxels_main",
+                "seen_main",
+                "edges_main",
+                "patches_main",
+                "blocks_main",
+                "totals_main",
+                "starts_main",
+                "points_main",
+                "triangles_main",
+            ],
         }
     }
 }

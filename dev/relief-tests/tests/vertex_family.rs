@@ -193,17 +193,18 @@ fn a_vertex_every_pixel_has_the_same_outline() {
     let map = bumps(Wrap::Repeat, SCALE_M);
     for case in cases() {
         let vertex = picture(&case, &map, "vertex", &[]);
-        let remesh = picture(&case, &map, "remesh", &[]);
-        let off = |pixels: &[PixelOut]| {
-            quantile(distances(&shown(&vertex).filled(), &shown(pixels).filled()), 0.95)
-        };
-        let (near, moved) = (off(&remesh), shown(&vertex).moved(3));
-        println!("{}: {near} pixels", case.name);
-        assert!(near <= 1.0, "{}: {near}", case.name);
-        assert!(quantile(distances(&shown(&vertex), &moved), 0.95) > 1.0, "{}", case.name);
         let judged = judged(&case, &map);
-        let off = Off::of(&remesh, &judged);
-        assert!(off.is_near(), "{}: {off:?}", case.name);
+        for method in ["remesh", "tessellate"] {
+            let pixels = picture(&case, &map, method, &[]);
+            let aside = distances(&shown(&vertex).filled(), &shown(&pixels).filled());
+            let near = quantile(aside, 0.95);
+            println!("{} {method}: {near} pixels", case.name);
+            assert!(near <= 1.0, "{} {method}: {near}", case.name);
+            let off = Off::of(&pixels, &judged);
+            assert!(off.is_near(), "{} {method}: {off:?}", case.name);
+        }
+        let moved = shown(&vertex).moved(3);
+        assert!(quantile(distances(&shown(&vertex), &moved), 0.95) > 1.0, "{}", case.name);
     }
 }
 
@@ -232,7 +233,9 @@ fn both_backends_show_the_same_triangles() {
     let map = bumps(Wrap::Mirror, SCALE_M);
     let mut on_gpu = Renderer::on_gpu(gpu, Sampling::Exact);
     let (mut on_cpu, mut before) = (Renderer::on_cpu(), Vec::new());
-    for (case, method) in cases().iter().zip(["vertex", "remesh"].into_iter().cycle()) {
+    let cases = cases();
+    let both = cases.iter().zip(["vertex", "remesh"].into_iter().cycle());
+    for (case, method) in both.chain(cases.iter().map(|case| (case, "tessellate"))) {
         let selection = selection(method, &[("detail", "footprint")], &[("shadow.size", 256.0)]);
         let surface = Surface::new(Arc::clone(&case.mesh), map.clone()).with_selection(selection);
         let surface = surface.with_two_sided(case.name == "plane");
@@ -300,7 +303,7 @@ fn the_eye_may_be_anywhere() {
             ([0.9, 0.0, 0.0], [0.0, 0.0, 0.0]),
         ] {
             let seen = Case { camera: looking(eye, target), mesh: Arc::clone(&case.mesh), name: case.name };
-            for method in ["vertex", "remesh"] {
+            for method in ["vertex", "remesh", "tessellate"] {
                 for pixel in picture(
                     &seen,
                     &map,

@@ -30,9 +30,9 @@ const ROUNDS: u32 = 8;
 const ANY_NUMBER: u32 = 1 << 31;
 
 /// The heights of a relief: bounds of each level that may be seen.
-struct Bounds<'a> {
-    relief: &'a Relief,
-    levels: Vec<HeightBounds>,
+pub struct Bounds<'a> {
+    pub relief: &'a Relief,
+    pub levels: Vec<HeightBounds>,
 }
 
 impl Triangles {
@@ -124,13 +124,21 @@ impl Triangles {
         Hull { points, radius_m }
     }
 
-    /// The least and the greatest displacement of a patch, in metres: by the heights under it, and where
-    /// others at its seams say where points are, under these.
+    /// The least and the greatest displacement of a patch, in metres, in the levels that are seen of it.
     fn metres(&self, bounds: &Bounds, patch: u32) -> [f64; 2] {
         let corners = self.triangles[patch as usize];
         let ends = self.edges.sides(patch).map(|side| self.edges.ends(self.seen(side)));
         let seen = corners.map(|vertex| self.corners.seen(vertex));
         let levels = self.levels(corners.iter().chain(&seen).chain(ends.as_flattened()), bounds.levels.len());
+        self.metres_of(bounds, patch, levels)
+    }
+
+    /// The least and the greatest displacement of a patch in some levels, in metres: by the heights under it,
+    /// and where others at its seams say where points are, under these.
+    pub fn metres_of(&self, bounds: &Bounds, patch: u32, levels: Range<usize>) -> [f64; 2] {
+        let corners = self.triangles[patch as usize];
+        let ends = self.edges.sides(patch).map(|side| self.edges.ends(self.seen(side)));
+        let seen = corners.map(|vertex| self.corners.seen(vertex));
         let uv = |vertex: u32| self.corners.base(vertex).uv;
         let mut heights = [f32::INFINITY, f32::NEG_INFINITY];
         let mut add = |places: &[DVec2]| {

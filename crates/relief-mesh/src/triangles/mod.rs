@@ -14,6 +14,7 @@ mod near;
 mod patch_border;
 mod profile;
 mod solid;
+mod tables;
 
 use glam::DVec3;
 use relief_core::mesh::{Mesh, Vertex};
@@ -29,6 +30,7 @@ use self::halves::{Halves, Limits};
 pub use self::inside::Inside;
 pub use self::patch_border::PatchBorder;
 pub use self::solid::Solid;
+pub use self::tables::{BaseTables, TableEdge, TablePatch, TableVertex};
 use crate::cull::Everything;
 use crate::edge::Divides;
 use crate::error::MOST;

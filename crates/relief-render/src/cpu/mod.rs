@@ -13,6 +13,7 @@ use relief_shaders::surface::Proposal;
 
 use self::light_map::{LightMap, NoLightMap};
 use self::ready::{Base, Made, Ready, SceneRays, caster};
+use self::tessellated::KeptTessellated;
 use crate::job::{Job, JobSurface, Rendering, uncovered};
 use crate::kept::kept;
 use crate::raycast::RayCaster;
@@ -22,6 +23,7 @@ use crate::triangles::Triangles;
 
 mod light_map;
 mod ready;
+pub(crate) mod tessellated;
 
 /// Pixels of a band of rows: enough for all cores, and few enough to keep.
 const BAND_PIXELS: u32 = 1 << 18;
@@ -34,6 +36,7 @@ pub struct CpuRenderer {
     shells: Vec<(Arc<Triangles>, Arc<ShellCaster>)>,
     tracers: Vec<(Arc<HeightMap>, Arc<[FastTracer]>)>,
     light_map: Option<LightMap>,
+    tessellated: KeptTessellated,
 }
 
 impl CpuRenderer {
@@ -54,6 +57,7 @@ impl CpuRenderer {
         pixels.resize(count, uncovered());
         let samples = samples(job.samples, true);
         let done = Done::of(job, progress);
+        let job = &*self.tessellated.job(job);
         let made = self.made(job);
         // Nobody can stop it.
         let go_on = AtomicBool::new(false);
@@ -77,6 +81,7 @@ impl CpuRenderer {
     ) -> Option<ControlFlow<()>> {
         let samples = samples(job.samples, numbers);
         let done = Done::of(job, progress);
+        let job = &*self.tessellated.job(job);
         let made = self.made(job);
         let lit = match self.lit(job, &made, cancel, &done) {
             Ok(lit) => lit,

@@ -3,6 +3,7 @@
 use wgpu::{Adapter, AdapterInfo, Backends, DeviceType, Features, Instance, InstanceDescriptor, Limits};
 
 use super::GpuError;
+use super::tessellate::STORAGE_BUFFERS;
 
 /// Which of the machine's adapters may be used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -62,11 +63,14 @@ pub(super) fn described(info: &AdapterInfo) -> String {
 /// What is asked of the device: WebGPU's reduced defaults, and room for maps and meshes as large as the
 /// adapter takes.
 pub(super) fn limits(adapter: &Adapter) -> Limits {
-    let has = adapter.limits();
+    let (has, reduced) = (adapter.limits(), Limits::downlevel_defaults());
     Limits {
         max_storage_buffer_binding_size: has.max_storage_buffer_binding_size,
         max_buffer_size: has.max_buffer_size,
-        ..Limits::downlevel_defaults().using_resolution(has)
+        max_storage_buffers_per_shader_stage: has
+            .max_storage_buffers_per_shader_stage
+            .min(STORAGE_BUFFERS.max(reduced.max_storage_buffers_per_shader_stage)),
+        ..reduced.using_resolution(has)
     }
 }
 

@@ -8,6 +8,7 @@ use wgpu::{
     TextureViewDescriptor, TextureViewDimension,
 };
 
+use super::drawn::Drawn;
 use super::programs::{DEPTH, KEYS};
 use super::{Gpu, GpuError};
 use crate::job::LightViews;
@@ -90,8 +91,7 @@ pub struct Caster {
     pub program: RenderPipeline,
     pub maps: BindGroup,
     pub mesh: BindGroup,
-    /// Vertices and instances.
-    pub drawn: [u32; 2],
+    pub drawn: Drawn,
 }
 
 impl LightMap {
@@ -163,8 +163,7 @@ impl LightMap {
                 drawn.set_pipeline(&caster.program);
                 drawn.set_bind_group(0, &caster.maps, &[frames.offset(number), pass]);
                 drawn.set_bind_group(1, &caster.mesh, &[]);
-                let [vertices, instances] = caster.drawn;
-                drawn.draw(0..vertices, 0..instances);
+                caster.drawn.draw(&mut drawn);
             }
             drop(drawn);
             gpu.queue().submit([encoder.finish()]);

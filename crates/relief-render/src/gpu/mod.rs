@@ -11,6 +11,7 @@
 
 mod adapter;
 mod device;
+mod drawn;
 mod error;
 mod layouts;
 mod light_map;
@@ -20,6 +21,7 @@ mod pyramid;
 mod renderer;
 mod resident;
 mod targets;
+mod tessellate;
 #[cfg(test)]
 mod tests;
 mod textures;

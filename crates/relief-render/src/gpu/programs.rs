@@ -15,6 +15,7 @@ use wgpu::{
 
 use super::layouts::{layout, named, shared};
 use super::pyramid::{Builder, NODES, Source};
+use super::tessellate::{self, Tessellator};
 use super::textures::Precision;
 use super::{Gpu, GpuError};
 use crate::job::JobSurface;
@@ -56,6 +57,8 @@ pub struct Layouts {
     pub rays: BindGroupLayout,
     /// Group 1 of the passes that build pyramids: what is read.
     pub pyramid: BindGroupLayout,
+    /// What the passes that tessellate bind, where the GPU can bind as much.
+    pub tessellated: Option<tessellate::Groups>,
 }
 
 impl Layouts {
@@ -69,6 +72,10 @@ impl Layouts {
             shown: of("shown", &["shown_records", "picture"]),
             rays: of("rays", &["pixels", "probes"]),
             pyramid: of("pyramid", &["finer_level", "heights_below", "pyramid_pass"]),
+            tessellated: tessellate::is_possible(device).then(|| tessellate::Groups {
+                counting: of("tessellate", tessellate::COUNTING),
+                making: of("tessellate", tessellate::MAKING),
+            }),
         }
     }
 
@@ -102,6 +109,7 @@ pub struct Programs {
     resolve: Kept<(), ComputePipeline>,
     show: Kept<(), ComputePipeline>,
     pyramid: Kept<(), RenderPipeline>,
+    tessellate: Kept<Sampling, Tessellator>,
     compiled: u32,
 }
 
@@ -157,6 +165,7 @@ impl Programs {
             resolve: Kept::new(),
             show: Kept::new(),
             pyramid: Kept::new(),
+            tessellate: Kept::new(),
             compiled: 0,
         }
     }
@@ -253,6 +262,45 @@ impl Programs {
         Ok(Some(Builder { program, layout }))
     }
 
+    /// What tessellates the bases of some surfaces; none where none is to be tessellated.
+    pub async fn tessellator(
+        &mut self,
+        gpu: &Gpu,
+        surfaces: &[JobSurface],
+        sampling: Sampling,
+    ) -> Result<Option<Tessellator>, GpuError> {
+        let is_asked_for = surfaces.iter().any(|surface| surface.triangles.tessellation().is_some());
+        let Some(tessellate::Groups { counting, making }) =
+            self.layouts.tessellated.clone().filter(|_| is_asked_for)
+        else {
+            return Ok(None);
+        };
+        let maps = self.layouts.maps(sampling).clone();
+        let text = || assemble(&Selection::default(), Root::Tessellate, sampling);
+        let compile = |text: &str| {
+            let device = gpu.device();
+            let module = module(device, label(Root::Tessellate), text);
+            let of = |entry: &str, groups: &[Option<&BindGroupLayout>]| {
+                compute_entry(device, &module, label(Root::Tessellate), Some(entry), groups)
+            };
+            let count = |entry: &str| of(entry, &[None, Some(&counting)]);
+            let make = |entry: &str| of(entry, &[Some(&maps), Some(&making)]);
+            Tessellator {
+                begin: count("begin_main"),
+                voxels: count("voxels_main"),
+                seen: count("seen_main"),
+                edges: count("edges_main"),
+                patches: count("patches_main"),
+                blocks: count("blocks_main"),
+                totals: count("totals_main"),
+                starts: count("starts_main"),
+                points: make("points_main"),
+                triangles: make("triangles_main"),
+            }
+        };
+        self.tessellate.get(gpu, &mut self.compiled, sampling, text, compile).await.map(Some)
+    }
+
     /// The program that runs the stages over rays.
     pub async fn probe(
         &mut self,
@@ -301,17 +349,28 @@ fn label(root: Root) -> &'static str {
         Root::Show => "show",
         Root::Probe => "probe",
         Root::Pyramid => "pyramid",
+        Root::Tessellate => "tessellate",
     }
 }
 
 fn compute(device: &Device, text: &str, root: Root, groups: &[&BindGroupLayout]) -> ComputePipeline {
-    let label = label(root);
     let groups: Vec<Option<&BindGroupLayout>> = groups.iter().map(|group| Some(*group)).collect();
+    let module = module(device, label(root), text);
+    compute_entry(device, &module, label(root), root.functions().first().copied(), &groups)
+}
+
+fn compute_entry(
+    device: &Device,
+    module: &ShaderModule,
+    label: &str,
+    entry_point: Option<&str>,
+    groups: &[Option<&BindGroupLayout>],
+) -> ComputePipeline {
     device.create_compute_pipeline(&ComputePipelineDescriptor {
         label: Some(label),
-        layout: Some(&pipeline_layout(device, label, &groups)),
-        module: &module(device, label, text),
-        entry_point: root.functions().first().copied(),
+        layout: Some(&pipeline_layout(device, label, groups)),
+        module,
+        entry_point,
         compilation_options: Default::default(),
         cache: None,
     })

@@ -1,24 +1,26 @@
 //! Pictures, in two passes for each surface: rasterise and trace, then shade each pixel that it is the
 //! nearest in so far; of several samples each so, and then added up.
 
+use std::borrow::Cow;
 use std::ops::ControlFlow;
 
 use relief_shaders::MapNeed;
-use relief_shaders::cpu::{Corner, Face, PixelOut, Record, Shared, read_all};
-use relief_shaders::surface::Proposal;
-use relief_shaders::wgsl::{BOX_VERTICES, SHADE_GROUP, Sampling};
+use relief_shaders::cpu::{PixelOut, Record, read_all};
+use relief_shaders::wgsl::{SHADE_GROUP, Sampling};
 use wgpu::{
     BindGroup, Color, CommandEncoder, ComputePipeline, LoadOp, Operations, RenderPassColorAttachment,
     RenderPassDepthStencilAttachment, RenderPassDescriptor, RenderPipeline, StoreOp, Texture,
 };
 
+use super::drawn::{Drawn, check_triangles};
 use super::light_map::{Caster, Frames, LightMap};
 use super::programs::{Programs, Seer};
 use super::resident::{Common, Resident};
 use super::targets::{self, Band, Pass, Targets};
 use super::textures::Precision;
 use super::wait::block_on;
-use super::{Gpu, GpuError, pyramid};
+use super::{Gpu, GpuError, pyramid, tessellate};
+use crate::cpu::tessellated::KeptTessellated;
 use crate::job::{Job, JobSurface, Rendering};
 use crate::samples::{Sample, samples};
 
@@ -37,6 +39,8 @@ pub struct GpuRenderer {
     targets: Option<Targets>,
     /// Counts the targets that there were, whose buffers every surface binds.
     generation: u64,
+    /// What the CPU tessellates, where this GPU cannot.
+    tessellated: KeptTessellated,
     work: Work,
 }
 
@@ -57,8 +61,7 @@ struct Ready {
     shade: ComputePipeline,
     maps: BindGroup,
     mesh: BindGroup,
-    /// Vertices and instances.
-    drawn: [u32; 2],
+    drawn: Drawn,
 }
 
 /// All that the passes of a picture need.
@@ -73,7 +76,8 @@ impl GpuRenderer {
     pub fn new(gpu: Gpu) -> Self {
         let (programs, frames) = (Programs::new(&gpu), Frames::new(&gpu));
         let (light_map, surfaces, targets, work) = (None, Vec::new(), None, Work::default());
-        Self { gpu, programs, frames, light_map, surfaces, targets, generation: 0, work }
+        let tessellated = KeptTessellated::default();
+        Self { gpu, programs, frames, light_map, surfaces, targets, generation: 0, tessellated, work }
     }
 
     /// The GPU.
@@ -85,6 +89,12 @@ impl GpuRenderer {
     /// CPU bakes it: pyramids of heights, where these lie on the GPU in 32-bit floats.
     pub fn builds(&self, need: &MapNeed, sampling: Sampling) -> bool {
         Precision::of(&self.gpu, sampling) == Precision::F32 && pyramid::over(need).is_some()
+    }
+
+    /// What was made last of a surface whose base is tessellated here: how much, corners and faces.
+    #[cfg(test)]
+    pub(super) fn made(&self, surface: usize) -> Option<[&wgpu::Buffer; 3]> {
+        self.surfaces.get(surface)?.made()
     }
 
     /// What the last picture took besides the drawing.
@@ -244,6 +254,11 @@ impl GpuRenderer {
     ) -> Result<Passes, GpuError> {
         let gpu = self.gpu.clone();
         targets::check(&gpu, [job.width, job.height])?;
+        let job = &*if tessellate::is_possible(gpu.device()) {
+            Cow::Borrowed(job)
+        } else {
+            self.tessellated.job(job)
+        };
         for (number, surface) in job.surfaces.iter().enumerate() {
             check_triangles(&gpu, surface)?;
             if surface.selection.rays_through_scene().is_some() {
@@ -264,6 +279,7 @@ impl GpuRenderer {
                 .push(self.programs.trace(&gpu, Seer::Light, selection, sampling, *two_sided).await?);
         }
         let builder = self.programs.pyramids(&gpu, &job.surfaces, sampling).await?;
+        let tessellator = self.programs.tessellator(&gpu, &job.surfaces, sampling).await?;
         let Self { frames, light_map, surfaces, targets, generation, .. } = self;
         let layouts = &self.programs.layouts;
         let uploaded = gpu
@@ -301,9 +317,9 @@ impl GpuRenderer {
                 };
                 let each = job.surfaces.iter().zip(surfaces.iter_mut()).map(|(surface, resident)| {
                     let maps = resident.maps(&gpu, surface, sampling, layouts.maps(sampling), &common)?;
-                    let (mesh, is_other_mesh) = resident.mesh(&gpu, &surface.triangles, &layouts.mesh)?;
-                    seen_otherwise |= maps.changed || is_other_mesh;
-                    Ok((maps, mesh, drawn(surface)))
+                    let mesh = resident.mesh(&gpu, surface, layouts, tessellator.as_ref(), &maps)?;
+                    seen_otherwise |= maps.changed || mesh.is_other;
+                    Ok((maps, mesh.group, mesh.drawn))
                 });
                 let uploaded = each.collect::<Result<Vec<_>, GpuError>>()?;
                 if let Some(map) = light_map.as_ref().filter(|_| seen_otherwise) {
@@ -312,7 +328,7 @@ impl GpuRenderer {
                         program,
                         maps: maps.by_lights.clone(),
                         mesh: mesh.clone(),
-                        drawn: *drawn,
+                        drawn: drawn.clone(),
                     });
                     map.draw(&gpu, frames, targets.whole, &casters.collect::<Vec<_>>());
                 }
@@ -370,32 +386,6 @@ impl GpuRenderer {
     }
 }
 
-/// The number of a triangle travels as a signed integer, that of a vertex as an unsigned one.
-fn check_triangles(gpu: &Gpu, surface: &JobSurface) -> Result<(), GpuError> {
-    let (count, corners) = (surface.triangles.len(), surface.triangles.corners().len());
-    let limit = gpu.storage_capacity(Face::SIZE).min(u64::from(u32::MAX / vertices_of(surface)));
-    if count as u64 > limit {
-        return Err(GpuError::TooManyTriangles { count, limit });
-    }
-    let limit = gpu.storage_capacity(Corner::SIZE);
-    if corners as u64 > limit { Err(GpuError::TooManyVertices { count: corners, limit }) } else { Ok(()) }
-}
-
-/// The vertices that are drawn for a triangle.
-fn vertices_of(surface: &JobSurface) -> u32 {
-    match surface.selection.paths().proposal {
-        Proposal::Polygons => 3,
-        Proposal::Shells => BOX_VERTICES,
-    }
-}
-
-/// The vertices and the instances that are drawn for a surface. Shells have an instance for each side, as
-/// polygons have faces.
-pub(super) fn drawn(surface: &JobSurface) -> [u32; 2] {
-    let both = surface.two_sided && surface.selection.paths().proposal == Proposal::Shells;
-    [vertices_of(surface) * surface.triangles.len() as u32, 1 + u32::from(both)]
-}
-
 /// Traces and shades the rows of a band, sample after sample, so that no submission takes long; `finish` ends
 /// the last one.
 fn submit_band(
@@ -450,8 +440,7 @@ fn trace(encoder: &mut CommandEncoder, targets: &Targets, surface: &Ready, pass:
     drawn.set_pipeline(&surface.trace);
     drawn.set_bind_group(0, &surface.maps, &[CAMERA, pass.offset]);
     drawn.set_bind_group(1, &surface.mesh, &[]);
-    let [vertices, instances] = surface.drawn;
-    drawn.draw(0..vertices, 0..instances);
+    surface.drawn.draw(&mut drawn);
 }
 
 /// Runs a program over the pixels of a band. Group 0 has the offsets of the frame and of the pass.

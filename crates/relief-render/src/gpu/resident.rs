@@ -9,8 +9,11 @@ use relief_shaders::cpu::{Shared, SurfaceSettings, write_all};
 use relief_shaders::wgsl::Sampling;
 use wgpu::{BindGroup, BindGroupLayout, BindingResource, Buffer, BufferUsages, Sampler, TextureView};
 
+use super::drawn::Drawn;
 use super::layouts::group;
+use super::programs::Layouts;
 use super::pyramid::Builder;
+use super::tessellate::{Tessellated, Tessellator};
 use super::textures::{self, Precision};
 use super::{Gpu, GpuError, pyramid};
 use crate::job::{JobSurface, Triangles};
@@ -118,6 +121,7 @@ pub struct Resident {
     slots: [Option<Held<SlotSource>>; MapSlot::ALL.len()],
     sampler: Option<(Wrap, Sampler)>,
     mesh: Option<(Arc<Triangles>, BindGroup)>,
+    tessellated: Option<Tessellated>,
     /// Group 0, with what it was made for. None where a part has changed.
     maps: Option<(Sampling, u64, MapGroups)>,
 }
@@ -129,6 +133,16 @@ pub struct MapGroups {
     pub by_lights: BindGroup,
     /// Whether they, or the settings, are others than for the last picture.
     pub changed: bool,
+}
+
+/// The triangles of a surface, ready to be drawn.
+#[derive(Debug)]
+pub struct ResidentMesh {
+    /// Group 1.
+    pub group: BindGroup,
+    pub drawn: Drawn,
+    /// Whether they are others than for the last picture.
+    pub is_other: bool,
 }
 
 /// What group 0 binds besides a surface's own things. It is another one when its number is.
@@ -156,6 +170,7 @@ impl Resident {
             slots: [const { None }; MapSlot::ALL.len()],
             sampler: None,
             mesh: None,
+            tessellated: None,
             maps: None,
         }
     }
@@ -194,8 +209,45 @@ impl Resident {
         Ok(groups)
     }
 
-    /// Group 1: the triangles. True where it is another one than for the last picture.
+    /// Group 1: the triangles, which are uploaded, or made here where they are to be made.
     pub fn mesh(
+        &mut self,
+        gpu: &Gpu,
+        surface: &JobSurface,
+        layouts: &Layouts,
+        tessellator: Option<&Tessellator>,
+        maps: &MapGroups,
+    ) -> Result<ResidentMesh, GpuError> {
+        let triangles = &surface.triangles;
+        let made_here = triangles.tessellation().zip(tessellator).zip(layouts.tessellated.as_ref());
+        let Some(((of, tessellator), groups)) = made_here else {
+            self.tessellated = None;
+            let (group, is_other) = self.uploaded(gpu, triangles, &layouts.mesh)?;
+            return Ok(ResidentMesh { group, drawn: Drawn::of(surface), is_other });
+        };
+        self.mesh = None;
+        if !self.tessellated.as_ref().is_some_and(|known| known.fits(gpu, of)) {
+            // What was held goes first, so that both need not fit.
+            self.tessellated = None;
+        }
+        let is_new = self.tessellated.is_none();
+        let tessellated = match &mut self.tessellated {
+            Some(tessellated) => tessellated,
+            none => none.insert(Tessellated::new(gpu, of, groups, &layouts.mesh)?),
+        };
+        let is_other = tessellated.make(gpu, of, tessellator, &maps.by_lights, is_new || maps.changed);
+        let drawn = Drawn::Indirect(tessellated.drawn().clone());
+        Ok(ResidentMesh { group: tessellated.mesh().clone(), drawn, is_other })
+    }
+
+    /// What was made last where the base is tessellated here.
+    #[cfg(test)]
+    pub fn made(&self) -> Option<[&Buffer; 3]> {
+        self.tessellated.as_ref().map(Tessellated::made)
+    }
+
+    /// The triangles that are uploaded. True where they are others than for the last picture.
+    fn uploaded(
         &mut self,
         gpu: &Gpu,
         triangles: &Arc<Triangles>,

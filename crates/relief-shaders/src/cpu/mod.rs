@@ -19,19 +19,22 @@ mod layout;
 mod method_tracer;
 mod program;
 mod runtime;
+mod tessellator;
 mod triangle;
 
 pub use bytes::{Shared, read_all, write_all};
 pub use generated::{
-    Choice, Corner, Entered, FirstHit, Found, Frame, Hit, Light, LightRay, LightView, MapSettings, Path,
-    PixelIn, PixelOut, Shell, SurfaceSettings, Toward,
+    BaseSite, BaseVertex, Choice, Corner, DicePlace, DicePoint, DiceRows, DiceTriangle, Entered, FirstHit,
+    Found, Frame, Hit, Light, LightRay, LightView, MapSettings, Path, PixelIn, PixelOut, Shell,
+    SurfaceSettings, Tessellation, Toward, Voxel,
 };
-pub use layout::{Face, PassSettings, Probe, PyramidPass, Record};
+pub use layout::{BaseEdge, BasePatch, Face, MadeTotals, PassSettings, Probe, PyramidPass, Record, Tally};
 pub use method_tracer::MethodTracer;
 /// A vector, as shaders have it.
 pub use naga_rust_rt::{Vec2, Vec3, Vec4};
 pub use program::Program;
 pub use runtime::{ColorTexture, HeightTexture, HoleTexture, MapTexture};
+pub use tessellator::Tessellator;
 pub use triangle::Triangle;
 
 /// Everything that can be bound to a [`Program`].

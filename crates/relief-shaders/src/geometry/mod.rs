@@ -6,10 +6,11 @@ use relief_core::registry::{Entry, Param};
 
 mod none;
 mod remesh;
+mod tessellate;
 mod vertex;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[none::ENTRY, vertex::ENTRY, remesh::ENTRY];
+pub const ENTRIES: &[Entry] = &[none::ENTRY, vertex::ENTRY, remesh::ENTRY, tessellate::ENTRY];
 
 /// The one that shows the base.
 pub(crate) const NONE: &str = none::ENTRY.name;
@@ -19,6 +20,9 @@ pub(crate) const VERTEX: &str = vertex::ENTRY.name;
 
 /// The one that is divided by the picture's pixels.
 pub(crate) const REMESH: &str = remesh::ENTRY.name;
+
+/// The one that is cut by a pattern.
+pub(crate) const TESSELLATE: &str = tessellate::ENTRY.name;
 
 /// Why another surface than `facets` cannot show it.
 pub(crate) const DISPLACED: &str =
@@ -31,6 +35,8 @@ pub enum Geometry {
     Texels(u32),
     /// The base divided by voxels that are so many pixels of the picture wide.
     Pixels(f32),
+    /// The same, cut by a pattern, each point and triangle by itself.
+    Tessellated(f32),
 }
 
 /// How many texels or pixels lie between vertices.

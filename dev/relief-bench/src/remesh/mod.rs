@@ -1,6 +1,7 @@
 //! `remesh`: what Gumhold and Hüttner 1999 say of their remesher, beside what it does.
 
 mod claims;
+mod moving;
 mod silhouettes;
 mod unseen;
 
@@ -21,6 +22,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), String> {
     println!("{}\n", claims::table(arguments.triangles));
     println!("{}\n", silhouettes::table(arguments.width)?);
-    println!("{}", unseen::table(arguments.width)?);
+    println!("{}\n", unseen::table(arguments.width)?);
+    println!("{}", moving::table(arguments.width)?);
     Ok(())
 }

@@ -34,6 +34,9 @@ pub fn module() -> String {
     constant("SHADE_GROUP", wgsl::SHADE_GROUP);
     constant("PROBE_GROUP", wgsl::PROBE_GROUP);
     constant("PROBE_ROW", wgsl::PROBE_ROW);
+    constant("TESSELLATE_GROUP", wgsl::TESSELLATE_GROUP);
+    constant("TESSELLATE_ROW", wgsl::TESSELLATE_ROW);
+    constant("TESSELLATE_BLOCK", wgsl::TESSELLATE_BLOCK);
     constant("BOX_VERTICES", wgsl::BOX_VERTICES);
     constant("SHELL_FOLDED", surface::FOLDED);
     constant("SEEN_AZIMUTHS", seen_normal::AZIMUTHS);

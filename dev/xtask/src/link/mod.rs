@@ -20,12 +20,40 @@ mod rust;
 mod wesl_link;
 
 /// The roots of what GPUs run, whose declarations are held to what the linker makes of them.
-const GPU_ROOTS: [&str; 6] =
-    ["roots/trace", "roots/shade", "roots/resolve", "roots/show", "roots/probe", "roots/pyramid"];
+const GPU_ROOTS: [&str; 7] = [
+    "roots/trace",
+    "roots/shade",
+    "roots/resolve",
+    "roots/show",
+    "roots/probe",
+    "roots/pyramid",
+    "roots/tessellate",
+];
 
 /// The module whose functions are translated to Rust, in exact sampling, and which of them.
-const CPU_ROOT: (&str, &[&str]) =
-    ("shared/pixel", &["shade_pixel", "pixel_of", "add_sample", "ray_to_light", "mirrored_light"]);
+const CPU_ROOT: (&str, &[&str]) = (
+    "roots/cpu",
+    &[
+        "shade_pixel",
+        "pixel_of",
+        "add_sample",
+        "ray_to_light",
+        "mirrored_light",
+        "voxel_of",
+        "parts_between",
+        "is_left_out",
+        "site_of_vertex",
+        "site_between",
+        "site_inside",
+        "displaced_site",
+        "dice_rows",
+        "dice_points",
+        "dice_triangles",
+        "dice_place",
+        "dice_point",
+        "dice_triangle",
+    ],
+);
 
 /// All generated files.
 pub fn files(workspace: &Path) -> Result<Vec<Generated>, String> {

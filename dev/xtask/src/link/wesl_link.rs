@@ -22,7 +22,12 @@ pub fn link(modules: &Modules, root: &str, keep: &[&str], fast: bool) -> Result<
     }
     let linked =
         linker.compile(&module_path(root)).map_err(|error| format!("linking {root} failed:\n{error}"))?;
-    Ok(stripped(linked.syntax, keep))
+    let declared: BTreeSet<String> =
+        linked.syntax.global_declarations.iter().filter_map(|of| name_of(of)).collect();
+    match keep.iter().find(|name| !declared.contains(**name)) {
+        Some(unknown) => Err(format!("linking {root} failed: it has no '{unknown}'")),
+        None => Ok(stripped(linked.syntax, keep)),
+    }
 }
 
 /// A program without the declarations that neither its entry points nor the names to keep reach. The linker's

@@ -20,7 +20,6 @@ use crate::camera::{Camera, Projection};
 use crate::depth_buffer::{Clip, DepthBuffer};
 use crate::gpu::light_map::Frames;
 use crate::gpu::programs::{DEPTH, Layouts, culled, nearest, raster};
-use crate::gpu::renderer::drawn;
 use crate::gpu::resident::{Common, Resident};
 use crate::gpu::targets::Targets;
 use crate::gpu::{Gpu, block_on};
@@ -73,7 +72,7 @@ fn depths(gpu: &Gpu, job: &Job, clip: Clip) -> Vec<f32> {
         let common = Common { number: 0, frame, passes, builder: None, light_map: None };
         let mut resident = Resident::new(gpu);
         let maps = resident.maps(gpu, surface, Sampling::Exact, layouts.maps(Sampling::Exact), &common)?;
-        let (mesh, _) = resident.mesh(gpu, &surface.triangles, &layouts.mesh)?;
+        let mesh = resident.mesh(gpu, surface, &layouts, None, &maps)?;
         let texture = gpu.device().create_texture(&TextureDescriptor {
             label: Some("prepass"),
             size,
@@ -100,9 +99,8 @@ fn depths(gpu: &Gpu, job: &Job, clip: Clip) -> Vec<f32> {
         });
         pass.set_pipeline(&program);
         pass.set_bind_group(0, &maps.seen, &[0, targets.whole]);
-        pass.set_bind_group(1, &mesh, &[]);
-        let [vertices, instances] = drawn(surface);
-        pass.draw(0..vertices, 0..instances);
+        pass.set_bind_group(1, &mesh.group, &[]);
+        mesh.drawn.draw(&mut pass);
         drop(pass);
         let from = TexelCopyTextureInfo {
             texture: &texture,

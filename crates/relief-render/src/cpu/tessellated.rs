@@ -1,0 +1,231 @@
+//! Bases tessellated on the CPU, by the functions that GPUs run.
+//!
+//! The passes are those of the shaders' root: each is a loop here, and gives what the GPU's gives.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use rayon::prelude::*;
+use relief_shaders::cpu::{
+    BasePatch, BaseSite, BaseVertex, Corner, DicePlace, DiceRows, Frame, Shell, Tessellator, Vec2, Vec3,
+    Voxel,
+};
+
+use crate::job::{Job, JobSurface};
+use crate::kept::kept;
+use crate::tessellation::{TessellatedBase, Tessellation};
+use crate::triangles::Triangles;
+
+/// The level of a grid on which no side is divided.
+const COARSEST: u32 = 20;
+
+/// The side that a point inside of a triangle has.
+const INSIDE: u32 = 3;
+
+/// What is made of an edge or a triangle of the base: points and triangles, and those of all before it.
+#[derive(Clone, Copy, Debug, Default)]
+struct Tally {
+    points: u32,
+    triangles: u32,
+    points_before: u32,
+    triangles_before: u32,
+}
+
+/// A base that is counted.
+struct Counted<'a> {
+    tessellator: Tessellator<'a>,
+    base: &'a TessellatedBase,
+    voxels: Vec<Voxel>,
+    /// In how many parts each edge is divided.
+    parts: Vec<u32>,
+    /// Of edges, then of triangles.
+    tallies: Vec<Tally>,
+    points: u32,
+    triangles: u32,
+}
+
+/// Triangles that were made for the last job, by what they were made of.
+#[derive(Debug, Default)]
+pub struct KeptTessellated {
+    known: Vec<(Arc<Triangles>, Arc<Triangles>)>,
+}
+
+impl KeptTessellated {
+    /// The job with the triangles that a backend is to make of it.
+    pub fn job<'a>(&mut self, job: &'a Job) -> Cow<'a, Job> {
+        if job.surfaces.iter().all(|surface| surface.triangles.tessellation().is_none()) {
+            self.known.clear();
+            return Cow::Borrowed(job);
+        }
+        let (mut job, mut made) = (job.clone(), Vec::new());
+        for surface in &mut job.surfaces {
+            if let Some(tessellation) = surface.triangles.tessellation() {
+                let make = || Arc::new(triangles(surface, job.frame, tessellation));
+                surface.triangles = kept(&mut made, &self.known, &surface.triangles, make);
+            }
+        }
+        self.known = made;
+        Cow::Owned(job)
+    }
+}
+
+/// The displaced triangles of a surface that a view is tessellated for.
+pub fn triangles(surface: &JobSurface, frame: Frame, tessellation: &Tessellation) -> Triangles {
+    let Tessellation { base, grid } = tessellation;
+    let tessellator = Tessellator::new(&surface.bound(surface.settings, frame, None), *grid);
+    let counted = Counted::new(tessellator, base, [grid.most_points, grid.most_triangles]);
+    let vertices = base.vertices.len() as u32;
+    let corners = (0..vertices + counted.points).into_par_iter().map(|point| counted.corner(point));
+    let corners: Vec<Corner> = corners.collect();
+    let faces: Vec<[u32; 3]> =
+        (0..counted.triangles).into_par_iter().map(|triangle| counted.face(triangle)).collect();
+    Triangles::new(corners, faces.into_iter().zip(std::iter::repeat(Shell::whole())))
+}
+
+impl<'a> Counted<'a> {
+    /// Counts it on the finest grid on which there are at most so many points and triangles.
+    fn new(tessellator: Tessellator<'a>, base: &'a TessellatedBase, most: [u32; 2]) -> Self {
+        let voxels = base.vertices.par_iter().map(|vertex| tessellator.voxel_of(vertex.position));
+        let voxels: Vec<Voxel> = voxels.collect();
+        let is_seen = |patch: &BasePatch| {
+            let corners = three(patch.corners).map(|corner| base.vertices[corner as usize]);
+            !tessellator.is_left_out(corners, [patch.low_m, patch.high_m])
+        };
+        let is_seen: Vec<bool> = base.patches.par_iter().map(is_seen).collect();
+        let is_made = |patch: u32| is_seen.get(patch as usize).is_none_or(|is_seen| *is_seen);
+        let mut counted = Self {
+            tessellator,
+            base,
+            voxels,
+            parts: Vec::new(),
+            tallies: Vec::new(),
+            points: 0,
+            triangles: 0,
+        };
+        for level in 0..=COARSEST {
+            counted.count(level, &is_made);
+            let sum = |of: fn(&Tally) -> u32| counted.tallies.iter().map(|tally| u64::from(of(tally))).sum();
+            let all: [u64; 2] = [sum(|tally| tally.points), sum(|tally| tally.triangles)];
+            if all.iter().zip(most).all(|(all, most)| *all <= u64::from(most)) {
+                break;
+            }
+        }
+        for tally in &mut counted.tallies {
+            (tally.points_before, tally.triangles_before) = (counted.points, counted.triangles);
+            counted.points += tally.points;
+            counted.triangles += tally.triangles;
+        }
+        counted
+    }
+
+    /// Counts it on the grid of a level.
+    fn count(&mut self, level: u32, is_made: &(impl Fn(u32) -> bool + Sync)) {
+        let (tessellator, base) = (self.tessellator, self.base);
+        let voxels = &self.voxels;
+        let parts = base.edges.par_iter().map(|edge| {
+            let [a, b] = [edge.ends.x, edge.ends.y].map(|end| voxels[end as usize]);
+            tessellator.parts_between(a, b, level)
+        });
+        self.parts = parts.collect();
+        let edges = base.edges.par_iter().zip(&self.parts).map(|(edge, parts)| {
+            let is_made = is_made(edge.patches.x) || is_made(edge.patches.y);
+            Tally { points: if is_made { parts - 1 } else { 0 }, ..Tally::default() }
+        });
+        let patches = (0..base.patches.len() as u32).into_par_iter().map(|patch| {
+            if !is_made(patch) {
+                return Tally::default();
+            }
+            let rows = self.rows(patch);
+            let (points, triangles) = (tessellator.points(rows), tessellator.triangles(rows));
+            Tally { points, triangles, ..Tally::default() }
+        });
+        let tallies = edges.chain(patches).collect();
+        self.tallies = tallies;
+    }
+
+    /// The pattern of a triangle of the base.
+    fn rows(&self, patch: u32) -> DiceRows {
+        let edges = three(self.base.patches[patch as usize].edges);
+        self.tessellator.rows(edges.map(|edge| self.parts[edge as usize]))
+    }
+
+    fn vertex(&self, vertex: u32, seen: u32) -> BaseSite {
+        let at = |vertex: u32| -> BaseVertex { self.base.vertices[vertex as usize] };
+        self.tessellator.site_of_vertex(at(vertex), at(seen), self.voxels[seen as usize])
+    }
+
+    fn share(&self, vertex: u32) -> f32 {
+        self.voxels[vertex as usize].share
+    }
+
+    /// The point of an edge that so many parts lie before.
+    fn on_edge(&self, edge: u32, at: u32) -> BaseSite {
+        let (of, parts) = (&self.base.edges[edge as usize], self.parts[edge as usize]);
+        let ends = [self.vertex(of.ends.x, of.seen.x), self.vertex(of.ends.y, of.seen.y)];
+        let shares = Vec2 { x: self.share(of.seen.x), y: self.share(of.seen.y) };
+        self.tessellator.site_between(ends, shares, [at, parts])
+    }
+
+    /// The point of that number inside of a triangle of the base.
+    fn inside(&self, patch: u32, number: u32) -> BaseSite {
+        let corners = three(self.base.patches[patch as usize].corners);
+        let rows = self.rows(patch);
+        let weights = self.tessellator.point(rows, self.tessellator.place(rows, number)).weights;
+        let [x, y, z] = corners.map(|corner| self.share(corner));
+        let sites = corners.map(|corner| self.vertex(corner, corner));
+        self.tessellator.site_inside(sites, Vec3 { x, y, z }, weights)
+    }
+
+    /// The point of that number: the base's vertices come first, then the points of edges, then inner ones.
+    fn corner(&self, point: u32) -> Corner {
+        let vertices = &self.base.vertices;
+        let site = match (point as usize).checked_sub(vertices.len()) {
+            None => self.vertex(point, vertices[point as usize].seen),
+            Some(point) => {
+                let point = point as u32;
+                let place = self.tallies.partition_point(|tally| tally.points_before <= point) - 1;
+                let number = point - self.tallies[place].points_before;
+                match place.checked_sub(self.parts.len()) {
+                    None => self.on_edge(place as u32, number + 1),
+                    Some(patch) => self.inside(patch as u32, number),
+                }
+            }
+        };
+        self.tessellator.displaced(site)
+    }
+
+    /// The number of a point of a triangle of the base.
+    fn number(&self, patch: u32, rows: DiceRows, place: DicePlace) -> u32 {
+        let point = self.tessellator.point(rows, place);
+        let of = &self.base.patches[patch as usize];
+        let first = self.base.vertices.len() as u32;
+        if point.side == INSIDE {
+            return first + self.tallies[self.parts.len() + patch as usize].points_before + point.at;
+        }
+        let corner = three(of.corners)[point.side as usize];
+        if point.at == 0 {
+            return corner;
+        }
+        let edge = three(of.edges)[point.side as usize] as usize;
+        let is_forth = self.base.edges[edge].ends.x == corner;
+        let at = if is_forth { point.at } else { self.parts[edge] - point.at };
+        first + self.tallies[edge].points_before + at - 1
+    }
+
+    /// The corners of the triangle of that number.
+    fn face(&self, triangle: u32) -> [u32; 3] {
+        let of_patches = &self.tallies[self.parts.len()..];
+        let patch = of_patches.partition_point(|tally| tally.triangles_before <= triangle) - 1;
+        let number = triangle - of_patches[patch].triangles_before;
+        let rows = self.rows(patch as u32);
+        let cut = self.tessellator.triangle(rows, number);
+        [cut.a, cut.b, cut.c].map(|place| self.number(patch as u32, rows, place))
+    }
+}
+
+fn three(of: Vec3<u32>) -> [u32; 3] {
+    [of.x, of.y, of.z]
+}
+
+#[cfg(test)]
+pub(crate) mod tests;

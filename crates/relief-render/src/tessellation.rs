@@ -1,0 +1,144 @@
+//! Bases that backends tessellate themselves: what the shaders are given of them.
+
+use std::sync::Arc;
+
+use relief_core::HeightMap;
+use relief_core::mesh::Mesh;
+use relief_mesh::{
+    BaseTables, Cull, Everything, MesherError, TableEdge, TablePatch, TableVertex, View, Watch,
+};
+use relief_shaders::cpu::{BaseEdge, BasePatch, BaseVertex, Tessellation as Grid};
+
+/// What the shaders have in place of triangles that are not counted.
+const COUNTLESS: u32 = u32::MAX;
+
+/// Triangles of the picture that there is room for, for each of its voxels, and for each of the base: what is
+/// seen has two a voxel, and there are backs, and triangles beside and behind others.
+const TRIANGLES_PER_VOXEL: f64 = 8.0;
+const TRIANGLES_PER_PATCH: u64 = 4;
+
+/// The most triangles and the most points besides the base's vertices. A closed mesh has half as many points
+/// as triangles; borders and seams have more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Room {
+    pub triangles: u32,
+    pub points: u32,
+}
+
+impl Room {
+    /// Room for so many triangles, and for as many points as these have.
+    pub fn of_triangles(triangles: u32) -> Self {
+        Self { triangles, points: triangles / 2 + triangles / 8 }
+    }
+}
+
+/// The tables of a base as the shaders have them.
+#[derive(Debug)]
+pub struct TessellatedBase {
+    tables: BaseTables,
+    /// Its vertices.
+    pub vertices: Vec<BaseVertex>,
+    /// Its edges.
+    pub edges: Vec<BaseEdge>,
+    /// Its triangles.
+    pub patches: Vec<BasePatch>,
+}
+
+/// A base, and the view that it is tessellated for.
+#[derive(Clone, Debug)]
+pub struct Tessellation {
+    /// The base.
+    pub base: Arc<TessellatedBase>,
+    /// The view, and how much there may be.
+    pub grid: Grid,
+}
+
+impl PartialEq for Tessellation {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.base, &other.base) && self.grid == other.grid
+    }
+}
+
+impl TessellatedBase {
+    /// The tables of a mesh under a height map that is seen in its levels, of which the map is the first.
+    pub fn new(
+        mesh: &Mesh,
+        map: &HeightMap,
+        coarser: &[HeightMap],
+        watch: &Watch,
+    ) -> Result<Self, MesherError> {
+        let mut tables = BaseTables::new(mesh, map, coarser, watch)?;
+        // They are held once.
+        let vertices = std::mem::take(&mut tables.vertices).iter().map(vertex).collect();
+        let edges = std::mem::take(&mut tables.edges).iter().map(edge).collect();
+        let patches = std::mem::take(&mut tables.patches).iter().map(patch).collect();
+        Ok(Self { tables, vertices, edges, patches })
+    }
+
+    /// Where all of it may be, also what is not seen.
+    pub fn everything(&self, view: &View) -> Everything {
+        self.tables.everything(view)
+    }
+
+    /// How many triangles of a view are not too many.
+    pub fn triangles_of(&self, view: &View) -> u64 {
+        let [width, height] = view.size.map(f64::from);
+        let voxels = width * height / (view.pixels * view.pixels);
+        // A float that is too large becomes the greatest number.
+        (TRIANGLES_PER_VOXEL * voxels) as u64 + TRIANGLES_PER_PATCH * self.patches.len() as u64
+    }
+
+    /// The view as the shaders have it, with that room.
+    pub fn grid(&self, view: &View, cull: &Cull, levels: u32, room: Room) -> Result<Grid, MesherError> {
+        let space = view.grid_space()?;
+        let camera = &view.camera;
+        let [eye, right, up, forward] = [camera.eye(), camera.right(), camera.up(), camera.forward()]
+            .map(|v| v.as_vec3().extend(0.0).to_array());
+        let planes = cull.planes(view, self.tables.largest_m());
+        Ok(Grid {
+            eye: eye.into(),
+            right: right.into(),
+            up: up.into(),
+            forward: forward.into(),
+            planes: planes.map(|plane| plane.as_vec4().to_array().into()),
+            middle: space.middle.map(|place| place as f32).into(),
+            per_m: space.per_m as f32,
+            per_doubling: space.per_doubling as f32,
+            near_m: space.near_m as f32,
+            is_parallel: u32::from(camera.is_orthographic()),
+            levels,
+            vertices: self.vertices.len() as u32,
+            edges: self.edges.len() as u32,
+            patches: self.patches.len() as u32,
+            most_points: room.points,
+            most_triangles: room.triangles,
+        })
+    }
+}
+
+fn vertex(of: &TableVertex) -> BaseVertex {
+    let [tangent, bitangent] = of.tangents.map(|tangent| tangent.to_array().into());
+    let [turn_u, turn_v] = of.turns.map(|turn| turn.to_array().into());
+    BaseVertex {
+        position: of.position.to_array().into(),
+        seen: of.seen,
+        direction: of.direction.to_array().into(),
+        texels_per_m: of.texels_per_m,
+        normal: of.normal.to_array().into(),
+        tangent,
+        bitangent,
+        turn_u,
+        turn_v,
+        uv: of.uv.to_array().into(),
+    }
+}
+
+fn edge(of: &TableEdge) -> BaseEdge {
+    let patches = of.patches.unwrap_or([COUNTLESS; 2]);
+    BaseEdge { ends: of.ends.into(), seen: of.seen.into(), patches: patches.into() }
+}
+
+fn patch(of: &TablePatch) -> BasePatch {
+    let [low_m, high_m] = of.metres;
+    BasePatch { corners: of.corners.into(), low_m, edges: of.edges.into(), high_m }
+}
