@@ -14,7 +14,7 @@ use glam::{DVec3, Vec3};
 
 pub use self::bins::{Area, Bins};
 use self::view::View;
-use super::{Ray, RayCaster, Sides};
+use super::{Ray, RayCaster, Sides, SurfaceHit};
 use crate::Lanes;
 
 mod bins;
@@ -55,12 +55,18 @@ impl PictureRays {
 /// A triangle that a ray of a tile meets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TileHit {
-    /// As in [`super::SurfaceHit`].
+    /// As in [`SurfaceHit`].
     pub t: f64,
     /// Number of the triangle in the mesh.
     pub triangle: u32,
     /// Whether its front is met.
     pub front: bool,
+}
+
+impl From<SurfaceHit> for TileHit {
+    fn from(SurfaceHit { t, triangle, front, .. }: SurfaceHit) -> Self {
+        Self { t, triangle, front }
+    }
 }
 
 /// A mesh and a picture's rays, prepared for tiles.
@@ -130,8 +136,8 @@ impl<'a> TileCaster<'a> {
     }
 
     fn next_hit(&self, ray: &Ray, last: Option<TileHit>) -> Option<TileHit> {
-        let hit = self.caster.next_after(ray, self.sides, last.map(|hit| (hit.t, hit.triangle)))?;
-        Some(TileHit { t: hit.t, triangle: hit.triangle, front: hit.front })
+        let after = last.map(|hit| (hit.t, hit.triangle));
+        self.caster.next_after(ray, self.sides, after).map(TileHit::from)
     }
 }
 
@@ -162,9 +168,9 @@ impl TileHits {
         }
     }
 
-    /// Whether no ray of the tile meets anything.
-    pub fn is_empty(&self) -> bool {
-        !self.one_by_one && self.count.iter().all(|count| *count == 0.0)
+    /// Whether a ray is known to meet nothing.
+    pub fn is_miss(&self, point: usize) -> bool {
+        !self.one_by_one && self.count[point] == 0.0
     }
 
     fn known(&self, point: usize) -> Option<Known> {
