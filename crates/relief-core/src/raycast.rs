@@ -14,6 +14,8 @@ use obvhs::bvh2::{Bvh2, builder::build_bvh2_from_tris};
 use obvhs::triangle::Triangle;
 use std::fmt;
 
+pub mod tiles;
+
 /// How far boxes are grown, relative to the largest coordinate in play. It must exceed the triangle test's
 /// rounding (a few 1e-16), or a box could reject what the test would accept; larger costs visits only.
 const BOX_SLACK: f64 = 1e-12;
@@ -124,6 +126,11 @@ impl RayCaster {
     /// The hit with the least `(t, triangle)` that comes after the hit given, or the first one of all. A ray
     /// whose numbers are not finite, or whose direction is 0, hits nothing.
     pub fn next_hit(&self, ray: &Ray, sides: Sides, after: Option<&SurfaceHit>) -> Option<SurfaceHit> {
+        self.next_after(ray, sides, after.map(|hit| (hit.t, hit.triangle)))
+    }
+
+    /// As [`Self::next_hit`], after a hit of that `(t, triangle)`.
+    fn next_after(&self, ray: &Ray, sides: Sides, after: Option<(f64, u32)>) -> Option<SurfaceHit> {
         let query = Query::new(ray, sides, after, self.extent)?;
         if self.depth <= STACK_DEPTH {
             self.walk(&query, &mut [(0.0, 0); STACK_DEPTH])
@@ -211,7 +218,7 @@ struct Query {
 }
 
 impl Query {
-    fn new(ray: &Ray, sides: Sides, after: Option<&SurfaceHit>, extent: f64) -> Option<Self> {
+    fn new(ray: &Ray, sides: Sides, after: Option<(f64, u32)>, extent: f64) -> Option<Self> {
         let longest = ray.direction.abs().max_element();
         if !(longest > 0.0 && ray.direction.is_finite() && ray.origin.is_finite()) {
             return None;
@@ -227,7 +234,7 @@ impl Query {
         Some(Self {
             ray: *ray,
             sides,
-            after: after.map_or((0.0, None), |hit| (hit.t, Some(hit.triangle))),
+            after: after.map_or((0.0, None), |(t, triangle)| (t, Some(triangle))),
             inverse: ray.direction.recip(),
             slack: DVec3::splat(largest * BOX_SLACK),
             axes: [x, y, z],

@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
+use relief_core::Lanes;
 use relief_maps::{Account, Maps, MapsError, Watch};
 #[cfg(feature = "gpu")]
 use relief_shaders::MapNeed;
@@ -164,6 +165,16 @@ impl Renderer {
     pub fn on_gpu(gpu: Gpu, sampling: Sampling) -> Self {
         let backend = Backend::Gpu(Box::new(GpuRenderer::new(gpu)), sampling);
         Self { backend, reason: None, preparer: Preparer::default() }
+    }
+
+    /// Works on so many values at once on the CPU: on the most that the machine has, unless it is told.
+    /// Pictures have the same bits.
+    pub fn set_lanes(&mut self, lanes: Lanes) {
+        match &mut self.backend {
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(..) => {}
+            Backend::Cpu(renderer) => renderer.set_lanes(lanes),
+        }
     }
 
     /// Renders a scene; its choice of backend and sampling was made when the renderer was. The baked maps

@@ -2,13 +2,14 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use rayon::prelude::*;
 use relief_core::encoding::code::Codes;
-use relief_core::{BakedMap, MapFormat, MapIdentity, MapLayout, MapTexels};
+use relief_core::{BakedMap, Lanes, MapFormat, MapIdentity, MapLayout, MapTexels};
 use relief_shaders::cpu::Frame;
 
 use super::ready::{Made, Ready};
+use super::tiled::Tiled;
 use crate::job::{Job, JobSurface};
+use crate::samples::Sample;
 
 /// What lights saw, and of what.
 #[derive(Debug)]
@@ -34,12 +35,13 @@ impl LightMap {
             && self.frames == job.light_views.frames
     }
 
-    /// Renders what the lights of a job see; `done` is called after each of its [`rows`].
+    /// Renders what the lights of a job see; `done` is told how many of its [`rows`] are done.
     pub fn render(
         job: &Job,
         made: &[Made],
+        lanes: Lanes,
         cancel: &AtomicBool,
-        done: &(dyn Fn() + Sync),
+        done: &(dyn Fn(u32) + Sync),
     ) -> Result<Self, NoLightMap> {
         let views = &job.light_views;
         let side = views.size as usize;
@@ -51,16 +53,9 @@ impl LightMap {
             let surfaces = job.surfaces.iter().zip(made);
             let ready: Vec<Ready> =
                 surfaces.map(|(surface, made)| Ready::new(surface, *frame, None, made.clone())).collect();
-            layer.par_chunks_mut(side).zip(0..views.size).for_each(|(row, y)| {
-                if cancel.load(Ordering::Relaxed) {
-                    return;
-                }
-                for (key, x) in row.iter_mut().zip(0u32..) {
-                    let point = [x as f32 + 0.5, y as f32 + 0.5];
-                    let seen = ready.iter().filter_map(|surface| surface.seen(point));
-                    *key = seen.map(|seen| seen.first.key).fold(0.0, f32::max);
-                }
-                done();
+            let tiled = Tiled::new(&ready, &[Sample::CENTRE], [views.size; 2], lanes);
+            tiled.each(layer, 0, cancel, done, |key, _, seen| {
+                *key = seen.map_or(0.0, |(_, seen)| seen.first.key);
             });
         }
         if cancel.load(Ordering::Relaxed) {

@@ -4,16 +4,16 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
-use rayon::prelude::*;
-use relief_core::HeightMap;
 use relief_core::exact::FastTracer;
 use relief_core::registry::RayClass;
+use relief_core::{HeightMap, Lanes};
 use relief_shaders::cpu::PixelOut;
 use relief_shaders::surface::Proposal;
 
 use self::light_map::{LightMap, NoLightMap};
 use self::ready::{Base, Made, Ready, SceneRays, caster};
 use self::tessellated::KeptTessellated;
+use self::tiled::Tiled;
 use crate::job::{Job, JobSurface, Rendering, uncovered};
 use crate::kept::kept;
 use crate::raycast::RayCaster;
@@ -24,6 +24,7 @@ use crate::triangles::Triangles;
 mod light_map;
 mod ready;
 pub(crate) mod tessellated;
+mod tiled;
 
 /// Pixels of a band of rows: enough for all cores, and few enough to keep.
 const BAND_PIXELS: u32 = 1 << 18;
@@ -37,12 +38,19 @@ pub struct CpuRenderer {
     tracers: Vec<(Arc<HeightMap>, Arc<[FastTracer]>)>,
     light_map: Option<LightMap>,
     tessellated: KeptTessellated,
+    lanes: Lanes,
 }
 
 impl CpuRenderer {
     /// A renderer that has seen no job.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Works on so many values at once: on the most that the machine has, unless it is told. Pictures have
+    /// the same bits.
+    pub fn set_lanes(&mut self, lanes: Lanes) {
+        self.lanes = lanes;
     }
 
     /// Renders a job; `None` where the memory for the picture cannot be had. `progress` is told the finished
@@ -63,7 +71,7 @@ impl CpuRenderer {
         let go_on = AtomicBool::new(false);
         let lit = self.lit(job, &made, &go_on, &done).ok()?;
         let whole = lit.rows(job, &samples, 0);
-        whole.render(&mut pixels, &go_on, &|| done.add());
+        whole.render(&mut pixels, &go_on, &|rows| done.add(rows));
         Some(Rendering { width: job.width, height: job.height, pixels })
     }
 
@@ -93,7 +101,7 @@ impl CpuRenderer {
         for first in (0..job.height).step_by(rows as usize) {
             let rows = rows.min(job.height - first);
             let pixels = &mut pixels[..job.width as usize * rows as usize];
-            lit.rows(job, &samples, first).render(pixels, cancel, &|| done.add());
+            lit.rows(job, &samples, first).render(pixels, cancel, &|rows| done.add(rows));
             if cancel.load(Ordering::Relaxed) || sink(pixels).is_break() {
                 return Some(ControlFlow::Break(()));
             }
@@ -154,16 +162,16 @@ impl CpuRenderer {
         } else if !self.light_map.as_ref().is_some_and(|known| known.is_of(job)) {
             // What was kept goes first, so that both need not fit.
             self.light_map = None;
-            self.light_map = Some(LightMap::render(job, made, cancel, &|| done.add())?);
+            self.light_map = Some(LightMap::render(job, made, self.lanes, cancel, &|rows| done.add(rows))?);
         } else {
-            done.skip(light_map::rows(job));
+            done.add(light_map::rows(job));
         }
         let light_map = self.light_map.as_ref().map(|lights| &lights.map);
         let each = job.surfaces.iter().zip(made);
         let surfaces = each.map(|(surface, made)| Ready::new(surface, job.frame, light_map, made.clone()));
         let needs_scene = |surface: &JobSurface| surface.selection.rays_through_scene().is_some();
         let scene = job.surfaces.iter().any(needs_scene).then(|| SceneRays::new(job, made));
-        Ok(Lit { surfaces: surfaces.collect(), scene })
+        Ok(Lit { surfaces: surfaces.collect(), scene, lanes: self.lanes })
     }
 }
 
@@ -179,13 +187,8 @@ impl<'a> Done<'a> {
         Self { rows: AtomicU32::new(0), all: job.height.saturating_add(light_map::rows(job)), progress }
     }
 
-    /// One more row is done.
-    fn add(&self) {
-        self.skip(1);
-    }
-
-    /// So many rows need not be done.
-    fn skip(&self, rows: u32) {
+    /// So many more rows are done, or need not be.
+    fn add(&self, rows: u32) {
         let rows = self.rows.fetch_add(rows, Ordering::Relaxed) + rows;
         (self.progress)(rows as f32 / self.all as f32);
     }
@@ -196,17 +199,19 @@ struct Lit<'a> {
     surfaces: Vec<Ready<'a>>,
     /// Where rays of lights go through all of the scene.
     scene: Option<SceneRays<'a>>,
+    lanes: Lanes,
 }
 
 impl<'a> Lit<'a> {
     fn rows(&'a self, job: &'a Job, samples: &'a [Sample], first: u32) -> Rows<'a> {
-        Rows { job, samples, surfaces: &self.surfaces, scene: self.scene.as_ref(), first }
+        let tiled = Tiled::new(&self.surfaces, samples, [job.width, job.height], self.lanes);
+        Rows { tiled, samples, surfaces: &self.surfaces, scene: self.scene.as_ref(), first }
     }
 }
 
 /// Some rows of a picture on their way.
 struct Rows<'a> {
-    job: &'a Job,
+    tiled: Tiled<'a>,
     samples: &'a [Sample],
     surfaces: &'a [Ready<'a>],
     scene: Option<&'a SceneRays<'a>>,
@@ -214,44 +219,19 @@ struct Rows<'a> {
 }
 
 impl Rows<'_> {
-    /// Renders them into as many pixels, until `cancel` is set; `done` is called after each.
-    fn render(&self, pixels: &mut [PixelOut], cancel: &AtomicBool, done: &(dyn Fn() + Sync)) {
-        // A picture without columns has no rows to go through either.
-        pixels.par_chunks_mut(self.job.width.max(1) as usize).zip(self.first..self.job.height).for_each(
-            |(row, y)| {
-                if cancel.load(Ordering::Relaxed) {
-                    return;
+    /// Renders them into as many pixels, until `cancel` is set; `done` is told how many rows are done.
+    fn render(&self, pixels: &mut [PixelOut], cancel: &AtomicBool, done: &(dyn Fn(u32) + Sync)) {
+        self.tiled.each(pixels, self.first, cancel, done, |pixel, number, seen| {
+            let shown = seen.map_or_else(uncovered, |(surface, seen)| surface.shade(seen, self.scene));
+            *pixel = match (self.surfaces.first(), self.samples) {
+                (Some(surface), samples) if samples.len() > 1 => {
+                    // The colour of the samples before.
+                    let before = if number == 0 { uncovered().color } else { pixel.color };
+                    let color = surface.add_sample(before, shown.color, samples[number].weight);
+                    PixelOut { color, ..shown }
                 }
-                for (shaded, x) in row.iter_mut().zip(0u32..) {
-                    *shaded = self.pixel(x, y);
-                }
-                done();
-            },
-        );
-    }
-
-    /// What a point of the picture shows: the nearest of the surfaces' hits, and of equally near ones that of
-    /// the first surface.
-    fn sample(&self, point: [f32; 2]) -> PixelOut {
-        let seen = self.surfaces.iter().filter_map(|surface| Some((surface, surface.seen(point)?)));
-        let nearest = seen.reduce(|best, seen| if seen.1.first.key > best.1.first.key { seen } else { best });
-        nearest.map_or_else(uncovered, |(surface, seen)| surface.shade(&seen, self.scene))
-    }
-
-    fn pixel(&self, x: u32, y: u32) -> PixelOut {
-        let [x, y] = [x as f32 + 0.5, y as f32 + 0.5];
-        let sample = |Sample { offset, .. }: &Sample| self.sample([x + offset[0], y + offset[1]]);
-        let Some(((last, before), surface)) = self.samples.split_last().zip(self.surfaces.first()) else {
-            return uncovered();
-        };
-        if before.is_empty() {
-            return sample(last);
-        }
-        let mut color = uncovered().color;
-        for one in before {
-            color = surface.add_sample(color, sample(one).color, one.weight);
-        }
-        let shown = sample(last);
-        PixelOut { color: surface.add_sample(color, shown.color, last.weight), ..shown }
+                _ => shown,
+            };
+        });
     }
 }

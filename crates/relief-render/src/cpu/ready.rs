@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
 use relief_core::exact::FastTracer;
-use relief_core::{BakedMap, Cost};
+use relief_core::{BakedMap, Cost, Lanes};
 use relief_shaders::cpu::{
     Corner, Entered, FirstHit, Frame, Hit, PixelIn, PixelOut, Program, Triangle, Vec3 as ShaderVec3, Vec4,
 };
@@ -14,6 +14,7 @@ use relief_shaders::{LightRayState, MAX_LIGHTS};
 use crate::camera::Ray;
 use crate::job::{Job, JobSurface};
 use crate::light_views::{frame_of_rays, relief_points};
+use crate::raycast::tiles::{PictureRays, TileCaster, TileHit, TileHits};
 use crate::raycast::{RayCaster, Sides};
 use crate::shellcast::ShellCaster;
 use crate::triangles::Triangles;
@@ -73,6 +74,7 @@ pub struct Aim {
 /// A surface ready to be traced.
 pub struct Ready<'a> {
     program: Program<'a>,
+    rays: PictureRays,
     triangles: &'a Triangles,
     base: Base,
     sides: Sides,
@@ -110,6 +112,7 @@ impl<'a> Ready<'a> {
         let sides = if surface.two_sided { Sides::Both } else { Sides::Front };
         Self {
             program,
+            rays: picture_rays(&frame),
             triangles: &surface.triangles,
             base,
             sides,
@@ -126,16 +129,34 @@ impl<'a> Ready<'a> {
         }
     }
 
+    /// What casts the rays of a picture of so many columns and rows by tiles, if anything does.
+    pub fn tiles(&self, size: [u32; 2], lanes: Lanes) -> Option<TileCaster<'_>> {
+        match &self.base {
+            Base::Polygons(caster) => Some(TileCaster::new(caster, self.rays, size, self.sides, lanes)),
+            Base::Shells(_) => None,
+        }
+    }
+
     /// What a point of the picture shows of the surface: the nearest hit of all base polygons along the ray,
-    /// and of equally near ones that of the first polygon.
-    pub fn seen(&self, point: [f32; 2]) -> Option<Seen> {
+    /// and of equally near ones that of the first polygon. `cast` are the tile that the point is in, where
+    /// that was cast, and its number there.
+    pub fn seen(&self, point: [f32; 2], cast: Option<(&TileCaster, &TileHits, usize)>) -> Option<Seen> {
+        if cast.is_some_and(|(_, hits, point)| hits.is_miss(point)) {
+            return None;
+        }
         let aim =
             Aim { origin: self.program.pixel_eye(point), direction: self.program.pixel_direction(point) };
         let mut best: Option<Seen> = None;
-        self.propose(aim, f64::INFINITY, |rank, side| {
+        let look = |rank, side| {
             self.look(&mut best, rank, side, aim);
             self.reach(best.as_ref())
-        });
+        };
+        match cast {
+            Some((caster, hits, point)) => {
+                self.propose_polygons(caster.hits(hits, point, &ray_of(aim)), f64::INFINITY, look);
+            }
+            None => self.propose(aim, f64::INFINITY, look),
+        }
         best
     }
 
@@ -157,18 +178,10 @@ impl<'a> Ready<'a> {
     /// Calls `look` with the triangles that a ray may meet the relief of, roughly from near to far, and with
     /// their sides, until what comes begins beyond a depth: at first `reach`, then what `look` says.
     fn propose(&self, aim: Aim, mut reach: f64, mut look: impl FnMut((bool, u32), f32) -> f64) {
-        let three = |v: ShaderVec3<f32>| [v.x, v.y, v.z].map(f64::from).into();
-        let ray = Ray { origin: three(aim.origin), direction: three(aim.direction) };
+        let ray = ray_of(aim);
         match &self.base {
             Base::Polygons(caster) => {
-                for surface in caster.hits(&ray, self.sides) {
-                    // What lies behind its polygon is not nearer than that.
-                    if self.is_carved && surface.t > reach {
-                        break;
-                    }
-                    let side = if surface.front { 1.0 } else { -1.0 };
-                    reach = look((false, surface.triangle), side);
-                }
+                self.propose_polygons(caster.hits(&ray, self.sides).map(TileHit::from), reach, look);
             }
             Base::Shells(caster) => caster.each(&ray, |triangle| {
                 reach = look((false, triangle), 1.0).min(reach);
@@ -177,6 +190,22 @@ impl<'a> Ready<'a> {
                 }
                 reach
             }),
+        }
+    }
+
+    /// The same of polygons that a ray hits, in that order.
+    fn propose_polygons(
+        &self,
+        hits: impl Iterator<Item = TileHit>,
+        mut reach: f64,
+        mut look: impl FnMut((bool, u32), f32) -> f64,
+    ) {
+        for hit in hits {
+            // What lies behind its polygon is not nearer than that.
+            if self.is_carved && hit.t > reach {
+                break;
+            }
+            reach = look((false, hit.triangle), if hit.front { 1.0 } else { -1.0 });
         }
     }
 
@@ -317,6 +346,20 @@ impl<'a> SceneRays<'a> {
         let ready = job.surfaces.iter().zip(made);
         let surfaces = ready.map(|(surface, made)| Ready::for_light(surface, frame, made.clone()));
         Self { surfaces: surfaces.collect(), reach_m: reach_m as f32 }
+    }
+}
+
+fn ray_of(aim: Aim) -> Ray {
+    let three = |v: ShaderVec3<f32>| [v.x, v.y, v.z].map(f64::from).into();
+    Ray { origin: three(aim.origin), direction: three(aim.direction) }
+}
+
+/// The rays of a frame's picture, which are those of the shaders.
+fn picture_rays(frame: &Frame) -> PictureRays {
+    let three = |v: Vec4<f32>| Vec3::new(v.x, v.y, v.z);
+    PictureRays {
+        origin: [frame.eye, frame.eye_right, frame.eye_down].map(three),
+        direction: [frame.corner, frame.right, frame.down].map(three),
     }
 }
 

@@ -1,0 +1,186 @@
+//! Pictures a tile of pixels at a time: what is seen of polygons is looked up for all of a tile's rays
+//! together.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use rayon::prelude::*;
+use relief_core::Lanes;
+
+use super::ready::{Ready, Seen};
+use crate::raycast::tiles::{Area, Bins, PictureRays, TILE, TileCaster, TileHits};
+use crate::samples::Sample;
+
+/// The most columns of what is sorted into tiles at once. More needs more memory on every thread, less more
+/// ways down the hierarchies.
+const MOST_COLUMNS: u32 = 1024;
+
+/// The most rows of a thread's next piece of work: fewer need more ways down the hierarchies.
+const MOST_ROWS: u32 = 4 * TILE as u32;
+
+/// Pieces of work for each thread at the least, so that all have something to do until the end.
+const LEAST_PIECES: u32 = 4;
+
+/// Points along a side of the blocks of a tile that are looked at one after the other.
+const BLOCK: usize = 4;
+
+/// Points of a block.
+const BLOCK_POINTS: usize = BLOCK * BLOCK;
+
+/// The surfaces of a picture.
+pub struct Tiled<'a> {
+    size: [u32; 2],
+    samples: &'a [Sample],
+    surfaces: Vec<(&'a Ready<'a>, Option<TileCaster<'a>>)>,
+}
+
+/// What a thread works with.
+struct Scratch {
+    bins: Vec<Bins>,
+    hits: Vec<TileHits>,
+}
+
+/// A block of a tile's points.
+struct Block<'a> {
+    tile: [u32; 2],
+    /// Its first point in the tile.
+    first: [usize; 2],
+    sample: &'a Sample,
+}
+
+impl<'a> Tiled<'a> {
+    /// Those that are seen in a picture of so many columns and rows.
+    pub fn new(surfaces: &'a [Ready<'a>], samples: &'a [Sample], size: [u32; 2], lanes: Lanes) -> Self {
+        let surfaces = surfaces.iter().map(|surface| (surface, surface.tiles(size, lanes)));
+        Self { size, samples, surfaces: surfaces.collect() }
+    }
+
+    /// Goes through whole rows of the picture, from the row `first` on, until `cancel` is set. `show` is
+    /// called for each pixel and each sample, sample by sample, with what is nearest there; `done` with how
+    /// many rows are done.
+    pub fn each<P: Send>(
+        &self,
+        pixels: &mut [P],
+        first: u32,
+        cancel: &AtomicBool,
+        done: &(dyn Fn(u32) + Sync),
+        show: impl Fn(&mut P, usize, Option<(&Ready, &Seen)>) + Sync,
+    ) {
+        // A picture without columns has no rows to go through either.
+        let width = self.size[0].max(1) as usize;
+        let rows = rows_of_piece((pixels.len() / width) as u32);
+        pixels.par_chunks_mut(width * rows as usize).enumerate().for_each_init(
+            || self.scratch(),
+            |scratch, (number, pixels)| {
+                let first = first + number as u32 * rows;
+                let rows = (pixels.len() / width) as u32;
+                for column in (0..self.size[0]).step_by(MOST_COLUMNS as usize) {
+                    let columns = MOST_COLUMNS.min(self.size[0] - column);
+                    let area = Area { first: [column, first], size: [columns, rows] };
+                    self.area(area, scratch, cancel, |[x, y], number, seen| {
+                        show(&mut pixels[(y - first) as usize * width + x as usize], number, seen);
+                    });
+                }
+                if !cancel.load(Ordering::Relaxed) {
+                    done(rows);
+                }
+            },
+        );
+    }
+
+    fn scratch(&self) -> Scratch {
+        let count = self.surfaces.len();
+        Scratch { bins: vec![Bins::new(); count], hits: vec![TileHits::new(); count] }
+    }
+
+    fn area(
+        &self,
+        area: Area,
+        scratch: &mut Scratch,
+        cancel: &AtomicBool,
+        mut show: impl FnMut([u32; 2], usize, Option<(&Ready, &Seen)>),
+    ) {
+        let Scratch { bins, hits } = scratch;
+        let offsets = reach_of(self.samples);
+        for ((_, caster), bins) in self.surfaces.iter().zip(&mut *bins) {
+            if let Some(caster) = caster {
+                caster.bin(area, offsets, bins);
+            }
+        }
+        let [across, down] = area.tiles();
+        let tiles = (0..down).flat_map(|row| (0..across).map(move |column| [column, row]));
+        for tile in tiles {
+            if cancel.load(Ordering::Relaxed) {
+                return;
+            }
+            for (number, sample) in self.samples.iter().enumerate() {
+                for (((_, caster), bins), hits) in self.surfaces.iter().zip(&*bins).zip(&mut *hits) {
+                    if let Some(caster) = caster {
+                        caster.cast(bins, tile, sample.offset, hits);
+                    }
+                }
+                for first in [[0, 0], [BLOCK, 0], [0, BLOCK], [BLOCK, BLOCK]] {
+                    let block = Block { tile, first, sample };
+                    self.block(area, &block, hits, |pixel, seen| show(pixel, number, seen));
+                }
+            }
+        }
+    }
+
+    /// What the points of a block see: the nearest of the surfaces' hits, and of equally near ones that of
+    /// the first surface.
+    fn block(
+        &self,
+        area: Area,
+        block: &Block,
+        hits: &[TileHits],
+        mut show: impl FnMut([u32; 2], Option<(&Ready, &Seen)>),
+    ) {
+        let [end_x, end_y] = [0, 1].map(|axis| area.first[axis] + area.size[axis]);
+        let mut best: [Option<(&Ready, Seen)>; BLOCK_POINTS] = [None; BLOCK_POINTS];
+        for ((surface, caster), hits) in self.surfaces.iter().zip(hits) {
+            for (number, best) in best.iter_mut().enumerate() {
+                let (point, pixel) = block.point(area, number);
+                if pixel[0] >= end_x || pixel[1] >= end_y {
+                    continue;
+                }
+                let place = PictureRays::point(pixel, block.sample.offset);
+                let cast = caster.as_ref().map(|caster| (caster, hits, point));
+                let is_nearer =
+                    |seen: &Seen| best.as_ref().is_none_or(|(_, best)| seen.first.key > best.first.key);
+                if let Some(seen) = surface.seen(place, cast).filter(is_nearer) {
+                    *best = Some((surface, seen));
+                }
+            }
+        }
+        for (number, best) in best.iter().enumerate() {
+            let (_, pixel) = block.point(area, number);
+            if pixel[0] < end_x && pixel[1] < end_y {
+                show(pixel, best.as_ref().map(|(surface, seen)| (*surface, seen)));
+            }
+        }
+    }
+}
+
+impl Block<'_> {
+    /// The number in the tile of one of the block's points, and its pixel.
+    fn point(&self, area: Area, number: usize) -> (usize, [u32; 2]) {
+        let [x, y] = [self.first[0] + number % BLOCK, self.first[1] + number / BLOCK];
+        let [column, row] = area.pixel(self.tile);
+        (y * TILE + x, [column + x as u32, row + y as u32])
+    }
+}
+
+/// The least and the greatest offset of some samples.
+fn reach_of(samples: &[Sample]) -> [[f32; 2]; 2] {
+    let nothing = [[f32::INFINITY; 2], [f32::NEG_INFINITY; 2]];
+    samples.iter().fold(nothing, |[low, high], Sample { offset, .. }| {
+        [[0, 1].map(|axis| low[axis].min(offset[axis])), [0, 1].map(|axis| high[axis].max(offset[axis]))]
+    })
+}
+
+/// How many rows of so many a thread does at a time.
+fn rows_of_piece(rows: u32) -> u32 {
+    let pieces = LEAST_PIECES.saturating_mul(rayon::current_num_threads() as u32);
+    let whole_tiles = rows / pieces / TILE as u32 * TILE as u32;
+    whole_tiles.clamp(TILE as u32, MOST_ROWS)
+}
