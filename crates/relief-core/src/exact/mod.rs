@@ -34,7 +34,7 @@ use crate::{Cost, HeightMap, Hit, Path};
 
 pub use cell_walk::{cell_walk, least_gap};
 pub use displaced::{DisplacedHit, DisplacedMesh, DisplacedMeshError, DisplacedTrace, Side, Sides};
-pub use fast::FastTracer;
+pub use fast::{FastTracer, HitPacket, PathPacket};
 pub use pyramid_tracer::PyramidTracer;
 
 /// How far, in cells along the longer axis, a path is followed before it is given up: once across the largest

@@ -142,6 +142,12 @@ impl MaximaLevel {
         self.blocks.get(row as usize * (self.sides[0] as usize / BLOCK) + column as usize)
     }
 
+    /// The maximum at a column and row, which must be inside.
+    #[inline(always)]
+    pub fn node(&self, [column, row]: [u32; 2]) -> f32 {
+        self.rows[row as usize * self.sides[0] as usize + column as usize]
+    }
+
     /// Four rows of four nodes from a column and row on, which must leave room for them.
     #[inline(always)]
     pub fn window(&self, [column, row]: [u32; 2]) -> [Vec4; BLOCK] {

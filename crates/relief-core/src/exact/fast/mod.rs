@@ -9,12 +9,14 @@
 //! without a branch.
 
 mod hierarchy;
+mod packet;
 mod ray;
 mod traverse;
 
 use super::{ExactHit, MAX_TRAVEL, is_traceable, patch::Gap};
 use crate::{Cost, HeightMap, Hit, Path, Wrap};
 use hierarchy::{Domain, Hierarchy};
+pub use packet::{HitPacket, PathPacket};
 use ray::{Axis, TileRay, greater, lesser};
 use traverse::CellHit;
 

@@ -22,7 +22,7 @@ pub(super) struct TileRay {
 
 /// Stands for the infinite reciprocal of a step of 0 without making `0 * inf`. A ray is shorter than 2, so
 /// moving by one cell in so many units of `s` is as good as standing still.
-const MOST_PER_CELL: f64 = (1u64 << 62) as f64;
+pub(super) const MOST_PER_CELL: f64 = (1u64 << 62) as f64;
 
 /// The lesser of two numbers, the second if one is NaN: a single instruction, which `f64::min` is not.
 #[inline(always)]

@@ -23,36 +23,39 @@ pub(super) struct CellHit {
 
 /// How far nodes are grown, as a share of the window's side. Smaller values lose hits, larger ones cost time.
 ///
-/// Every place goes through 3 roundings and 2 more a level, of which there are at most 11, and none is
-/// further from the ray's start than the window's side: so it is wrong by less than `25 · 2⁻²⁴` of that side.
-const GROWTH: f32 = 1.0 / (1 << 18) as f32;
+/// Every place goes through at most 9 roundings of numbers that are no further from the ray's start than the
+/// window's side: so it is wrong by less than `9 · 2⁻²⁴` of that side, at every level.
+pub(super) const GROWTH: f32 = 1.0 / (1 << 18) as f32;
 
 /// How far nodes are raised. Smaller values lose hits, larger ones cost time.
 ///
 /// Every height goes through at most 8 roundings of numbers up to 2.
-const RAISE: f32 = 1.0 / (1 << 20) as f32;
+pub(super) const RAISE: f32 = 1.0 / (1 << 20) as f32;
 
 /// Stands for the infinite reciprocal of the slope of a level ray.
-const MOST_PER_HEIGHT: f64 = (1u64 << 62) as f64;
+pub(super) const MOST_PER_HEIGHT: f64 = (1u64 << 62) as f64;
 
 /// Levels of 4, 16, 64 ... cells up to the longest side of a map, and some to spare.
-const MAX_LEVELS: usize = 16;
+pub(super) const MAX_LEVELS: usize = 16;
+
+/// The numbers of the columns and rows of a block.
+const COUNT: Vec4 = Vec4::new(0.0, 1.0, 2.0, 3.0);
 
 /// Bytes of the maxima of a block of nodes.
-const BLOCK_BYTES: u32 = (BLOCK * BLOCK * size_of::<f32>()) as u32;
+pub(super) const BLOCK_BYTES: u32 = (BLOCK * BLOCK * size_of::<f32>()) as u32;
 
 /// Bytes of the texels of a tile.
-const TILE_BYTES: u32 = size_of::<Tile>() as u32;
+pub(super) const TILE_BYTES: u32 = size_of::<Tile>() as u32;
 
 /// The cell at the corner of a node.
 #[inline(always)]
-fn edge(node: [u32; 2], level: usize) -> [i32; 2] {
+pub(super) fn edge(node: [u32; 2], level: usize) -> [i32; 2] {
     [(node[0] << (2 * level + 2)) as i32, (node[1] << (2 * level + 2)) as i32]
 }
 
 /// Cells along the side of a node.
 #[inline(always)]
-fn size(level: usize) -> f32 {
+pub(super) fn size(level: usize) -> f32 {
     (1i32 << (2 * level + 2)) as f32
 }
 
@@ -80,16 +83,14 @@ pub(super) fn trace(hierarchy: &Hierarchy, ray: &TileRay, cost: &mut Cost) -> Op
 struct Search<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> {
     hierarchy: &'a Hierarchy,
     ray: &'a TileRay,
-    /// The cell where the ray begins, and where in it.
+    /// The cell where the ray begins.
     origin: [i32; 2],
-    within: [f32; 2],
     /// `s` a cell.
     per_cell: [f32; 2],
+    /// `s` from that cell's edges to the ray's start.
+    before: [f32; 2],
     /// `s` by which nodes are grown.
     slack: [f32; 2],
-    /// `s` from a block's first edge to that of each of its four columns and rows, for nodes of one cell.
-    columns: Vec4,
-    rows: Vec4,
     /// The height, lowered by [`RAISE`], and the reciprocal of its slope.
     height: [f32; 3],
     per_height: f32,
@@ -97,21 +98,6 @@ struct Search<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> {
     start_level: usize,
     /// The ray goes left.
     backward: bool,
-}
-
-/// `s` at the first edges, left or top, of a block's columns and rows.
-struct Edges {
-    columns: Vec4,
-    rows: Vec4,
-}
-
-impl Edges {
-    /// `s` at the first edges of the node in a column and row of the block.
-    #[inline(always)]
-    fn of(&self, [column, row]: [u32; 2]) -> [f32; 2] {
-        let (columns, rows) = (self.columns.to_array(), self.rows.to_array());
-        [columns[column as usize % BLOCK], rows[row as usize % BLOCK]]
-    }
 }
 
 impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, BENT, FALLS, CROSSWISE> {
@@ -132,17 +118,14 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
             [(ray.start[0] - f64::from(origin[0])) as f32, (ray.start[1] - f64::from(origin[1])) as f32];
         let per_cell = [ray.per_cell[0] as f32, ray.per_cell[1] as f32];
         let grow = node * (BLOCK as f32 * GROWTH);
-        let lanes = Vec4::new(0.0, 1.0, 2.0, 3.0);
         let per_height = (1.0 / (ray.height[1] + 0.0)).clamp(-MOST_PER_HEIGHT, MOST_PER_HEIGHT);
         Self {
             hierarchy,
             ray,
             origin,
-            within,
             per_cell,
+            before: [within[0] * per_cell[0], within[1] * per_cell[1]],
             slack: [per_cell[0].abs() * grow, per_cell[1].abs() * grow],
-            columns: lanes * Vec4::splat(per_cell[0]),
-            rows: lanes * Vec4::splat(per_cell[1]),
             height: [ray.height[0] as f32 - RAISE, ray.height[1] as f32, ray.height[2] as f32],
             per_height: per_height as f32,
             length: ray.length as f32 * (1.0 + GROWTH),
@@ -159,8 +142,7 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
         let mut masks = [0u16; MAX_LEVELS];
         let mut level = start;
         let mut corner = window;
-        let mut edges = self.edges(self.begin(window, level), size(level));
-        let mut mask = self.touched(&levels[level].window(window), &edges, size(level));
+        let mut mask = self.touched(&levels[level].window(window), edge(window, level), size(level));
         cost.step(1, BLOCK_BYTES);
         loop {
             while mask == 0 {
@@ -171,13 +153,11 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
                 mask = u32::from(masks[level % MAX_LEVELS]);
                 let parent = [corner[0] >> 2, corner[1] >> 2];
                 corner = if level == start { window } else { [parent[0] & !3, parent[1] & !3] };
-                edges = self.edges(self.begin(corner, level), size(level));
             }
             let [column, row] = self.take_first(&mut mask);
             let node = [corner[0] + column, corner[1] + row];
-            let begin = edges.of([column, row]);
             if level == 0 {
-                let hit = self.tile(node, begin, cost);
+                let hit = self.tile(node, cost);
                 if hit.is_some() {
                     return hit;
                 }
@@ -186,29 +166,8 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
             masks[level % MAX_LEVELS] = mask as u16;
             level -= 1;
             corner = [node[0] * BLOCK as u32, node[1] * BLOCK as u32];
-            edges = self.edges(begin, size(level));
-            mask = self.touched(levels[level].block(node)?, &edges, size(level));
+            mask = self.touched(levels[level].block(node)?, edge(corner, level), size(level));
             cost.step(1, BLOCK_BYTES);
-        }
-    }
-
-    /// `s` at the first edges, left and top, of the node at a column and row of a level.
-    #[inline(always)]
-    fn begin(&self, node: [u32; 2], level: usize) -> [f32; 2] {
-        let [left, top] = edge(node, level);
-        [
-            ((left - self.origin[0]) as f32 - self.within[0]) * self.per_cell[0],
-            ((top - self.origin[1]) as f32 - self.within[1]) * self.per_cell[1],
-        ]
-    }
-
-    /// `s` at the first edges of the four columns and rows of a block of nodes that are `size` cells wide.
-    #[inline(always)]
-    fn edges(&self, begin: [f32; 2], size: f32) -> Edges {
-        let size = Vec4::splat(size);
-        Edges {
-            columns: Vec4::splat(begin[0]) + self.columns * size,
-            rows: Vec4::splat(begin[1]) + self.rows * size,
         }
     }
 
@@ -223,19 +182,23 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
         [corner(0), corner(1)]
     }
 
-    /// Which of 4 x 4 nodes, `size` cells wide and with those edges, the ray touches. Column `c` of row `r`
-    /// is bit `4 r + c`, or `4 (3 - r) + c` for a crosswise ray.
+    /// Which of 4 x 4 nodes, `size` cells wide and beginning at those edges, the ray touches. Column `c` of
+    /// row `r` is bit `4 r + c`, or `4 (3 - r) + c` for a crosswise ray.
+    ///
+    /// Whether a node is touched is up to the ray and the node alone, so that packets of rays come to the
+    /// same nodes.
     #[inline(always)]
-    fn touched(&self, maxima: &[Vec4; BLOCK], edges: &Edges, size: f32) -> u32 {
-        let near_and_far = |k: usize| {
+    fn touched(&self, maxima: &[Vec4; BLOCK], edges: [i32; 2], size: f32) -> u32 {
+        let enter_and_leave = |k: usize| {
             let across = size * self.per_cell[k];
-            (across.min(0.0) - self.slack[k], across.max(0.0) + self.slack[k])
+            let (near, far) = (across.min(0.0) - self.slack[k], across.max(0.0) + self.slack[k]);
+            let from_origin = Vec4::splat((edges[k] - self.origin[k]) as f32) + COUNT * Vec4::splat(size);
+            let crossing = from_origin * Vec4::splat(self.per_cell[k]);
+            (crossing + Vec4::splat(near - self.before[k]), crossing + Vec4::splat(far - self.before[k]))
         };
-        let ((near_x, far_x), (near_y, far_y)) = (near_and_far(0), near_and_far(1));
-        let enter_x = (edges.columns + Vec4::splat(near_x)).max(Vec4::ZERO);
-        let leave_x = (edges.columns + Vec4::splat(far_x)).min(Vec4::splat(self.length));
-        let enter_y = edges.rows + Vec4::splat(near_y);
-        let leave_y = edges.rows + Vec4::splat(far_y);
+        let ((enter_x, leave_x), (enter_y, leave_y)) = (enter_and_leave(0), enter_and_leave(1));
+        let enter_x = enter_x.max(Vec4::ZERO);
+        let leave_x = leave_x.min(Vec4::splat(self.length));
         let [h0, h1, h2] = self.height;
         let row = |k: usize, enter_y: f32, leave_y: f32| {
             let enter = enter_x.max(Vec4::splat(enter_y));
@@ -271,10 +234,10 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
 
     /// The first hit in a tile.
     #[inline(always)]
-    fn tile(&self, node: [u32; 2], begin: [f32; 2], cost: &mut Cost) -> Option<CellHit> {
+    fn tile(&self, node: [u32; 2], cost: &mut Cost) -> Option<CellHit> {
         let tile = self.hierarchy.tile(node)?;
         let corner = [node[0] * BLOCK as u32, node[1] * BLOCK as u32];
-        let mut mask = self.touched(&tile.cell_maxima(), &self.edges(begin, 1.0), 1.0);
+        let mut mask = self.touched(&tile.cell_maxima(), [corner[0] as i32, corner[1] as i32], 1.0);
         cost.step(1, TILE_BYTES);
         while mask != 0 {
             let cell = self.take_first(&mut mask);

@@ -1,0 +1,120 @@
+//! Cells in `f64` lanes.
+
+use super::setup::HalfRays;
+use super::vector::{Double, Mask, Vector};
+
+/// The rays of a packet, in two halves.
+pub(super) type Rays<V> = [HalfRays<V>; 2];
+
+/// Where the rays of a packet hit, as far as is known, and what that took.
+pub(super) struct CellHits<V: Vector> {
+    /// The lanes that hit.
+    pub found: u32,
+    /// See `traverse::CellHit`, for both halves.
+    pub s: [Double<V>; 2],
+    pub gap: [Double<V>; 2],
+    pub slope: [Double<V>; 2],
+    pub cell: [[Double<V>; 2]; 2],
+    /// Steps, each of one read, and bytes.
+    pub steps: V::u32s,
+    pub bytes: V::u32s,
+    v: V,
+}
+
+impl<V: Vector> CellHits<V> {
+    #[inline(always)]
+    pub fn new(v: V) -> Self {
+        let (zero, none) = ([Double::splat(v, 0.0); 2], v.splat_u32s(0));
+        Self { found: 0, s: zero, gap: zero, slope: zero, cell: [zero; 2], steps: none, bytes: none, v }
+    }
+
+    /// Adds a step of some lanes.
+    #[inline(always)]
+    pub fn count(&mut self, lanes: u32, bytes: u32) {
+        let (v, mask) = (self.v, self.v.mask32(lanes));
+        self.steps = v.select_u32s(mask, v.add_u32s(self.steps, v.splat_u32s(1)), self.steps);
+        self.bytes = v.select_u32s(mask, v.add_u32s(self.bytes, v.splat_u32s(bytes)), self.bytes);
+    }
+
+    /// Solves one cell for some lanes and returns those that hit: `traverse::Search::cell` in lanes, with
+    /// `Gap::first_root` without its branches.
+    #[inline(always)]
+    pub fn cell(&mut self, v: V, rays: &Rays<V>, corners: [f32; 4], cell: [u32; 2], lanes: u32) -> u32 {
+        let low = self.half_cell(v, rays, corners, cell, lanes, 0);
+        let high = self.half_cell(v, rays, corners, cell, lanes >> V::F64_LANES, 1);
+        let hit = low | high << V::F64_LANES;
+        self.found |= hit;
+        hit
+    }
+
+    #[inline(always)]
+    fn half_cell(
+        &mut self,
+        v: V,
+        rays: &Rays<V>,
+        corners: [f32; 4],
+        cell: [u32; 2],
+        lanes: u32,
+        half: usize,
+    ) -> u32 {
+        let lanes = lanes & ((1 << V::F64_LANES) - 1);
+        if lanes == 0 {
+            return 0;
+        }
+        let ray = &rays[half];
+        let splat = |x: f64| Double::splat(v, x);
+        let zero = splat(0.0);
+        let places = cell.map(f64::from);
+        let [x, y] = places.map(splat);
+        let crossings = |k: usize| {
+            let low = (splat(places[k]) - ray.start[k]) * ray.per_cell[k];
+            let high = (splat(places[k] + 1.0) - ray.start[k]) * ray.per_cell[k];
+            (low.lesser(high), low.greater(high))
+        };
+        let ((near_x, far_x), (near_y, far_y)) = (crossings(0), crossings(1));
+        let enter = near_x.greater(near_y).greater(zero);
+        let leave = far_x.lesser(far_y).lesser(ray.length);
+        let inside = Mask::of(v, lanes).and(enter.le(leave));
+
+        // `Gap::in_cell`
+        let [h00, h10, h01, h11] = corners.map(f64::from);
+        let (bx, by, d) = (splat(h10 - h00), splat(h01 - h00), splat((h00 - h10) + (h11 - h01)));
+        let [du, dv] = ray.step;
+        let u = ray.start[0] + du * enter - x;
+        let v_ = ray.start[1] + dv * enter - y;
+        let [r0, r1, r2] = ray.height;
+        let height = [r0 + enter * (r1 + enter * r2), r1 + splat(2.0) * enter * r2, r2];
+        let slope_v = by + d * u;
+        let c0 = height[0] - (splat(h00) + bx * u + slope_v * v_);
+        let c1 = height[1] - ((bx + d * v_) * du + slope_v * dv);
+        let c2 = height[2] - d * du * dv;
+
+        // `Gap::first_root`
+        let way = leave - enter;
+        let begins_below = c0.le(zero);
+        let crosses = (c0 + way * (c1 + way * c2)).le(zero);
+        let turns = c1.lt(zero).and(c1.negated().lt(splat(2.0) * c2 * way));
+        let may_hit = inside.and(begins_below.or(crosses).or(turns));
+        if may_hit.bits() == 0 {
+            return 0;
+        }
+        let disc = c1 * c1 - splat(4.0) * c0 * c2;
+        let real = zero.le(disc);
+        let sqrt = disc.sqrt();
+        let falls_first = c1.le(zero);
+        let over = falls_first.choose(splat(2.0) * c0, c1 + sqrt);
+        let under = falls_first.choose(sqrt - c1, splat(-2.0) * c2);
+        let root = over / under;
+        let root = root.lt(way).choose(zero.lt(root).choose(root, zero), way);
+        let root = real.choose(root, way);
+        let tau = begins_below.choose(zero, root);
+        let hit = may_hit.and(begins_below.or(crosses).or(real));
+
+        self.s[half] = hit.choose(enter + tau, self.s[half]);
+        self.gap[half] = hit.choose(zero.lt(tau).choose(zero, c0), self.gap[half]);
+        self.slope[half] = hit.choose(c1 + splat(2.0) * tau * c2, self.slope[half]);
+        self.cell[0][half] = hit.choose(x, self.cell[0][half]);
+        self.cell[1][half] = hit.choose(y, self.cell[1][half]);
+        hit.bits()
+    }
+}

@@ -1,0 +1,297 @@
+//! From the hierarchy's window around the rays of a packet down to the first cell that each of them hits.
+
+use super::cell::{CellHits, Rays};
+use super::vector::{Single, Vector};
+use crate::exact::CELL_BYTES;
+use crate::exact::fast::hierarchy::{BLOCK, Hierarchy, MaximaLevel};
+use crate::exact::fast::traverse::{
+    BLOCK_BYTES, GROWTH, MAX_LEVELS, MOST_PER_HEIGHT, RAISE, TILE_BYTES, edge, size,
+};
+
+/// Nodes of a block or cells of a tile.
+const NODES: usize = BLOCK * BLOCK;
+
+/// Columns and rows of the largest window that rays go down from together.
+pub(super) const MOST_NODES: usize = 8;
+
+/// The rays in `f32`: see `traverse::Search`.
+pub(super) struct Singles<V: Vector> {
+    pub origin: [Single<V>; 2],
+    pub per_cell: [Single<V>; 2],
+    pub before: [Single<V>; 2],
+    pub height: Single<V>,
+    pub per_height: Single<V>,
+    pub length: Single<V>,
+    /// Cells that it goes along the longer axis.
+    pub travel: Single<V>,
+}
+
+/// Rays that go down together: alike in direction, in whether they fall, and in the level at which they
+/// begin.
+pub(super) struct Group<V: Vector> {
+    /// The lanes.
+    pub lanes: u32,
+    pub level: usize,
+    /// Which way: the `i`-th column, or row, that the rays come to in a block is number `i ^ flip`.
+    pub flip: [usize; 2],
+    /// The first and the last column and row of nodes that the rays come to.
+    pub window: [[u32; 2]; 2],
+    /// The first column and row of each ray's own window.
+    pub corner: [Single<V>; 2],
+}
+
+/// What a search of one group knows.
+pub(super) struct Search<'a, V: Vector, const FALLS: bool> {
+    v: V,
+    hierarchy: &'a Hierarchy,
+    rays: &'a Rays<V>,
+    singles: &'a Singles<V>,
+    group: &'a Group<V>,
+    /// `s` by which nodes are grown.
+    slack: [Single<V>; 2],
+    /// The rays that have not hit yet.
+    alive: u32,
+    hits: &'a mut CellHits<V>,
+}
+
+/// The nodes of a block that are touched: bit by bit, in the order in which rays come to them, and by whom.
+#[derive(Clone, Copy)]
+struct Touched {
+    nodes: u32,
+    by: [u16; NODES],
+}
+
+/// A block, and what is left of it.
+#[derive(Clone, Copy)]
+struct Left {
+    corner: [u32; 2],
+    touched: Touched,
+}
+
+impl<V: Vector> Singles<V> {
+    #[inline(always)]
+    pub fn new(v: V, rays: &Rays<V>) -> Self {
+        let [low, high] = rays;
+        let splat = |x| super::vector::Double::splat(v, x);
+        let origin = |k: usize| [low.start[k].truncate(), high.start[k].truncate()];
+        let origins = [origin(0), origin(1)];
+        let within =
+            |k: usize| Single::narrow([low.start[k] - origins[k][0], high.start[k] - origins[k][1]]);
+        let per_cell = [0, 1].map(|k: usize| Single::narrow([low.per_cell[k], high.per_cell[k]]));
+        let per_height = |slope: super::vector::Double<V>| {
+            let (least, most) = (splat(-MOST_PER_HEIGHT), splat(MOST_PER_HEIGHT));
+            (splat(1.0) / (slope + splat(0.0))).greater(least).lesser(most)
+        };
+        let travel = |half: &super::setup::HalfRays<V>| {
+            half.length * half.step[0].abs().greater(half.step[1].abs())
+        };
+        Self {
+            origin: [Single::narrow(origins[0]), Single::narrow(origins[1])],
+            per_cell,
+            before: [within(0) * per_cell[0], within(1) * per_cell[1]],
+            height: Single::narrow([low.height[0], high.height[0]]) - Single::splat(v, RAISE),
+            per_height: Single::narrow([per_height(low.height[1]), per_height(high.height[1])]),
+            length: Single::narrow([low.length, high.length]) * Single::splat(v, 1.0 + GROWTH),
+            travel: Single::narrow([travel(low), travel(high)]),
+        }
+    }
+}
+
+impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
+    #[inline(always)]
+    pub fn new(
+        v: V,
+        hierarchy: &'a Hierarchy,
+        rays: &'a Rays<V>,
+        singles: &'a Singles<V>,
+        group: &'a Group<V>,
+        hits: &'a mut CellHits<V>,
+    ) -> Self {
+        let grow = Single::splat(v, size(group.level) * (BLOCK as f32 * GROWTH));
+        let slack = [singles.per_cell[0].abs() * grow, singles.per_cell[1].abs() * grow];
+        Self { v, hierarchy, rays, singles, group, slack, alive: group.lanes, hits }
+    }
+
+    /// Finds the first hits of the group.
+    #[inline(always)]
+    pub fn run(&mut self) {
+        let Some(level) = self.hierarchy.levels().get(self.group.level) else { return };
+        let [[left, right], [top, bottom]] = self.group.window;
+        let (columns, rows) = (right - left + 1, bottom - top + 1);
+        let side = size(self.group.level);
+        let [near, far] = self.near_and_far(side);
+        let (zero, length) = (Single::splat(self.v, 0.0), self.singles.length);
+        let turn = |flip: usize, at: u32, first: u32, last: u32| if flip == 0 { first + at } else { last - at };
+        let mut across = [(zero, zero); MOST_NODES];
+        for (at, across) in (0..columns).zip(&mut across) {
+            let crossing = self.crossing(0, (turn(self.group.flip[0], at, left, right) as f32) * side);
+            *across = ((crossing + near[0]).max(zero), (crossing + far[0]).min(length));
+        }
+        self.hits.count(self.alive, BLOCK_BYTES);
+        for at in 0..rows {
+            let row = turn(self.group.flip[1], at, top, bottom);
+            let crossing = self.crossing(1, row as f32 * side);
+            let (enter_y, leave_y) = (crossing + near[1], crossing + far[1]);
+            let mut by = [0u32; MOST_NODES];
+            for (at, ((enter, leave), by)) in (0..columns).zip(across.iter().zip(&mut by)) {
+                let column = turn(self.group.flip[0], at, left, right);
+                let maximum = Single::splat(self.v, level.node([column, row]));
+                *by = self.touches(maximum, enter.max(enter_y), leave.min(leave_y));
+            }
+            for (at, by) in (0..columns).zip(by) {
+                if by & self.alive != 0 {
+                    let node = [turn(self.group.flip[0], at, left, right), row];
+                    let by = by & self.alive & self.windows_with(node);
+                    if by != 0 {
+                        self.below(node, by);
+                        if self.alive == 0 {
+                            return;
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// The lanes in whose own windows a node of the first level is.
+    #[inline(always)]
+    fn windows_with(&self, node: [u32; 2]) -> u32 {
+        let middle = Single::splat(self.v, (BLOCK - 1) as f32 / 2.0);
+        let within = |k: usize| {
+            let from_corner = Single::splat(self.v, node[k] as f32) - self.group.corner[k];
+            (from_corner - middle).abs().le(middle)
+        };
+        within(0) & within(1)
+    }
+
+    /// Goes down from a node of the first level.
+    #[inline(always)]
+    fn below(&mut self, node: [u32; 2], by: u32) {
+        let levels = self.hierarchy.levels();
+        let nothing = Left { corner: [0; 2], touched: Touched { nodes: 0, by: [0; NODES] } };
+        let mut stack = [nothing; MAX_LEVELS];
+        let (mut level, mut node, mut by) = (self.group.level, node, by);
+        loop {
+            if level == 0 {
+                self.tile(node, by);
+                if self.alive == 0 {
+                    return;
+                }
+            } else {
+                level -= 1;
+                let Some(block) = levels.get(level).and_then(|level: &MaximaLevel| level.block(node)) else {
+                    return;
+                };
+                let corner = [node[0] * BLOCK as u32, node[1] * BLOCK as u32];
+                let maxima = pulp::bytemuck::cast_ref(block);
+                self.hits.count(by, BLOCK_BYTES);
+                let touched = self.touched(maxima, edge(corner, level), size(level), by);
+                stack[level % MAX_LEVELS] = Left { corner, touched };
+            }
+            // The next node.
+            loop {
+                if level == self.group.level {
+                    return;
+                }
+                let left = &mut stack[level % MAX_LEVELS];
+                if left.touched.nodes == 0 {
+                    level += 1;
+                    continue;
+                }
+                let at = left.touched.nodes.trailing_zeros() as usize % NODES;
+                left.touched.nodes &= left.touched.nodes - 1;
+                by = u32::from(left.touched.by[at]) & self.alive;
+                if by != 0 {
+                    let [x, y] = self.place(at);
+                    node = [left.corner[0] + x as u32, left.corner[1] + y as u32];
+                    break;
+                }
+            }
+        }
+    }
+
+    /// The column and row of a block's node, which is given by its turn.
+    #[inline(always)]
+    fn place(&self, at: usize) -> [usize; 2] {
+        let [x, y] = self.group.flip;
+        [(at % BLOCK) ^ x, (at / BLOCK) ^ y]
+    }
+
+    /// The first hits in a tile.
+    #[inline(always)]
+    fn tile(&mut self, node: [u32; 2], by: u32) {
+        let Some(tile) = self.hierarchy.tile(node) else { return };
+        let corner = [node[0] * BLOCK as u32, node[1] * BLOCK as u32];
+        let maxima = tile.cell_maxima();
+        self.hits.count(by, TILE_BYTES);
+        let edges = [corner[0] as i32, corner[1] as i32];
+        let mut touched = self.touched(pulp::bytemuck::cast_ref(&maxima), edges, 1.0, by);
+        while touched.nodes != 0 {
+            let at = touched.nodes.trailing_zeros() as usize % NODES;
+            touched.nodes &= touched.nodes - 1;
+            let by = u32::from(touched.by[at]) & self.alive;
+            if by != 0 {
+                let [x, y] = self.place(at);
+                let in_tile = [x as u32, y as u32];
+                self.hits.count(by, CELL_BYTES);
+                let cell = [corner[0] + in_tile[0], corner[1] + in_tile[1]];
+                self.alive &= !self.hits.cell(self.v, self.rays, tile.corners(in_tile), cell, by);
+            }
+        }
+    }
+
+    /// What leads from where a ray crosses a node's first edge to where it enters and leaves the node.
+    #[inline(always)]
+    fn near_and_far(&self, size: f32) -> [[Single<V>; 2]; 2] {
+        let (zero, size) = (Single::splat(self.v, 0.0), Single::splat(self.v, size));
+        let rays = self.singles;
+        let across = [size * rays.per_cell[0], size * rays.per_cell[1]];
+        let near = |k: usize| across[k].min(zero) - self.slack[k] - rays.before[k];
+        let far = |k: usize| across[k].max(zero) + self.slack[k] - rays.before[k];
+        [[near(0), near(1)], [far(0), far(1)]]
+    }
+
+    /// `s` from a cell's edge to that of the cell where the ray begins.
+    #[inline(always)]
+    fn crossing(&self, axis: usize, edge: f32) -> Single<V> {
+        (Single::splat(self.v, edge) - self.singles.origin[axis]) * self.singles.per_cell[axis]
+    }
+
+    /// The lanes that touch a node that they enter and leave there.
+    #[inline(always)]
+    fn touches(&self, maximum: Single<V>, enter: Single<V>, leave: Single<V>) -> u32 {
+        let level = (maximum - self.singles.height) * self.singles.per_height;
+        if FALLS { level.max(enter).le(leave) } else { enter.le(level.min(leave)) }
+    }
+
+    /// Which of 4 x 4 nodes the rays touch: `traverse::Search::touched` in lanes, with the same bits.
+    #[inline(always)]
+    fn touched(&self, maxima: &[f32; NODES], edges: [i32; 2], size: f32, lanes: u32) -> Touched {
+        let [near, far] = self.near_and_far(size);
+        let (zero, length) = (Single::splat(self.v, 0.0), self.singles.length);
+        let [flip_x, flip_y] = self.group.flip;
+        let crossing = |axis: usize, at: usize| {
+            self.crossing(axis, edges[axis] as f32 + (at ^ self.group.flip[axis]) as f32 * size)
+        };
+        let column = |at: usize| {
+            let crossing = crossing(0, at);
+            ((crossing + near[0]).max(zero), (crossing + far[0]).min(length))
+        };
+        let row = |at: usize| {
+            let crossing = crossing(1, at);
+            (crossing + near[1], crossing + far[1])
+        };
+        let columns = [column(0), column(1), column(2), column(3)];
+        let rows = [row(0), row(1), row(2), row(3)];
+        let flip = BLOCK * flip_y + flip_x;
+        let mut touched = Touched { nodes: 0, by: [0; NODES] };
+        for at in 0..NODES {
+            let ((enter_x, leave_x), (enter_y, leave_y)) = (columns[at % BLOCK], rows[at / BLOCK]);
+            let maximum = Single::splat(self.v, maxima[(at ^ flip) % NODES]);
+            let by = self.touches(maximum, enter_x.max(enter_y), leave_x.min(leave_y)) & lanes;
+            touched.by[at] = by as u16;
+            touched.nodes |= u32::from(by != 0) << at;
+        }
+        touched
+    }
+}
