@@ -173,6 +173,11 @@ impl TileHits {
         !self.one_by_one && self.count[point] == 0.0
     }
 
+    /// The first hit of a ray, where it is known and has one.
+    pub fn first(&self, point: usize) -> Option<TileHit> {
+        self.known(point)?.get(0)
+    }
+
     fn known(&self, point: usize) -> Option<Known> {
         (!self.one_by_one).then(|| Known {
             count: self.count[point] as usize,

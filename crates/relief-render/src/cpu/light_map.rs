@@ -7,7 +7,7 @@ use relief_core::{BakedMap, Lanes, MapFormat, MapIdentity, MapLayout, MapTexels}
 use relief_shaders::cpu::Frame;
 
 use super::ready::{Made, Ready};
-use super::tiled::Tiled;
+use super::tiled::{SeenBlock, Tiled};
 use crate::job::{Job, JobSurface};
 use crate::samples::Sample;
 
@@ -54,9 +54,8 @@ impl LightMap {
             let ready: Vec<Ready> =
                 surfaces.map(|(surface, made)| Ready::new(surface, *frame, None, made.clone())).collect();
             let tiled = Tiled::new(&ready, &[Sample::CENTRE], [views.size; 2], lanes);
-            tiled.each(layer, 0, cancel, done, |key, _, seen| {
-                *key = seen.map_or(0.0, |(_, seen)| seen.first.key);
-            });
+            let keys = |seen: &SeenBlock| seen.map(|seen| seen.map_or(0.0, |(_, seen)| seen.first.key));
+            tiled.each(layer, 0, cancel, done, keys, |key, _, of| *key = of);
         }
         if cancel.load(Ordering::Relaxed) {
             return Err(NoLightMap::Stopped);

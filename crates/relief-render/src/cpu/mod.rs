@@ -13,7 +13,8 @@ use relief_shaders::surface::Proposal;
 use self::light_map::{LightMap, NoLightMap};
 use self::ready::{Base, Made, Ready, SceneRays, caster};
 use self::tessellated::KeptTessellated;
-use self::tiled::Tiled;
+use self::tiled::{SeenBlock, Tiled};
+use self::together::BLOCK_POINTS;
 use crate::job::{Job, JobSurface, Rendering, uncovered};
 use crate::kept::kept;
 use crate::raycast::RayCaster;
@@ -25,6 +26,7 @@ mod light_map;
 mod ready;
 pub(crate) mod tessellated;
 mod tiled;
+mod together;
 
 /// Pixels of a band of rows: enough for all cores, and few enough to keep.
 const BAND_PIXELS: u32 = 1 << 18;
@@ -205,7 +207,8 @@ struct Lit<'a> {
 impl<'a> Lit<'a> {
     fn rows(&'a self, job: &'a Job, samples: &'a [Sample], first: u32) -> Rows<'a> {
         let tiled = Tiled::new(&self.surfaces, samples, [job.width, job.height], self.lanes);
-        Rows { tiled, samples, surfaces: &self.surfaces, scene: self.scene.as_ref(), first }
+        let (scene, lanes) = (self.scene.as_ref(), self.lanes);
+        Rows { tiled, samples, surfaces: &self.surfaces, scene, first, lanes }
     }
 }
 
@@ -216,13 +219,14 @@ struct Rows<'a> {
     surfaces: &'a [Ready<'a>],
     scene: Option<&'a SceneRays<'a>>,
     first: u32,
+    lanes: Lanes,
 }
 
 impl Rows<'_> {
     /// Renders them into as many pixels, until `cancel` is set; `done` is told how many rows are done.
     fn render(&self, pixels: &mut [PixelOut], cancel: &AtomicBool, done: &(dyn Fn(u32) + Sync)) {
-        self.tiled.each(pixels, self.first, cancel, done, |pixel, number, seen| {
-            let shown = seen.map_or_else(uncovered, |(surface, seen)| surface.shade(seen, self.scene));
+        let look = |seen: &SeenBlock| self.shaded(seen);
+        self.tiled.each(pixels, self.first, cancel, done, look, |pixel, number, shown| {
             *pixel = match (self.surfaces.first(), self.samples) {
                 (Some(surface), samples) if samples.len() > 1 => {
                     // The colour of the samples before.
@@ -233,5 +237,20 @@ impl Rows<'_> {
                 _ => shown,
             };
         });
+    }
+
+    /// What a block's points look like, surface by surface.
+    fn shaded(&self, seen: &SeenBlock) -> [PixelOut; BLOCK_POINTS] {
+        let mut shown = [uncovered(); BLOCK_POINTS];
+        for surface in self.surfaces {
+            let own =
+                seen.map(|seen| seen.filter(|(of, _)| std::ptr::eq(*of, surface)).map(|(_, seen)| seen));
+            if own.iter().any(Option::is_some) {
+                for (shown, own) in shown.iter_mut().zip(surface.shade(&own, self.scene, self.lanes)) {
+                    *shown = own.unwrap_or(*shown);
+                }
+            }
+        }
+        shown
     }
 }

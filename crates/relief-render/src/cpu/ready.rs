@@ -5,12 +5,13 @@ use std::sync::Arc;
 use glam::{DVec3, Vec3};
 use relief_core::exact::FastTracer;
 use relief_core::{BakedMap, Cost, Lanes};
+use relief_shaders::MAX_LIGHTS;
 use relief_shaders::cpu::{
     Corner, Entered, FirstHit, Frame, Hit, PixelIn, PixelOut, Program, Triangle, Vec3 as ShaderVec3, Vec4,
 };
 use relief_shaders::surface::FOLDED;
-use relief_shaders::{LightRayState, MAX_LIGHTS};
 
+use super::together::{Ahead, BLOCK_POINTS, Block, Placed, Visible};
 use crate::camera::Ray;
 use crate::job::{Job, JobSurface};
 use crate::light_views::{frame_of_rays, relief_points};
@@ -73,19 +74,19 @@ pub struct Aim {
 
 /// A surface ready to be traced.
 pub struct Ready<'a> {
-    program: Program<'a>,
+    pub(super) program: Program<'a>,
     rays: PictureRays,
     triangles: &'a Triangles,
     base: Base,
     sides: Sides,
     /// The exact tracers of all levels of detail.
-    tracers: Option<Arc<[FastTracer]>>,
+    pub(super) tracers: Option<Arc<[FastTracer]>>,
     /// Whether they serve shadows, too, and to how many points of a light these send rays.
     traces_shadows: bool,
-    points_of_lights: u32,
+    pub(super) points_of_lights: u32,
     /// The same of shadows by rays through the whole scene.
     rays_through_scene: Option<u32>,
-    lights: u32,
+    pub(super) lights: u32,
     /// Whether the relief nowhere lies above its base, or there is none.
     is_carved: bool,
     /// As in [`Frame`].
@@ -139,16 +140,26 @@ impl<'a> Ready<'a> {
 
     /// What a point of the picture shows of the surface: the nearest hit of all base polygons along the ray,
     /// and of equally near ones that of the first polygon. `cast` are the tile that the point is in, where
-    /// that was cast, and its number there.
-    pub fn seen(&self, point: [f32; 2], cast: Option<(&TileCaster, &TileHits, usize)>) -> Option<Seen> {
+    /// that was cast, and its number there, and `ahead` is what is known of the first polygon.
+    pub fn seen(
+        &self,
+        point: [f32; 2],
+        cast: Option<(&TileCaster, &TileHits, usize)>,
+        mut ahead: Option<&Ahead>,
+    ) -> Option<Seen> {
         if cast.is_some_and(|(_, hits, point)| hits.is_miss(point)) {
             return None;
         }
-        let aim =
-            Aim { origin: self.program.pixel_eye(point), direction: self.program.pixel_direction(point) };
+        let aim = self.aim(point);
         let mut best: Option<Seen> = None;
         let look = |rank, side| {
-            self.look(&mut best, rank, side, aim);
+            match ahead.take() {
+                Some(&Ahead { pixel, at, hit }) => {
+                    let first = self.first_hit(pixel, at, Some(hit));
+                    keep_nearest(&mut best, Seen { pixel, at, first, rank });
+                }
+                None => self.look(&mut best, rank, side, aim),
+            }
             self.reach(best.as_ref())
         };
         match cast {
@@ -209,19 +220,31 @@ impl<'a> Ready<'a> {
         }
     }
 
+    /// Where the ray through a point of the picture begins, and where it goes.
+    pub(super) fn aim(&self, point: [f32; 2]) -> Aim {
+        Aim { origin: self.program.pixel_eye(point), direction: self.program.pixel_direction(point) }
+    }
+
+    /// A ray and a side of a triangle, as the shaders have them.
+    pub(super) fn pixel(&self, triangle: u32, side: f32, aim: Aim) -> PixelIn {
+        let Triangle { a, b, c, shell } = self.triangles.get(triangle as usize);
+        PixelIn { origin: aim.origin, direction: aim.direction, side, a, b, c, shell }
+    }
+
     /// Traces a side of a triangle, and keeps what it shows where that is the nearest so far.
     fn look(&self, best: &mut Option<Seen>, rank: (bool, u32), side: f32, aim: Aim) {
-        let Triangle { a, b, c, shell } = self.triangles.get(rank.1 as usize);
-        let pixel = PixelIn { origin: aim.origin, direction: aim.direction, side, a, b, c, shell };
+        let pixel = self.pixel(rank.1, side, aim);
         let at = self.program.enter(pixel);
-        let first = match &self.tracers {
+        let first = self.first_hit(pixel, at, None);
+        keep_nearest(best, Seen { pixel, at, first, rank });
+    }
+
+    /// The first hit of a ray in the relief of a polygon; `ahead` is the hit of its first segment, where that
+    /// is known.
+    fn first_hit(&self, pixel: PixelIn, at: Entered, ahead: Option<Hit>) -> FirstHit {
+        match &self.tracers {
             None => self.program.first_hit(pixel, at),
-            Some(tracers) => self.first_exactly(&tracers[at.level as usize], pixel, at),
-        };
-        let is_nearer =
-            |best: &Seen| first.key > best.first.key || (first.key == best.first.key && rank < best.rank);
-        if first.hit.found == 1 && best.as_ref().is_none_or(is_nearer) {
-            *best = Some(Seen { pixel, at, first, rank });
+            Some(tracers) => self.first_exactly(&tracers[at.level as usize], pixel, at, ahead),
         }
     }
 
@@ -237,13 +260,19 @@ impl<'a> Ready<'a> {
 
     /// The first hit by the exact tracer that is in no hole. In a shell that overlaps itself it is the
     /// nearest of all segments'.
-    fn first_exactly(&self, tracer: &FastTracer, pixel: PixelIn, at: Entered) -> FirstHit {
+    fn first_exactly(
+        &self,
+        tracer: &FastTracer,
+        pixel: PixelIn,
+        at: Entered,
+        mut ahead: Option<Hit>,
+    ) -> FirstHit {
         let miss = Hit::from(&relief_core::Hit::miss(Cost::default()));
         let mut first = FirstHit { hit: miss, segment: 0, key: 0.0 };
         for number in 0..at.segments {
             let path = self.program.segment(pixel, at, number);
             if path.exit > 0.0 {
-                let hit = Hit::from(&tracer.trace(&(&path).into()).hit);
+                let hit = ahead.take().unwrap_or_else(|| Hit::from(&tracer.trace(&(&path).into()).hit));
                 let hit = if hit.found == 1 { self.program.polish(pixel, at, path, hit) } else { hit };
                 if hit.found == 1 && !self.program.in_hole(hit.uv) {
                     let key = self.program.key(pixel, path, hit);
@@ -264,47 +293,37 @@ impl<'a> Ready<'a> {
         self.program.add_sample(sum, color, weight)
     }
 
-    /// What a hit looks like; `scene` is all that may be in a light's way.
-    pub fn shade(&self, seen: &Seen, scene: Option<&SceneRays>) -> PixelOut {
-        let Seen { pixel, at, first: FirstHit { hit, segment, .. }, .. } = *seen;
-        let placed = self.program.place(pixel, at, segment, hit);
-        let visible = match (&self.tracers, self.rays_through_scene.zip(scene)) {
-            (_, Some((count, scene))) => self.visible_through(scene, placed, hit, count),
-            (Some(tracers), _) if self.traces_shadows => {
-                self.visible_lights(&tracers[at.level as usize], placed, hit)
-            }
-            _ => self.program.visible_lights(placed, hit),
+    /// What the hits of a block of points look like; `scene` is all that may be in a light's way.
+    pub fn shade(&self, seen: &Block<Seen>, scene: Option<&SceneRays>, lanes: Lanes) -> Block<PixelOut> {
+        let place = |Seen { pixel, at, first, .. }: Seen| {
+            let placed = self.program.place(pixel, at, first.segment, first.hit);
+            Placed { at: placed, hit: first.hit, level: at.level }
         };
-        self.program.shade_hit(pixel, placed, hit, visible)
-    }
-
-    /// What of the lights arrives at a placed hit: rays that the shaders make, traced by the tracer.
-    fn visible_lights(&self, tracer: &FastTracer, at: Entered, hit: Hit) -> [Vec4<f32>; MAX_LIGHTS] {
-        let mut visible = [Vec4::from([0.0; 4]); MAX_LIGHTS];
-        let count = self.points_of_lights;
-        for (visible, light) in visible.iter_mut().zip(0..self.lights) {
-            let is_lit = |point: &u32| {
-                let ray = self.program.ray_to_light(at, hit, light, [*point, count]);
-                if ray.state == LightRayState::Open as u32 {
-                    !tracer.trace(&(&ray.path).into()).hit.found
-                } else {
-                    ray.state == LightRayState::Lit as u32
-                }
-            };
-            let rays = count.max(1);
-            visible.x = (0..rays).filter(is_lit).count() as f32 / rays as f32;
+        let placed: Block<Placed> = seen.map(|seen| seen.map(place));
+        let visible = match (&self.tracers, self.rays_through_scene.zip(scene)) {
+            (_, Some((count, scene))) => placed.map(|placed| {
+                let Placed { at, hit, .. } = placed?;
+                Some(self.visible_through(scene, at, hit, count))
+            }),
+            (Some(tracers), _) if self.traces_shadows => self.visible_lights(tracers, &placed, lanes),
+            _ => placed.map(|placed| {
+                let Placed { at, hit, .. } = placed?;
+                Some(self.program.visible_lights(at, hit))
+            }),
+        };
+        let mut shaded = [None; BLOCK_POINTS];
+        for (point, shaded) in shaded.iter_mut().enumerate() {
+            if let (Some(seen), Some(Placed { at, hit, .. }), Some(visible)) =
+                (&seen[point], placed[point], visible[point])
+            {
+                *shaded = Some(self.program.shade_hit(seen.pixel, at, hit, visible));
+            }
         }
-        visible
+        shaded
     }
 
     /// What of the lights arrives at a placed hit through a scene, by so many rays from each.
-    fn visible_through(
-        &self,
-        scene: &SceneRays,
-        at: Entered,
-        hit: Hit,
-        count: u32,
-    ) -> [Vec4<f32>; MAX_LIGHTS] {
+    fn visible_through(&self, scene: &SceneRays, at: Entered, hit: Hit, count: u32) -> Visible {
         let three = |v: ShaderVec3<f32>| Vec3::new(v.x, v.y, v.z);
         let end = three(at.point);
         let mut visible = [Vec4::from([0.0; 4]); MAX_LIGHTS];
@@ -323,6 +342,15 @@ impl<'a> Ready<'a> {
             visible.x = (0..count).filter(is_lit).count() as f32 / count as f32;
         }
         visible
+    }
+}
+
+/// Keeps what a polygon shows where that is the nearest so far.
+fn keep_nearest(best: &mut Option<Seen>, seen: Seen) {
+    let (key, rank) = (seen.first.key, seen.rank);
+    let is_nearer = |best: &Seen| key > best.first.key || (key == best.first.key && rank < best.rank);
+    if seen.first.hit.found == 1 && best.as_ref().is_none_or(is_nearer) {
+        *best = Some(seen);
     }
 }
 

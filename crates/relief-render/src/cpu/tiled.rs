@@ -7,7 +7,8 @@ use rayon::prelude::*;
 use relief_core::Lanes;
 
 use super::ready::{Ready, Seen};
-use crate::raycast::tiles::{Area, Bins, PictureRays, TILE, TileCaster, TileHits};
+use super::together::{BLOCK, BLOCK_POINTS, Block};
+use crate::raycast::tiles::{Area, Bins, PictureRays, TILE, TileCaster, TileHit, TileHits};
 use crate::samples::Sample;
 
 /// The most columns of what is sorted into tiles at once. More needs more memory on every thread, less more
@@ -20,17 +21,12 @@ const MOST_ROWS: u32 = 4 * TILE as u32;
 /// Pieces of work for each thread at the least, so that all have something to do until the end.
 const LEAST_PIECES: u32 = 4;
 
-/// Points along a side of the blocks of a tile that are looked at one after the other.
-const BLOCK: usize = 4;
-
-/// Points of a block.
-const BLOCK_POINTS: usize = BLOCK * BLOCK;
-
 /// The surfaces of a picture.
 pub struct Tiled<'a> {
     size: [u32; 2],
     samples: &'a [Sample],
     surfaces: Vec<(&'a Ready<'a>, Option<TileCaster<'a>>)>,
+    lanes: Lanes,
 }
 
 /// What a thread works with.
@@ -40,30 +36,34 @@ struct Scratch {
 }
 
 /// A block of a tile's points.
-struct Block<'a> {
+struct Place<'a> {
     tile: [u32; 2],
     /// Its first point in the tile.
     first: [usize; 2],
     sample: &'a Sample,
 }
 
+/// What a block's points see: the nearest of all surfaces.
+pub type SeenBlock<'a> = Block<(&'a Ready<'a>, Seen)>;
+
 impl<'a> Tiled<'a> {
     /// Those that are seen in a picture of so many columns and rows.
     pub fn new(surfaces: &'a [Ready<'a>], samples: &'a [Sample], size: [u32; 2], lanes: Lanes) -> Self {
         let surfaces = surfaces.iter().map(|surface| (surface, surface.tiles(size, lanes)));
-        Self { size, samples, surfaces: surfaces.collect() }
+        Self { size, samples, surfaces: surfaces.collect(), lanes }
     }
 
-    /// Goes through whole rows of the picture, from the row `first` on, until `cancel` is set. `show` is
-    /// called for each pixel and each sample, sample by sample, with what is nearest there; `done` with how
-    /// many rows are done.
-    pub fn each<P: Send>(
+    /// Goes through whole rows of the picture, from the row `first` on, until `cancel` is set. `look` makes
+    /// something of what a block's points see, and `show` puts it into pixels, for each sample after the
+    /// other; `done` is told how many rows are done.
+    pub fn each<P: Send, V: Copy>(
         &self,
         pixels: &mut [P],
         first: u32,
         cancel: &AtomicBool,
         done: &(dyn Fn(u32) + Sync),
-        show: impl Fn(&mut P, usize, Option<(&Ready, &Seen)>) + Sync,
+        look: impl Fn(&SeenBlock) -> [V; BLOCK_POINTS] + Sync,
+        show: impl Fn(&mut P, usize, V) + Sync,
     ) {
         // A picture without columns has no rows to go through either.
         let width = self.size[0].max(1) as usize;
@@ -76,8 +76,14 @@ impl<'a> Tiled<'a> {
                 for column in (0..self.size[0]).step_by(MOST_COLUMNS as usize) {
                     let columns = MOST_COLUMNS.min(self.size[0] - column);
                     let area = Area { first: [column, first], size: [columns, rows] };
-                    self.area(area, scratch, cancel, |[x, y], number, seen| {
-                        show(&mut pixels[(y - first) as usize * width + x as usize], number, seen);
+                    self.area(area, scratch, cancel, |place, number, seen| {
+                        let looked = look(seen);
+                        for (point, value) in looked.into_iter().enumerate() {
+                            if let Some((_, [x, y])) = place.point(area, point) {
+                                let pixel = (y - first) as usize * width + x as usize;
+                                show(&mut pixels[pixel], number, value);
+                            }
+                        }
                     });
                 }
                 if !cancel.load(Ordering::Relaxed) {
@@ -97,7 +103,7 @@ impl<'a> Tiled<'a> {
         area: Area,
         scratch: &mut Scratch,
         cancel: &AtomicBool,
-        mut show: impl FnMut([u32; 2], usize, Option<(&Ready, &Seen)>),
+        mut show: impl FnMut(&Place, usize, &SeenBlock),
     ) {
         let Scratch { bins, hits } = scratch;
         let offsets = reach_of(self.samples);
@@ -119,8 +125,8 @@ impl<'a> Tiled<'a> {
                     }
                 }
                 for first in [[0, 0], [BLOCK, 0], [0, BLOCK], [BLOCK, BLOCK]] {
-                    let block = Block { tile, first, sample };
-                    self.block(area, &block, hits, |pixel, seen| show(pixel, number, seen));
+                    let place = Place { tile, first, sample };
+                    show(&place, number, &self.block(area, &place, hits));
                 }
             }
         }
@@ -128,45 +134,49 @@ impl<'a> Tiled<'a> {
 
     /// What the points of a block see: the nearest of the surfaces' hits, and of equally near ones that of
     /// the first surface.
-    fn block(
-        &self,
-        area: Area,
-        block: &Block,
-        hits: &[TileHits],
-        mut show: impl FnMut([u32; 2], Option<(&Ready, &Seen)>),
-    ) {
-        let [end_x, end_y] = [0, 1].map(|axis| area.first[axis] + area.size[axis]);
-        let mut best: [Option<(&Ready, Seen)>; BLOCK_POINTS] = [None; BLOCK_POINTS];
+    fn block(&self, area: Area, place: &Place, hits: &[TileHits]) -> SeenBlock<'a> {
+        let mut best: SeenBlock = [None; BLOCK_POINTS];
         for ((surface, caster), hits) in self.surfaces.iter().zip(hits) {
-            for (number, best) in best.iter_mut().enumerate() {
-                let (point, pixel) = block.point(area, number);
-                if pixel[0] >= end_x || pixel[1] >= end_y {
-                    continue;
-                }
-                let place = PictureRays::point(pixel, block.sample.offset);
+            let ahead = match caster {
+                Some(_) => surface.ahead(&place.first_hits(area, hits), self.lanes),
+                None => [None; BLOCK_POINTS],
+            };
+            for (number, (best, ahead)) in best.iter_mut().zip(&ahead).enumerate() {
+                let Some((point, pixel)) = place.point(area, number) else { continue };
                 let cast = caster.as_ref().map(|caster| (caster, hits, point));
                 let is_nearer =
                     |seen: &Seen| best.as_ref().is_none_or(|(_, best)| seen.first.key > best.first.key);
-                if let Some(seen) = surface.seen(place, cast).filter(is_nearer) {
+                let at = PictureRays::point(pixel, place.sample.offset);
+                if let Some(seen) = surface.seen(at, cast, ahead.as_ref()).filter(is_nearer) {
                     *best = Some((surface, seen));
                 }
             }
         }
-        for (number, best) in best.iter().enumerate() {
-            let (_, pixel) = block.point(area, number);
-            if pixel[0] < end_x && pixel[1] < end_y {
-                show(pixel, best.as_ref().map(|(surface, seen)| (*surface, seen)));
-            }
-        }
+        best
     }
 }
 
-impl Block<'_> {
-    /// The number in the tile of one of the block's points, and its pixel.
-    fn point(&self, area: Area, number: usize) -> (usize, [u32; 2]) {
+impl Place<'_> {
+    /// The number in the tile of one of the block's points, and its pixel, where that is in the area.
+    fn point(&self, area: Area, number: usize) -> Option<(usize, [u32; 2])> {
         let [x, y] = [self.first[0] + number % BLOCK, self.first[1] + number / BLOCK];
         let [column, row] = area.pixel(self.tile);
-        (y * TILE + x, [column + x as u32, row + y as u32])
+        let pixel = [column + x as u32, row + y as u32];
+        let is_inside = (0..2).all(|axis| pixel[axis] < area.first[axis] + area.size[axis]);
+        is_inside.then_some((y * TILE + x, pixel))
+    }
+
+    /// The first polygons that the points' rays meet, and where in the picture the points are.
+    fn first_hits(&self, area: Area, hits: &TileHits) -> Block<([f32; 2], TileHit)> {
+        let mut first = [None; BLOCK_POINTS];
+        for (number, first) in first.iter_mut().enumerate() {
+            if let Some((point, pixel)) = self.point(area, number)
+                && let Some(hit) = hits.first(point)
+            {
+                *first = Some((PictureRays::point(pixel, self.sample.offset), hit));
+            }
+        }
+        first
     }
 }
 

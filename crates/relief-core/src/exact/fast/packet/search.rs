@@ -75,16 +75,14 @@ impl<V: Vector> Singles<V> {
         let splat = |x| super::vector::Double::splat(v, x);
         let origin = |k: usize| [low.start[k].truncate(), high.start[k].truncate()];
         let origins = [origin(0), origin(1)];
-        let within =
-            |k: usize| Single::narrow([low.start[k] - origins[k][0], high.start[k] - origins[k][1]]);
+        let within = |k: usize| Single::narrow([low.start[k] - origins[k][0], high.start[k] - origins[k][1]]);
         let per_cell = [0, 1].map(|k: usize| Single::narrow([low.per_cell[k], high.per_cell[k]]));
         let per_height = |slope: super::vector::Double<V>| {
             let (least, most) = (splat(-MOST_PER_HEIGHT), splat(MOST_PER_HEIGHT));
             (splat(1.0) / (slope + splat(0.0))).greater(least).lesser(most)
         };
-        let travel = |half: &super::setup::HalfRays<V>| {
-            half.length * half.step[0].abs().greater(half.step[1].abs())
-        };
+        let travel =
+            |half: &super::setup::HalfRays<V>| half.length * half.step[0].abs().greater(half.step[1].abs());
         Self {
             origin: [Single::narrow(origins[0]), Single::narrow(origins[1])],
             per_cell,
@@ -121,7 +119,8 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
         let side = size(self.group.level);
         let [near, far] = self.near_and_far(side);
         let (zero, length) = (Single::splat(self.v, 0.0), self.singles.length);
-        let turn = |flip: usize, at: u32, first: u32, last: u32| if flip == 0 { first + at } else { last - at };
+        let turn =
+            |flip: usize, at: u32, first: u32, last: u32| if flip == 0 { first + at } else { last - at };
         let mut across = [(zero, zero); MOST_NODES];
         for (at, across) in (0..columns).zip(&mut across) {
             let crossing = self.crossing(0, (turn(self.group.flip[0], at, left, right) as f32) * side);

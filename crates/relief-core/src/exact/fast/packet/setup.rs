@@ -129,11 +129,7 @@ pub(super) fn half_rays<V: Vector>(
 
 /// `FastTracer::common_tile` in lanes: the tile, and the lanes that have one.
 #[inline(always)]
-fn common_tile<V: Vector>(
-    tracer: &FastTracer,
-    [a, b]: [Double<V>; 2],
-    side: f64,
-) -> (Double<V>, u32) {
+fn common_tile<V: Vector>(tracer: &FastTracer, [a, b]: [Double<V>; 2], side: f64) -> (Double<V>, u32) {
     let v = a.token();
     let splat = |x: f64| Double::splat(v, x);
     let (side, zero, first_edge) = (splat(side), splat(0.0), splat(tracer.first_edge));

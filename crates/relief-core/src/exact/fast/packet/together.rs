@@ -38,12 +38,7 @@ pub(super) fn trace(
 }
 
 /// Finds blocked paths in vectors; does nothing and says so where there are none.
-pub(super) fn blocked(
-    tracer: &FastTracer,
-    paths: &[PathPacket],
-    lanes: Lanes,
-    blocked: &mut [u16],
-) -> bool {
+pub(super) fn blocked(tracer: &FastTracer, paths: &[PathPacket], lanes: Lanes, blocked: &mut [u16]) -> bool {
     match lanes {
         Lanes::One => None,
         Lanes::Eight => V3::try_new().map(|v| v.vectorize(Blocked { v, tracer, paths, blocked })),
