@@ -12,6 +12,7 @@ mod advice;
 mod commands;
 mod failure;
 mod interrupt;
+mod lanes;
 mod progress;
 mod say;
 mod streams;
@@ -47,6 +48,8 @@ struct Common {
 
 impl Common {
     fn apply(&self) -> Result<(), Failure> {
+        // A wrong one is told before anything is done, whatever the command is.
+        lanes::from_environment()?;
         say::set(match (self.quiet, self.verbose) {
             (true, _) => Loudness::Quiet,
             (_, true) => Loudness::Verbose,

@@ -8,6 +8,7 @@ use common::aov::Aov;
 use common::command::{Folder, Ran, json_of};
 use common::maps::{Map, encoded};
 use image::{DynamicImage, ImageFormat, RgbaImage};
+use relief_core::Lanes;
 use relief_io::write_exr;
 use serde_json::Value;
 
@@ -213,6 +214,32 @@ fn the_number_of_threads_changes_no_byte() {
     let one = with("1");
     assert_eq!(one, with("2"));
     assert_eq!(one, with("5"));
+}
+
+#[test]
+fn the_width_of_vectors_changes_no_byte_and_must_be_one() {
+    let folder = Folder::new();
+    folder.write("map.png", Map::hills().png());
+    let with = |value: &str, name: &str| {
+        let line = format!("render --height map.png --mesh torus --size 40x30 --backend cpu -o {name}");
+        let mut command = folder.command();
+        command.env("RELIEF_LANES", value).args(line.split_ascii_whitespace());
+        Ran::new(&line, &command.output().expect("the command starts"))
+    };
+    let bytes = |name: &str| std::fs::read(folder.path(name)).expect("a picture");
+    with("1", "one.png").fine();
+    with("", "unset.png").fine();
+    assert!(bytes("one.png") == bytes("unset.png"));
+    for lanes in Lanes::available() {
+        with(&lanes.to_string(), "wide.png").fine();
+        assert!(bytes("one.png") == bytes("wide.png"), "{lanes}");
+    }
+    let missing = Lanes::ALL.into_iter().filter(|lanes| !lanes.is_available()).map(|lanes| lanes.to_string());
+    for wrong in ["0", "4", "wide", "-8", "8 16"].map(str::to_owned).into_iter().chain(missing) {
+        let ran = with(&wrong, "none.png");
+        assert!(ran.code == Some(2) && ran.stderr.starts_with("error: RELIEF_LANES: "), "{ran:?}");
+        assert!(!folder.path("none.png").exists());
+    }
 }
 
 #[test]

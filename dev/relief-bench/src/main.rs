@@ -1,6 +1,6 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
-//! `embree`, `frame`, `judge`, `levels`, `mesh`, `probe`, `pyramid`, `quadrics`, `remesh`, `shadow`, `sheet`,
-//! `surfaces` and `trace`. Results are kept in `docs/`.
+//! `embree`, `frame`, `judge`, `lanes`, `levels`, `mesh`, `probe`, `pyramid`, `quadrics`, `remesh`, `shadow`,
+//! `sheet`, `surfaces` and `trace`. Results are kept in `docs/`.
 
 use std::process::ExitCode;
 
@@ -15,6 +15,7 @@ mod detail;
 mod embree;
 mod frame;
 mod judge;
+mod lanes;
 mod levels;
 mod memory;
 mod mesh;
@@ -60,6 +61,8 @@ enum Command {
     Frame(frame::Arguments),
     /// The exact judge of displaced meshes beside a tessellation: fails where they disagree
     Judge(judge::Arguments),
+    /// What the machine's vectors bring the CPU, beside the same work without them
+    Lanes(lanes::Arguments),
     /// What is between filter levels and their map: volume, skylines, and seconds to make them
     Levels(levels::Arguments),
     /// Triangles a second that height maps become, in memory and in files
@@ -93,6 +96,7 @@ fn main() -> ExitCode {
         Command::Embree(arguments) => embree::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Frame(arguments) => frame::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Judge(arguments) => judge::run(&arguments),
+        Command::Lanes(arguments) => lanes::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Levels(arguments) => levels::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Mesh(arguments) => mesh::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Probe(arguments) => probe::run(&arguments),

@@ -17,7 +17,7 @@ use super::scene_arguments::{SceneArguments, of_scene};
 use crate::failure::Failure;
 use crate::progress::{Progress, TaskProgress};
 use crate::streams::{Files, Written, answer};
-use crate::{advice, interrupt, say};
+use crate::{advice, interrupt, lanes, say};
 
 /// What `relief render` is given. Flags override the scene file.
 #[derive(Args)]
@@ -68,6 +68,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (mut kept, no_cache) = arguments.cache.maps();
     let renderer = Renderer::new(scene.backend(), scene.sampling());
     let mut renderer = renderer.map_err(|error| arguments.of_render(error))?;
+    renderer.set_lanes(lanes::from_environment()?);
     // Until here nothing exists that an interrupted program would leave behind.
     let cancel = interrupt::catch()?;
     let progress = TaskProgress::new(arguments.json);

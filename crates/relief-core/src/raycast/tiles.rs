@@ -101,6 +101,7 @@ impl<'a> TileCaster<'a> {
     /// A tile that goes beyond the picture has rays there as well.
     pub fn cast(&self, bins: &Bins, tile: [u32; 2], offset: [f32; 2], hits: &mut TileHits) {
         hits.one_by_one = true;
+        (hits.first, hits.offset) = (bins.area().pixel(tile), offset);
         let (Some(view), Some(entries)) = (&self.view, bins.entries(tile)) else { return };
         if entries.is_empty() {
             // Nothing is there, if the rays are proper ones or not.
@@ -108,36 +109,30 @@ impl<'a> TileCaster<'a> {
             hits.count = [0.0; TILE_POINTS];
             return;
         }
-        let first = bins.area().pixel(tile);
-        self.lanes.run(lanes::Casting { tiles: self, view, entries, first, offset, hits });
+        self.lanes.run(lanes::Casting { tiles: self, view, entries, hits });
     }
 
     /// What a ray of a tile that was cast meets, in the order of `(t, triangle)`. `point` is its number in the
-    /// tile, row by row, and `ray` is that ray.
-    pub fn hits<'b>(
-        &'b self,
-        hits: &'b TileHits,
-        point: usize,
-        ray: &'b Ray,
-    ) -> impl Iterator<Item = TileHit> + 'b {
-        let known = hits.known(point);
+    /// tile, row by row.
+    pub fn hits<'b>(&'b self, hits: &'b TileHits, point: usize) -> impl Iterator<Item = TileHit> + 'b {
         let mut last = None;
         let mut number = 0;
         std::iter::from_fn(move || {
-            last = match known {
-                Some(known) if number < KEPT => known.get(number),
-                // There was room for all.
-                Some(known) if known.count <= KEPT => None,
-                _ => self.next_hit(ray, last),
+            last = if hits.one_by_one || number >= KEPT && hits.count[point] > KEPT as f64 {
+                self.next_hit(hits, point, last)
+            } else {
+                hits.kept(point, number)
             };
             number += 1;
             last
         })
     }
 
-    fn next_hit(&self, ray: &Ray, last: Option<TileHit>) -> Option<TileHit> {
+    fn next_hit(&self, hits: &TileHits, point: usize, last: Option<TileHit>) -> Option<TileHit> {
+        let pixel = [hits.first[0] + (point % TILE) as u32, hits.first[1] + (point / TILE) as u32];
+        let ray = self.rays.ray(PictureRays::point(pixel, hits.offset));
         let after = last.map(|hit| (hit.t, hit.triangle));
-        self.caster.next_after(ray, self.sides, after).map(TileHit::from)
+        self.caster.next_after(&ray, self.sides, after).map(TileHit::from)
     }
 }
 
@@ -149,6 +144,9 @@ const KEPT: usize = 2;
 pub struct TileHits {
     /// The rays must be cast one by one, and the rest says nothing.
     one_by_one: bool,
+    /// The tile's upper left pixel, and how far off the pixels' centres the rays are.
+    first: [u32; 2],
+    offset: [f32; 2],
     /// How many hits each ray has.
     count: [f64; TILE_POINTS],
     /// Of the first ones the parameters.
@@ -162,6 +160,8 @@ impl TileHits {
     pub fn new() -> Self {
         Self {
             one_by_one: true,
+            first: [0; 2],
+            offset: [0.0; 2],
             count: [0.0; TILE_POINTS],
             t: [[0.0; TILE_POINTS]; KEPT],
             key: [[0.0; TILE_POINTS]; KEPT],
@@ -175,14 +175,15 @@ impl TileHits {
 
     /// The first hit of a ray, where it is known and has one.
     pub fn first(&self, point: usize) -> Option<TileHit> {
-        self.known(point)?.get(0)
+        if self.one_by_one { None } else { self.kept(point, 0) }
     }
 
-    fn known(&self, point: usize) -> Option<Known> {
-        (!self.one_by_one).then(|| Known {
-            count: self.count[point] as usize,
-            t: [self.t[0][point], self.t[1][point]],
-            key: [self.key[0][point], self.key[1][point]],
+    /// One of the hits that are kept, by its number.
+    #[inline]
+    fn kept(&self, point: usize, number: usize) -> Option<TileHit> {
+        (number < KEPT && (number as f64) < self.count[point]).then(|| {
+            let key = self.key[number][point] as u64;
+            TileHit { t: self.t[number][point], triangle: (key >> 1) as u32, front: key & 1 == 1 }
         })
     }
 }
@@ -190,23 +191,6 @@ impl TileHits {
 impl Default for TileHits {
     fn default() -> Self {
         Self::new()
-    }
-}
-
-/// The first hits of a ray, and how many there are in all.
-#[derive(Clone, Copy)]
-struct Known {
-    count: usize,
-    t: [f64; KEPT],
-    key: [f64; KEPT],
-}
-
-impl Known {
-    fn get(&self, number: usize) -> Option<TileHit> {
-        (number < self.count).then(|| {
-            let key = self.key[number] as u64;
-            TileHit { t: self.t[number], triangle: (key >> 1) as u32, front: key & 1 == 1 }
-        })
     }
 }
 

@@ -164,7 +164,7 @@ impl<'a> Ready<'a> {
         };
         match cast {
             Some((caster, hits, point)) => {
-                self.propose_polygons(caster.hits(hits, point, &ray_of(aim)), f64::INFINITY, look);
+                self.propose_polygons(caster.hits(hits, point), f64::INFINITY, look);
             }
             None => self.propose(aim, f64::INFINITY, look),
         }
@@ -383,7 +383,7 @@ fn ray_of(aim: Aim) -> Ray {
 }
 
 /// The rays of a frame's picture, which are those of the shaders.
-fn picture_rays(frame: &Frame) -> PictureRays {
+pub fn picture_rays(frame: &Frame) -> PictureRays {
     let three = |v: Vec4<f32>| Vec3::new(v.x, v.y, v.z);
     PictureRays {
         origin: [frame.eye, frame.eye_right, frame.eye_down].map(three),

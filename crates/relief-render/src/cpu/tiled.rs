@@ -194,3 +194,64 @@ fn rows_of_piece(rows: u32) -> u32 {
     let whole_tiles = rows / pieces / TILE as u32 * TILE as u32;
     whole_tiles.clamp(TILE as u32, MOST_ROWS)
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use relief_core::{HeightMap, Wrap};
+    use relief_shaders::cpu::{Frame, SurfaceSettings};
+    use relief_shaders::{Selection, SlotMaps};
+
+    use super::super::ready::picture_rays;
+    use super::*;
+    use crate::job::JobSurface;
+
+    fn surface() -> JobSurface {
+        let map = Arc::new(HeightMap::from_fn(4, 4, Wrap::Repeat, |_, _| 0.5).expect("a valid map"));
+        let selection = Selection::method("relief").expect("a method");
+        JobSurface {
+            settings: SurfaceSettings::tracing(&map, &selection, &SlotMaps::default()),
+            selection,
+            triangles: Arc::default(),
+            height_map: map,
+            color: None,
+            normal_map: None,
+            maps: Vec::new(),
+            two_sided: false,
+        }
+    }
+
+    #[test]
+    fn rays_of_tiles_are_those_of_the_shaders() {
+        let surface = surface();
+        let four = |x: f32| [x * 0.731, x * -1.377, x * 2.093, 0.0].into();
+        let frame = Frame {
+            eye: four(1.1),
+            eye_right: four(0.000_73),
+            eye_down: four(-0.000_41),
+            corner: four(-0.77),
+            right: four(0.001_3),
+            down: four(0.000_917),
+            ..Frame::none()
+        };
+        let (program, rays) = (surface.program(frame, None), picture_rays(&frame));
+        for number in 0..20_000u32 {
+            let pixel = [number * 7 % 4099, number * 13 % 2503];
+            let point = PictureRays::point(pixel, [0.1237 - (number % 10) as f32 / 31.0, 0.25]);
+            let (eye, direction) = (program.pixel_eye(point), program.pixel_direction(point));
+            let ray = rays.ray(point);
+            assert_eq!(ray.origin.to_array(), [eye.x, eye.y, eye.z].map(f64::from));
+            assert_eq!(ray.direction.to_array(), [direction.x, direction.y, direction.z].map(f64::from));
+        }
+    }
+
+    #[test]
+    fn work_is_whole_tiles_until_the_last_rows() {
+        let threads = rayon::current_num_threads() as u32;
+        assert_eq!([0, 1, 8, 9].map(rows_of_piece), [8; 4]);
+        assert_eq!(rows_of_piece(10_000 * threads), MOST_ROWS);
+        assert_eq!(rows_of_piece(4 * 17 * threads), 16);
+        assert_eq!(reach_of(&[Sample::CENTRE]), [[0.0; 2]; 2]);
+    }
+}

@@ -16,9 +16,6 @@ pub struct Casting<'a, 'b> {
     pub tiles: &'a TileCaster<'b>,
     pub view: &'a View,
     pub entries: &'a [Entry],
-    /// The tile's upper left pixel.
-    pub first: [u32; 2],
-    pub offset: [f32; 2],
     pub hits: &'a mut TileHits,
 }
 
@@ -27,8 +24,8 @@ impl WithSimd for Casting<'_, '_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Self { tiles, view, entries, first, offset, hits } = self;
-        let rays = Rays::new(&tiles.rays, first, offset);
+        let Self { tiles, view, entries, hits } = self;
+        let rays = Rays::new(&tiles.rays, hits.first, hits.offset);
         let Some(sheared) = Sheared::new(simd, rays) else { return };
         hits.one_by_one = false;
         hits.count = [0.0; TILE_POINTS];

@@ -100,7 +100,7 @@ fn compared_with(
                     let ray = rays.ray(PictureRays::point(pixel, *offset));
                     let expected = caster.hits(&ray, sides).map(|hit| bits(hit.t, hit.triangle, hit.front));
                     let expected: Vec<_> = expected.collect();
-                    let found = tiles.hits(&hits, point, &ray);
+                    let found = tiles.hits(&hits, point);
                     let is_same =
                         found.map(|hit| bits(hit.t, hit.triangle, hit.front)).eq(expected.iter().copied());
                     compared.add(Compared {

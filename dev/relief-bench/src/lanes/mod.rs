@@ -1,0 +1,30 @@
+//! What the machine's vectors bring the CPU, beside the same work without them.
+
+use clap::{Args, ValueEnum};
+
+mod tiles;
+
+/// What is measured.
+#[derive(Args)]
+pub struct Arguments {
+    /// Parts to measure [default: all]
+    #[arg(value_enum)]
+    parts: Vec<Part>,
+    /// Rounds, of which the fastest counts
+    #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u16).range(1..))]
+    rounds: u16,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Part {
+    /// Camera rays against base meshes, and whole frames that hardly do more
+    Tiles,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), String> {
+    let is_asked = |part| arguments.parts.is_empty() || arguments.parts.contains(&part);
+    if is_asked(Part::Tiles) {
+        tiles::run(arguments.rounds)?;
+    }
+    Ok(())
+}
