@@ -54,7 +54,11 @@ impl LightMap {
             let ready: Vec<Ready> =
                 surfaces.map(|(surface, made)| Ready::new(surface, *frame, None, made.clone())).collect();
             let tiled = Tiled::new(&ready, &[Sample::CENTRE], [views.size; 2], lanes);
-            let keys = |seen: &SeenBlock| seen.map(|seen| seen.map_or(0.0, |(_, seen)| seen.first.key));
+            let keys = |seen: &SeenBlock, put: &mut dyn FnMut(usize, f32)| {
+                for (point, seen) in seen.iter().enumerate() {
+                    put(point, seen.as_ref().map_or(0.0, |(_, seen)| seen.first.key));
+                }
+            };
             tiled.each(layer, 0, cancel, done, keys, |key, _, of| *key = of);
         }
         if cancel.load(Ordering::Relaxed) {

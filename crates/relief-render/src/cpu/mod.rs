@@ -225,7 +225,7 @@ struct Rows<'a> {
 impl Rows<'_> {
     /// Renders them into as many pixels, until `cancel` is set; `done` is told how many rows are done.
     fn render(&self, pixels: &mut [PixelOut], cancel: &AtomicBool, done: &(dyn Fn(u32) + Sync)) {
-        let look = |seen: &SeenBlock| self.shaded(seen);
+        let look = |seen: &SeenBlock, put: &mut dyn FnMut(usize, PixelOut)| self.shade(seen, put);
         self.tiled.each(pixels, self.first, cancel, done, look, |pixel, number, shown| {
             *pixel = match (self.surfaces.first(), self.samples) {
                 (Some(surface), samples) if samples.len() > 1 => {
@@ -240,17 +240,20 @@ impl Rows<'_> {
     }
 
     /// What a block's points look like, surface by surface.
-    fn shaded(&self, seen: &SeenBlock) -> [PixelOut; BLOCK_POINTS] {
-        let mut shown = [uncovered(); BLOCK_POINTS];
-        for surface in self.surfaces {
-            let own =
-                seen.map(|seen| seen.filter(|(of, _)| std::ptr::eq(*of, surface)).map(|(_, seen)| seen));
-            if own.iter().any(Option::is_some) {
-                for (shown, own) in shown.iter_mut().zip(surface.shade(&own, self.scene, self.lanes)) {
-                    *shown = own.unwrap_or(*shown);
-                }
+    fn shade(&self, seen: &SeenBlock, put: &mut dyn FnMut(usize, PixelOut)) {
+        for (point, seen) in seen.iter().enumerate() {
+            if seen.is_none() {
+                put(point, uncovered());
             }
         }
-        shown
+        for surface in self.surfaces {
+            let mut own = [None; BLOCK_POINTS];
+            for (own, seen) in own.iter_mut().zip(seen) {
+                *own = seen.as_ref().filter(|(of, _)| std::ptr::eq(*of, surface)).map(|(_, seen)| seen);
+            }
+            if own.iter().any(Option::is_some) {
+                surface.shade(&own, self.scene, self.lanes, put);
+            }
+        }
     }
 }

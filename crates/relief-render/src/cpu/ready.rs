@@ -11,7 +11,7 @@ use relief_shaders::cpu::{
 };
 use relief_shaders::surface::FOLDED;
 
-use super::together::{Ahead, BLOCK_POINTS, Block, Placed, Visible};
+use super::together::{Ahead, Block, Placed, Visible};
 use crate::camera::Ray;
 use crate::job::{Job, JobSurface};
 use crate::light_views::{frame_of_rays, relief_points};
@@ -293,33 +293,40 @@ impl<'a> Ready<'a> {
         self.program.add_sample(sum, color, weight)
     }
 
-    /// What the hits of a block of points look like; `scene` is all that may be in a light's way.
-    pub fn shade(&self, seen: &Block<Seen>, scene: Option<&SceneRays>, lanes: Lanes) -> Block<PixelOut> {
-        let place = |Seen { pixel, at, first, .. }: Seen| {
-            let placed = self.program.place(pixel, at, first.segment, first.hit);
+    /// What the hits of a block of points look like, handed on point by point; `scene` is all that may be in
+    /// a light's way.
+    pub fn shade(
+        &self,
+        seen: &Block<&Seen>,
+        scene: Option<&SceneRays>,
+        lanes: Lanes,
+        put: &mut dyn FnMut(usize, PixelOut),
+    ) {
+        let place = |Seen { pixel, at, first, .. }: &Seen| {
+            let placed = self.program.place(*pixel, *at, first.segment, first.hit);
             Placed { at: placed, hit: first.hit, level: at.level }
         };
-        let placed: Block<Placed> = seen.map(|seen| seen.map(place));
-        let visible = match (&self.tracers, self.rays_through_scene.zip(scene)) {
-            (_, Some((count, scene))) => placed.map(|placed| {
-                let Placed { at, hit, .. } = placed?;
-                Some(self.visible_through(scene, at, hit, count))
-            }),
-            (Some(tracers), _) if self.traces_shadows => self.visible_lights(tracers, &placed, lanes),
-            _ => placed.map(|placed| {
-                let Placed { at, hit, .. } = placed?;
-                Some(self.program.visible_lights(at, hit))
-            }),
-        };
-        let mut shaded = [None; BLOCK_POINTS];
-        for (point, shaded) in shaded.iter_mut().enumerate() {
-            if let (Some(seen), Some(Placed { at, hit, .. }), Some(visible)) =
-                (&seen[point], placed[point], visible[point])
-            {
-                *shaded = Some(self.program.shade_hit(seen.pixel, at, hit, visible));
+        let together = self.tracers.as_ref().filter(|_| self.traces_shadows);
+        let through = self.rays_through_scene.zip(scene);
+        if let (Some(tracers), None) = (together, through) {
+            let placed = seen.map(|seen| seen.map(place));
+            let visible = self.visible_lights(tracers, &placed, lanes);
+            for (point, ((seen, placed), visible)) in seen.iter().zip(&placed).zip(visible).enumerate() {
+                if let (Some(seen), Some(Placed { at, hit, .. }), Some(visible)) = (seen, placed, visible) {
+                    put(point, self.program.shade_hit(seen.pixel, *at, *hit, visible));
+                }
             }
+            return;
         }
-        shaded
+        for (point, seen) in seen.iter().enumerate() {
+            let Some(seen) = seen else { continue };
+            let Placed { at, hit, .. } = place(seen);
+            let visible = match through {
+                Some((count, scene)) => self.visible_through(scene, at, hit, count),
+                None => self.program.visible_lights(at, hit),
+            };
+            put(point, self.program.shade_hit(seen.pixel, at, hit, visible));
+        }
     }
 
     /// What of the lights arrives at a placed hit through a scene, by so many rays from each.

@@ -53,16 +53,16 @@ impl<'a> Tiled<'a> {
         Self { size, samples, surfaces: surfaces.collect(), lanes }
     }
 
-    /// Goes through whole rows of the picture, from the row `first` on, until `cancel` is set. `look` makes
-    /// something of what a block's points see, and `show` puts it into pixels, for each sample after the
-    /// other; `done` is told how many rows are done.
-    pub fn each<P: Send, V: Copy>(
+    /// Goes through whole rows of the picture, from the row `first` on, until `cancel` is set, a sample of
+    /// each pixel after the other. `look` makes something of what a block's points see, and hands it on point
+    /// by point; `show` puts it into a pixel. `done` is told how many rows are done.
+    pub fn each<P: Send, V>(
         &self,
         pixels: &mut [P],
         first: u32,
         cancel: &AtomicBool,
         done: &(dyn Fn(u32) + Sync),
-        look: impl Fn(&SeenBlock) -> [V; BLOCK_POINTS] + Sync,
+        look: impl Fn(&SeenBlock, &mut dyn FnMut(usize, V)) + Sync,
         show: impl Fn(&mut P, usize, V) + Sync,
     ) {
         // A picture without columns has no rows to go through either.
@@ -77,13 +77,12 @@ impl<'a> Tiled<'a> {
                     let columns = MOST_COLUMNS.min(self.size[0] - column);
                     let area = Area { first: [column, first], size: [columns, rows] };
                     self.area(area, scratch, cancel, |place, number, seen| {
-                        let looked = look(seen);
-                        for (point, value) in looked.into_iter().enumerate() {
+                        look(seen, &mut |point, value| {
                             if let Some((_, [x, y])) = place.point(area, point) {
                                 let pixel = (y - first) as usize * width + x as usize;
                                 show(&mut pixels[pixel], number, value);
                             }
-                        }
+                        });
                     });
                 }
                 if !cancel.load(Ordering::Relaxed) {
@@ -106,6 +105,7 @@ impl<'a> Tiled<'a> {
         mut show: impl FnMut(&Place, usize, &SeenBlock),
     ) {
         let Scratch { bins, hits } = scratch;
+        let mut seen: SeenBlock = [None; BLOCK_POINTS];
         let offsets = reach_of(self.samples);
         for ((_, caster), bins) in self.surfaces.iter().zip(&mut *bins) {
             if let Some(caster) = caster {
@@ -126,7 +126,8 @@ impl<'a> Tiled<'a> {
                 }
                 for first in [[0, 0], [BLOCK, 0], [0, BLOCK], [BLOCK, BLOCK]] {
                     let place = Place { tile, first, sample };
-                    show(&place, number, &self.block(area, &place, hits));
+                    self.block(area, &place, hits, &mut seen);
+                    show(&place, number, &seen);
                 }
             }
         }
@@ -134,25 +135,25 @@ impl<'a> Tiled<'a> {
 
     /// What the points of a block see: the nearest of the surfaces' hits, and of equally near ones that of
     /// the first surface.
-    fn block(&self, area: Area, place: &Place, hits: &[TileHits]) -> SeenBlock<'a> {
-        let mut best: SeenBlock = [None; BLOCK_POINTS];
+    fn block(&self, area: Area, place: &Place, hits: &[TileHits], best: &mut SeenBlock<'a>) {
+        for best in &mut *best {
+            *best = None;
+        }
         for ((surface, caster), hits) in self.surfaces.iter().zip(hits) {
-            let ahead = match caster {
-                Some(_) => surface.ahead(&place.first_hits(area, hits), self.lanes),
-                None => [None; BLOCK_POINTS],
-            };
-            for (number, (best, ahead)) in best.iter_mut().zip(&ahead).enumerate() {
+            let is_ahead = caster.is_some() && surface.traces_ahead(self.lanes);
+            let ahead = is_ahead.then(|| surface.ahead(&place.first_hits(area, hits), self.lanes));
+            for (number, best) in best.iter_mut().enumerate() {
                 let Some((point, pixel)) = place.point(area, number) else { continue };
                 let cast = caster.as_ref().map(|caster| (caster, hits, point));
                 let is_nearer =
                     |seen: &Seen| best.as_ref().is_none_or(|(_, best)| seen.first.key > best.first.key);
                 let at = PictureRays::point(pixel, place.sample.offset);
-                if let Some(seen) = surface.seen(at, cast, ahead.as_ref()).filter(is_nearer) {
+                let ahead = ahead.as_ref().and_then(|ahead| ahead[number].as_ref());
+                if let Some(seen) = surface.seen(at, cast, ahead).filter(is_nearer) {
                     *best = Some((surface, seen));
                 }
             }
         }
-        best
     }
 }
 

@@ -41,11 +41,16 @@ pub struct Placed {
 pub type Visible = [Vec4<f32>; MAX_LIGHTS];
 
 impl Ready<'_> {
+    /// Whether the paths of a block's first polygons are traced together.
+    pub fn traces_ahead(&self, lanes: Lanes) -> bool {
+        self.tracers.is_some() && lanes != Lanes::One
+    }
+
     /// Of the points of a block what their first polygons show, as far as that can be traced together: by
     /// the exact tracer, and in one level of detail.
     pub fn ahead(&self, points: &Block<([f32; 2], TileHit)>, lanes: Lanes) -> Block<Ahead> {
         let mut ahead = [None; BLOCK_POINTS];
-        let (Some(tracers), false) = (&self.tracers, lanes == Lanes::One) else { return ahead };
+        let Some(tracers) = &self.tracers else { return ahead };
         let mut packet = PathPacket::EMPTY;
         let mut level = None;
         for (lane, (point, ahead)) in points.iter().zip(&mut ahead).enumerate() {
