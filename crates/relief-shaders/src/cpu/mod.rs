@@ -12,6 +12,7 @@ mod convert;
 #[rustfmt::skip]
 #[allow(missing_docs, unused, unused_lifetimes, unused_qualifications, clippy::all)]
 mod generated;
+mod lanes;
 #[path = "../../generated/layout.rs"]
 #[rustfmt::skip]
 #[allow(missing_docs, unused_imports, clippy::all)]
@@ -26,6 +27,7 @@ pub use generated::{
     Choice, Corner, Entered, FirstHit, Found, Frame, Hit, Light, LightRay, LightView, MapSettings, Path,
     PixelIn, PixelOut, Shell, SurfaceSettings, Toward,
 };
+pub use lanes::{BLOCK, HitBlock, PathBlock};
 pub use layout::{Face, PassSettings, Probe, PyramidPass, Record};
 pub use method_tracer::MethodTracer;
 /// A vector, as shaders have it.
