@@ -12,6 +12,7 @@ mod convert;
 #[rustfmt::skip]
 #[allow(missing_docs, unused, unused_lifetimes, unused_qualifications, clippy::all)]
 mod generated;
+mod lanes;
 #[path = "../../generated/layout.rs"]
 #[rustfmt::skip]
 #[allow(missing_docs, unused_imports, clippy::all)]
@@ -28,6 +29,7 @@ pub use generated::{
     Found, Frame, Hit, Light, LightRay, LightView, MapSettings, Path, PixelIn, PixelOut, Shell,
     SurfaceSettings, Tessellation, Toward, Voxel,
 };
+pub use lanes::{BLOCK, HitBlock, PathBlock};
 pub use layout::{BaseEdge, BasePatch, Face, MadeTotals, PassSettings, Probe, PyramidPass, Record, Tally};
 pub use method_tracer::MethodTracer;
 /// A vector, as shaders have it.

@@ -1,6 +1,9 @@
 //! The shaders' functions that hosts call.
 
+use relief_core::Lanes;
+
 use super::generated::Resources;
+use super::lanes::{self, HitBlock, PathBlock};
 use super::{
     Bound, Entered, FirstHit, Found, Hit, LightRay, Path, PixelIn, PixelOut, Toward, Triangle, Vec2, Vec3,
     Vec4,
@@ -109,6 +112,13 @@ impl<'a> Program<'a> {
     #[inline]
     pub fn trace(&self, path: Path) -> Hit {
         self.0.trace(path)
+    }
+
+    /// The same of the paths of a block that `which` has bits for, over lanes. The hits of the others stay as
+    /// they were.
+    #[inline]
+    pub fn trace_block(&self, paths: &PathBlock, which: u16, lanes: Lanes, hits: &mut HitBlock) {
+        lanes::trace(&self.0, lanes, paths, which, hits);
     }
 
     /// A whole pixel: all stages.

@@ -34,15 +34,15 @@ pub struct ColorTexture<'a> {
 /// A baked map as a texture.
 #[derive(Clone, Copy, Debug)]
 pub struct MapTexture<'a> {
-    texels: Texels<'a>,
-    width: isize,
-    layers: usize,
-    places: &'a [LevelPlace],
+    pub(super) texels: Texels<'a>,
+    pub(super) width: isize,
+    pub(super) layers: usize,
+    pub(super) places: &'a [LevelPlace],
 }
 
 /// Texels by their channels and format.
 #[derive(Clone, Copy, Debug)]
-enum Texels<'a> {
+pub(super) enum Texels<'a> {
     One(&'a [f32]),
     Two(&'a [[f32; 2]]),
     Four(&'a [[f32; 4]]),
@@ -107,6 +107,18 @@ impl<'a> HeightTexture<'a> {
         let coarser = if levels > 1 { map.coarser() } else { &[] };
         Self { width: map.width() as i32, texels: map.texels(), coarser }
     }
+
+    /// Columns and texels of a level; none where there is no such level.
+    #[inline(always)]
+    pub(super) fn level(&self, level: i32) -> (i32, &'a [f32]) {
+        match level {
+            0 => (self.width, self.texels),
+            _ => match self.coarser.get((level as usize).wrapping_sub(1)) {
+                Some(map) => (map.width() as i32, map.texels()),
+                None => (0, &[][..]),
+            },
+        }
+    }
 }
 
 impl<'a> HoleTexture<'a> {
@@ -148,13 +160,7 @@ impl Read for HeightTexture<'_> {
 
     #[inline(always)]
     fn read_texel(&self, at: Vec2<i32>, _layer: i32, _sample: i32, level: i32) -> Vec4<f32> {
-        let (width, texels) = match level {
-            0 => (self.width, self.texels),
-            _ => match self.coarser.get((level as usize).wrapping_sub(1)) {
-                Some(map) => (map.width() as i32, map.texels()),
-                None => (0, &[][..]),
-            },
-        };
+        let (width, texels) = self.level(level);
         let index = at.y as isize * width as isize + at.x as isize;
         let texel = texels.get(index as usize).copied().unwrap_or(0.0);
         Vec4 { x: texel, y: 0.0, z: 0.0, w: 1.0 }

@@ -12,6 +12,7 @@ mod constants;
 mod declarations;
 mod dispatch;
 mod docs;
+mod lanes;
 mod layout;
 mod modules;
 mod naga_check;
@@ -55,6 +56,9 @@ const CPU_ROOT: (&str, &[&str]) = (
     ],
 );
 
+/// Those of its functions that are written over lanes, too, with all that they reach.
+const LANE_ROOTS: [&str; 1] = ["trace"];
+
 /// All generated files.
 pub fn files(workspace: &Path) -> Result<Vec<Generated>, String> {
     let modules = modules::Modules::read(&workspace.join("crates/relief-shaders/src"))?;
@@ -77,10 +81,11 @@ pub fn files(workspace: &Path) -> Result<Vec<Generated>, String> {
     naga_check::refuse_untranslatable(&module, &info, &text, &modules)?;
     let docs = docs::Docs::of(&declarations);
     let rust = docs.add(&rust::translate(&module, &info)?)?;
+    let lanes = lanes::translate(&module, &info, &LANE_ROOTS, &text, &modules)?;
     let translated: BTreeSet<String> = module.types.iter().filter_map(|(_, ty)| ty.name.clone()).collect();
     let layout = docs.add(&layout::write(&shared.iter().collect::<Vec<_>>(), &translated)?)?;
     let written = declarations::write(&modules, &declarations);
-    let files = [("declarations.rs", written), ("cpu.rs", rust), ("layout.rs", layout)];
+    let files = [("declarations.rs", written), ("cpu.rs", rust), ("lanes.rs", lanes), ("layout.rs", layout)];
     let generated =
         |(name, text): (&str, String)| Generated { path: folder.join(name), bytes: text.into_bytes() };
     Ok(files.map(generated).into())

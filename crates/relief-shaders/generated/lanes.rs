@@ -1,0 +1,3066 @@
+// The stages over lanes. Written by `cargo xtask link`; do not edit.
+
+use super::*;
+
+#[derive(Clone, Copy)]
+pub struct Around {
+    pub columns: Vec2<I>,
+    pub rows: Vec2<I>,
+    pub part: Vec2<F>,
+}
+lanes! { fn sel_around(m: M, a: &Around, b: &Around) -> Around {
+    Around {
+        columns: Vec2 { x: sel_i(m, a.columns.x, b.columns.x), y: sel_i(m, a.columns.y, b.columns.y) },
+        rows: Vec2 { x: sel_i(m, a.rows.x, b.rows.x), y: sel_i(m, a.rows.y, b.rows.y) },
+        part: Vec2 { x: sel(m, a.part.x, b.part.x), y: sel(m, a.part.y, b.part.y) },
+    }
+} }
+lanes! { fn zero_around() -> Around {
+    Around {
+        columns: Vec2 { x: splat_i(0i32), y: splat_i(0i32) },
+        rows: Vec2 { x: splat_i(0i32), y: splat_i(0i32) },
+        part: Vec2 { x: splat(0f32), y: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct Hit {
+    pub found: U,
+    pub exhausted: U,
+    pub uv: Vec2<F>,
+    pub height: F,
+    pub t: F,
+    pub cost: Vec3<U>,
+}
+lanes! { fn sel_hit(m: M, a: &Hit, b: &Hit) -> Hit {
+    Hit {
+        found: sel_u(m, a.found, b.found),
+        exhausted: sel_u(m, a.exhausted, b.exhausted),
+        uv: Vec2 { x: sel(m, a.uv.x, b.uv.x), y: sel(m, a.uv.y, b.uv.y) },
+        height: sel(m, a.height, b.height),
+        t: sel(m, a.t, b.t),
+        cost: Vec3 { x: sel_u(m, a.cost.x, b.cost.x), y: sel_u(m, a.cost.y, b.cost.y), z: sel_u(m, a.cost.z, b.cost.z) },
+    }
+} }
+lanes! { fn zero_hit() -> Hit {
+    Hit {
+        found: splat_u(0u32),
+        exhausted: splat_u(0u32),
+        uv: Vec2 { x: splat(0f32), y: splat(0f32) },
+        height: splat(0f32),
+        t: splat(0f32),
+        cost: Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct Found {
+    pub status: U,
+    pub near: F,
+    pub far: F,
+    pub near_gap: F,
+    pub far_gap: F,
+    pub cost: Vec3<U>,
+}
+lanes! { fn sel_found(m: M, a: &Found, b: &Found) -> Found {
+    Found {
+        status: sel_u(m, a.status, b.status),
+        near: sel(m, a.near, b.near),
+        far: sel(m, a.far, b.far),
+        near_gap: sel(m, a.near_gap, b.near_gap),
+        far_gap: sel(m, a.far_gap, b.far_gap),
+        cost: Vec3 { x: sel_u(m, a.cost.x, b.cost.x), y: sel_u(m, a.cost.y, b.cost.y), z: sel_u(m, a.cost.z, b.cost.z) },
+    }
+} }
+lanes! { fn zero_found() -> Found {
+    Found {
+        status: splat_u(0u32),
+        near: splat(0f32),
+        far: splat(0f32),
+        near_gap: splat(0f32),
+        far_gap: splat(0f32),
+        cost: Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct Grid {
+    pub origin: Vec2<F>,
+    pub step: Vec2<F>,
+}
+lanes! { fn sel_grid(m: M, a: &Grid, b: &Grid) -> Grid {
+    Grid {
+        origin: Vec2 { x: sel(m, a.origin.x, b.origin.x), y: sel(m, a.origin.y, b.origin.y) },
+        step: Vec2 { x: sel(m, a.step.x, b.step.x), y: sel(m, a.step.y, b.step.y) },
+    }
+} }
+lanes! { fn zero_grid() -> Grid {
+    Grid {
+        origin: Vec2 { x: splat(0f32), y: splat(0f32) },
+        step: Vec2 { x: splat(0f32), y: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct Path {
+    pub uv: Vec2<F>,
+    pub duv: Vec2<F>,
+    pub h: Vec3<F>,
+    pub exit: F,
+    pub base: F,
+    pub metric: Vec4<F>,
+    pub ray: u32,
+    pub level: u32,
+    pub start: F,
+    pub share: F,
+}
+lanes! { fn sel_path(m: M, a: &Path, b: &Path) -> Path {
+    Path {
+        uv: Vec2 { x: sel(m, a.uv.x, b.uv.x), y: sel(m, a.uv.y, b.uv.y) },
+        duv: Vec2 { x: sel(m, a.duv.x, b.duv.x), y: sel(m, a.duv.y, b.duv.y) },
+        h: Vec3 { x: sel(m, a.h.x, b.h.x), y: sel(m, a.h.y, b.h.y), z: sel(m, a.h.z, b.h.z) },
+        exit: sel(m, a.exit, b.exit),
+        base: sel(m, a.base, b.base),
+        metric: Vec4 { x: sel(m, a.metric.x, b.metric.x), y: sel(m, a.metric.y, b.metric.y), z: sel(m, a.metric.z, b.metric.z), w: sel(m, a.metric.w, b.metric.w) },
+        ray: a.ray,
+        level: a.level,
+        start: sel(m, a.start, b.start),
+        share: sel(m, a.share, b.share),
+    }
+} }
+lanes! { fn zero_path() -> Path {
+    Path {
+        uv: Vec2 { x: splat(0f32), y: splat(0f32) },
+        duv: Vec2 { x: splat(0f32), y: splat(0f32) },
+        h: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        exit: splat(0f32),
+        base: splat(0f32),
+        metric: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        ray: 0u32,
+        level: 0u32,
+        start: splat(0f32),
+        share: splat(0f32),
+    }
+} }
+
+lanes! { fn quadratic(r: &Resources<'_>, c_a0: Vec3<F>, s_a1: F) -> F {
+    return add(c_a0.x, mul(s_a1, add(c_a0.y, mul(s_a1, c_a0.z))));
+} }
+lanes! { fn first_root(r: &Resources<'_>, within: M, c_a0: Vec3<F>, span_a1: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut a_v0: F = splat(3e38f32);
+    let mut b_v1: F = splat(3e38f32);
+    let discriminant_10 = sub(mul(c_a0.y, c_a0.y), mul(mul(splat(4.0f32), c_a0.z), c_a0.x));
+    let (b1, c2) = (ex, ge(discriminant_10, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let root_13 = sqrt(discriminant_10);
+        let q_23 = mul(splat((-0.5f32)), add(c_a0.y, sel(ge(c_a0.y, splat(0.0f32)), root_13, sub(splat(0.0f32), root_13))));
+        let c3 = ne(c_a0.z, splat(0.0f32));
+        a_v0 = sel(c3, div(q_23, c_a0.z), a_v0);
+        let c4 = ne(q_23, splat(0.0f32));
+        b_v1 = sel(c4, div(c_a0.x, q_23), b_v1);
+        let e_37 = a_v0;
+        let e_38 = a_v0;
+        a_v0 = sel(ge(e_38, splat(0.0f32)), e_37, splat(3e38f32));
+        let e_43 = b_v1;
+        let e_44 = b_v1;
+        b_v1 = sel(ge(e_44, splat(0.0f32)), e_43, splat(3e38f32));
+        let e_49 = a_v0;
+        let e_50 = b_v1;
+        let first_51 = min(e_49, e_50);
+        let (b5, c6) = (ex, le(first_51, span_a1));
+        ex = and(b5, c6);
+        if any(ex) {
+            ret = first_51;
+            ex = no_lane();
+        }
+        ex = and_not(b5, c6);
+    }
+    let x7 = ex;
+    ex = and_not(b1, c2);
+    ex = or(ex, x7);
+    if none(ex) { return ret; }
+    let e_53 = quadratic(r, c_a0, span_a1);
+    let c8 = le(e_53, splat(0.0f32));
+    ret = sel(and(ex, c8), span_a1, ret);
+    ex = and_not(ex, c8);
+    return sel(ex, splat(3e38f32), ret);
+} }
+lanes! { fn cell_of(r: &Resources<'_>, point_a0: Vec2<F>) -> Vec2<F> {
+    return Vec2 { x: min_with(max_with(floor(point_a0.x), splat((-1073741800.0f32))), splat(1073741800.0f32)), y: min_with(max_with(floor(point_a0.y), splat((-1073741800.0f32))), splat(1073741800.0f32)) };
+} }
+lanes! { fn wrap_index(r: &Resources<'_>, within: M, i_a0: I, n_a1: i32) -> I {
+    let mut ex = within;
+    let mut ret: I = splat_i(0i32);
+    let mut both_v0: M = splat_m(false);
+    both_v0 = and(ge_i(i_a0, splat_i(0i32)), lt_i(i_a0, splat_i(n_a1)));
+    let e_8 = both_v0;
+    let c1 = e_8;
+    ret = i_a0;
+    ex = and_not(ex, c1);
+    if (r.surface_settings.wrap == 1u32) {
+        return sel_i(ex, min_i(max_i(i_a0, splat_i(0i32)), splat_i(n_a1.wrapping_sub(1i32))), ret);
+    }
+    if (r.surface_settings.wrap == 0u32) {
+        if none(ex) { return ret; }
+        return sel_i(ex, rem_i(add_i(rem_i(i_a0, splat_i(n_a1)), splat_i(n_a1)), splat_i(n_a1)), ret);
+    }
+    let period_27 = 2i32.wrapping_mul(n_a1);
+    if none(ex) { return ret; }
+    let folded_30 = rem_i(add_i(rem_i(i_a0, splat_i(period_27)), splat_i(period_27)), splat_i(period_27));
+    return sel_i(ex, sel_i(lt_i(folded_30, splat_i(n_a1)), folded_30, sub_i(splat_i(period_27.wrapping_sub(1i32)), folded_30)), ret);
+} }
+lanes! { fn texels_around(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, n_a1: Vec2<i32>) -> Around {
+    let mut ex = within;
+    let mut ret: Around = zero_around();
+    let point_7 = Vec2 { x: sub(mul(uv_a0.x, splat((n_a1.x as f32))), splat(0.5f32)), y: sub(mul(uv_a0.y, splat((n_a1.y as f32))), splat(0.5f32)) };
+    let cell_8 = cell_of(r, point_7);
+    let i_9 = Vec2 { x: i_of_f(cell_8.x), y: i_of_f(cell_8.y) };
+    let e_12 = wrap_index(r, ex, i_9.x, n_a1.x);
+    let e_17 = wrap_index(r, ex, add_i(i_9.x, splat_i(1i32)), n_a1.x);
+    let e_21 = wrap_index(r, ex, i_9.y, n_a1.y);
+    let e_26 = wrap_index(r, ex, add_i(i_9.y, splat_i(1i32)), n_a1.y);
+    return Around { columns: Vec2 { x: e_12, y: e_17 }, rows: Vec2 { x: e_21, y: e_26 }, part: Vec2 { x: sub(point_7.x, cell_8.x), y: sub(point_7.y, cell_8.y) }, };
+} }
+lanes! { fn bilinear(r: &Resources<'_>, h00_a0: Vec4<F>, h10_a1: Vec4<F>, h01_a2: Vec4<F>, h11_a3: Vec4<F>, part_a4: Vec2<F>) -> Vec4<F> {
+    let top_8 = Vec4 { x: add(h00_a0.x, mul(sub(h10_a1.x, h00_a0.x), part_a4.x)), y: add(h00_a0.y, mul(sub(h10_a1.y, h00_a0.y), part_a4.x)), z: add(h00_a0.z, mul(sub(h10_a1.z, h00_a0.z), part_a4.x)), w: add(h00_a0.w, mul(sub(h10_a1.w, h00_a0.w), part_a4.x)) };
+    let bottom_12 = Vec4 { x: add(h01_a2.x, mul(sub(h11_a3.x, h01_a2.x), part_a4.x)), y: add(h01_a2.y, mul(sub(h11_a3.y, h01_a2.y), part_a4.x)), z: add(h01_a2.z, mul(sub(h11_a3.z, h01_a2.z), part_a4.x)), w: add(h01_a2.w, mul(sub(h11_a3.w, h01_a2.w), part_a4.x)) };
+    return Vec4 { x: add(top_8.x, mul(sub(bottom_12.x, top_8.x), part_a4.y)), y: add(top_8.y, mul(sub(bottom_12.y, top_8.y), part_a4.y)), z: add(top_8.z, mul(sub(bottom_12.z, top_8.z), part_a4.y)), w: add(top_8.w, mul(sub(bottom_12.w, top_8.w), part_a4.y)) };
+} }
+lanes! { fn decoded(r: &Resources<'_>, texel_a0: Vec4<F>, map_a1: &single::MapSettings) -> Vec4<F> {
+    if (map_a1.coded == 1u32) {
+        return Vec4 { x: add(splat(map_a1.low.x), mul(splat(map_a1.step.x), floor(add(mul(texel_a0.x, splat(255.0f32)), splat(0.5f32))))), y: add(splat(map_a1.low.y), mul(splat(map_a1.step.y), floor(add(mul(texel_a0.y, splat(255.0f32)), splat(0.5f32))))), z: add(splat(map_a1.low.z), mul(splat(map_a1.step.z), floor(add(mul(texel_a0.z, splat(255.0f32)), splat(0.5f32))))), w: add(splat(map_a1.low.w), mul(splat(map_a1.step.w), floor(add(mul(texel_a0.w, splat(255.0f32)), splat(0.5f32))))) };
+    }
+    return texel_a0;
+} }
+lanes! { fn path_height(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
+    return add(path_a0.h.x, mul(t_a1, add(path_a0.h.y, mul(t_a1, path_a0.h.z))));
+} }
+lanes! { fn height_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let n_2 = r.height_texels(level_a1);
+    let k_3 = (level_a1 as i32);
+    let i0_6 = wrap_index(r, ex, cell_a0.x, n_2.x);
+    let i1_11 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), n_2.x);
+    let j0_14 = wrap_index(r, ex, cell_a0.y, n_2.y);
+    let j1_19 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), n_2.y);
+    let e_22 = height_texel(&r.height_map, i0_6, j0_14, k_3);
+    let e_26 = height_texel(&r.height_map, i1_11, j0_14, k_3);
+    let e_30 = height_texel(&r.height_map, i0_6, j1_19, k_3);
+    let e_34 = height_texel(&r.height_map, i1_11, j1_19, k_3);
+    return Vec4 { x: e_22.x, y: e_26.x, z: e_30.x, w: e_34.x };
+} }
+lanes! { fn height_at(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: u32) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let e_2 = r.height_size(level_a1);
+    let point_7 = Vec2 { x: sub(mul(uv_a0.x, splat(e_2.x)), splat(0.5f32)), y: sub(mul(uv_a0.y, splat(e_2.y)), splat(0.5f32)) };
+    let cell_8 = cell_of(r, point_7);
+    let f_9 = Vec2 { x: sub(point_7.x, cell_8.x), y: sub(point_7.y, cell_8.y) };
+    let h_11 = height_cell(r, ex, Vec2 { x: i_of_f(cell_8.x), y: i_of_f(cell_8.y) }, level_a1);
+    let top_18 = add(h_11.x, mul(sub(h_11.y, h_11.x), f_9.x));
+    let bottom_25 = add(h_11.z, mul(sub(h_11.w, h_11.z), f_9.x));
+    return add(top_18, mul(sub(bottom_25, top_18), f_9.y));
+} }
+lanes! { fn path_uv(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> Vec2<F> {
+    return Vec2 { x: add(path_a0.uv.x, mul(path_a0.duv.x, t_a1)), y: add(path_a0.uv.y, mul(path_a0.duv.y, t_a1)) };
+} }
+lanes! { fn path_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let e_2 = path_height(r, path_a0, t_a1);
+    let e_3 = path_uv(r, path_a0, t_a1);
+    let e_5 = height_at(r, ex, e_3, path_a0.level);
+    return sub(e_2, e_5);
+} }
+lanes! { fn bracket_between(r: &Resources<'_>, within: M, path_a0: &Path, near_a1: F, far_a2: F, cost_a3: Vec3<U>) -> Found {
+    let mut ex = within;
+    let mut ret: Found = zero_found();
+    let mut both_v0: M = splat_m(false);
+    let gap_4 = path_gap(r, ex, path_a0, near_a1);
+    both_v0 = and(eq(near_a1, splat(0.0f32)), lt(gap_4, splat(0.0f32)));
+    let e_12 = both_v0;
+    let (b1, c2) = (ex, e_12);
+    ex = and(b1, c2);
+    if any(ex) {
+        ret = Found { status: splat_u(5u32), near: splat(0.0f32), far: splat(0.0f32), near_gap: gap_4, far_gap: gap_4, cost: Vec3 { x: add_u(cost_a3.x, splat_u(1u32)), y: add_u(cost_a3.y, splat_u(0u32)), z: add_u(cost_a3.z, splat_u(16u32)) }, };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let e_20 = path_gap(r, ex, path_a0, far_a2);
+    return sel_found(ex, &Found { status: splat_u(3u32), near: near_a1, far: far_a2, near_gap: gap_4, far_gap: e_20, cost: Vec3 { x: add_u(add_u(cost_a3.x, splat_u(1u32)), splat_u(1u32)), y: add_u(add_u(cost_a3.y, splat_u(0u32)), splat_u(0u32)), z: add_u(add_u(cost_a3.z, splat_u(16u32)), splat_u(16u32)) }, }, &ret);
+} }
+lanes! { fn cell_after(r: &Resources<'_>, grid_a0: &Grid, cell_a1: Vec2<F>, leave_a2: Vec2<F>, forward_a3: Vec2<M>, t_a4: F) -> Vec2<F> {
+    let near_9 = cell_of(r, Vec2 { x: add(grid_a0.origin.x, mul(grid_a0.step.x, t_a4)), y: add(grid_a0.origin.y, mul(grid_a0.step.y, t_a4)) });
+    let ahead_20 = Vec2 { x: max(near_9.x, add(cell_a1.x, sel(le(leave_a2.x, t_a4), splat(1.0f32), splat(0.0f32)))), y: max(near_9.y, add(cell_a1.y, sel(le(leave_a2.y, t_a4), splat(1.0f32), splat(0.0f32)))) };
+    let behind_31 = Vec2 { x: min(near_9.x, sub(cell_a1.x, sel(le(leave_a2.x, t_a4), splat(1.0f32), splat(0.0f32)))), y: min(near_9.y, sub(cell_a1.y, sel(le(leave_a2.y, t_a4), splat(1.0f32), splat(0.0f32)))) };
+    return Vec2 { x: sel(forward_a3.x, ahead_20.x, behind_31.x), y: sel(forward_a3.y, ahead_20.y, behind_31.y) };
+} }
+lanes! { fn gap_to(r: &Resources<'_>, path_a0: &Path, grid_a1: &Grid, cell_a2: Vec2<F>, h_a3: Vec4<F>, t_a4: F) -> Vec3<F> {
+    let bx_7 = sub(h_a3.y, h_a3.x);
+    let by_10 = sub(h_a3.z, h_a3.x);
+    let twist_17 = add(sub(h_a3.x, h_a3.y), sub(h_a3.w, h_a3.z));
+    let at_22 = Vec2 { x: add(sub(grid_a1.origin.x, cell_a2.x), mul(grid_a1.step.x, t_a4)), y: add(sub(grid_a1.origin.y, cell_a2.y), mul(grid_a1.step.y, t_a4)) };
+    let z_32 = add(path_a0.h.x, mul(t_a4, add(path_a0.h.y, mul(t_a4, path_a0.h.z))));
+    let dz_40 = add(path_a0.h.y, mul(mul(splat(2.0f32), t_a4), path_a0.h.z));
+    return Vec3 { x: sub(z_32, add(add(add(h_a3.x, mul(bx_7, at_22.x)), mul(by_10, at_22.y)), mul(mul(twist_17, at_22.x), at_22.y))), y: sub(dz_40, add(add(mul(bx_7, grid_a1.step.x), mul(by_10, grid_a1.step.y)), mul(twist_17, add(mul(at_22.x, grid_a1.step.y), mul(at_22.y, grid_a1.step.x))))), z: sub(path_a0.h.z, mul(mul(twist_17, grid_a1.step.x), grid_a1.step.y)) };
+} }
+lanes! { fn cell_gap(r: &Resources<'_>, within: M, path_a0: &Path, grid_a1: &Grid, cell_a2: Vec2<F>, t_a3: F) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let e_6 = height_cell(r, ex, Vec2 { x: i_of_f(cell_a2.x), y: i_of_f(cell_a2.y) }, path_a0.level);
+    let e_7 = gap_to(r, path_a0, grid_a1, cell_a2, e_6, t_a3);
+    return e_7;
+} }
+lanes! { fn cell_leave(r: &Resources<'_>, within: M, grid_a0: &Grid, cell_a1: Vec2<F>) -> Vec2<F> {
+    let mut ex = within;
+    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut leave_v0: Vec2<F> = Vec2 { x: splat(3e38f32), y: splat(3e38f32) };
+    let c1 = gt(grid_a0.step.x, splat(0.0f32));
+    leave_v0.x = sel(c1, div(sub(add(cell_a1.x, splat(1.0f32)), grid_a0.origin.x), grid_a0.step.x), leave_v0.x);
+    let c2 = lt(grid_a0.step.x, splat(0.0f32));
+    leave_v0.x = sel(c2, div(sub(cell_a1.x, grid_a0.origin.x), grid_a0.step.x), leave_v0.x);
+    let c3 = gt(grid_a0.step.y, splat(0.0f32));
+    leave_v0.y = sel(c3, div(sub(add(cell_a1.y, splat(1.0f32)), grid_a0.origin.y), grid_a0.step.y), leave_v0.y);
+    let c4 = lt(grid_a0.step.y, splat(0.0f32));
+    leave_v0.y = sel(c4, div(sub(cell_a1.y, grid_a0.origin.y), grid_a0.step.y), leave_v0.y);
+    let e_58 = leave_v0;
+    return e_58;
+} }
+lanes! { fn cell_next(r: &Resources<'_>, within: M, grid_a0: &Grid, cell_a1: Vec2<F>, leave_a2: Vec2<F>) -> Vec2<F> {
+    let mut ex = within;
+    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut next_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    next_v0 = cell_a1;
+    let c1 = le(leave_a2.x, leave_a2.y);
+    next_v0.x = sel(c1, add(cell_a1.x, sel(gt(grid_a0.step.x, splat(0.0f32)), splat(1.0f32), splat((-1.0f32)))), next_v0.x);
+    next_v0.y = sel(not(c1), add(cell_a1.y, sel(gt(grid_a0.step.y, splat(0.0f32)), splat(1.0f32), splat((-1.0f32)))), next_v0.y);
+    let e_27 = next_v0;
+    return e_27;
+} }
+lanes! { fn grid_of(r: &Resources<'_>, path_a0: &Path) -> Grid {
+    let size_2 = r.height_size(path_a0.level);
+    return Grid { origin: Vec2 { x: sub(mul(path_a0.uv.x, splat(size_2.x)), splat(0.5f32)), y: sub(mul(path_a0.uv.y, splat(size_2.y)), splat(0.5f32)) }, step: Vec2 { x: mul(path_a0.duv.x, splat(size_2.x)), y: mul(path_a0.duv.y, splat(size_2.y)) }, };
+} }
+lanes! { fn slope_of(r: &Resources<'_>, within: M, value_a0: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let squared_3 = mul(mul(splat(0.125f32), value_a0), value_a0);
+    let c1 = gt(squared_3, splat(0.0f32));
+    ret = div(mul(sub(splat(1.0f32), value_a0), add(splat(1.0f32), value_a0)), squared_3);
+    ex = and_not(ex, c1);
+    return sel(ex, splat((-1.0f32)), ret);
+} }
+lanes! { fn search_texel_llls(r: &Resources<'_>, within: M, path_a0: &Path, place_a1: Vec2<I>, layer_a2: I, level_a3: i32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    if (path_a0.ray == 1u32) {
+        let texel_8 = map_texel_of_each(&r.shadow_search_map, ex, place_a1.x, place_a1.y, layer_a2, splat_i(level_a3));
+        let e_13 = decoded(r, texel_8, &r.surface_settings.maps[2]);
+        return e_13;
+    }
+    let e_15 = map_texel_of_each(&r.search_map, ex, place_a1.x, place_a1.y, layer_a2, splat_i(level_a3));
+    let e_20 = decoded(r, e_15, &r.surface_settings.maps[1]);
+    return e_20;
+} }
+lanes! { fn search_texel_llsl(r: &Resources<'_>, within: M, path_a0: &Path, place_a1: Vec2<I>, layer_a2: i32, level_a3: I) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    if (path_a0.ray == 1u32) {
+        let texel_8 = map_texel_of_each(&r.shadow_search_map, ex, place_a1.x, place_a1.y, splat_i(layer_a2), level_a3);
+        let e_13 = decoded(r, texel_8, &r.surface_settings.maps[2]);
+        return e_13;
+    }
+    let e_15 = map_texel_of_each(&r.search_map, ex, place_a1.x, place_a1.y, splat_i(layer_a2), level_a3);
+    let e_20 = decoded(r, e_15, &r.surface_settings.maps[1]);
+    return e_20;
+} }
+lanes! { fn search_texel_llss(r: &Resources<'_>, path_a0: &Path, place_a1: Vec2<I>, layer_a2: i32, level_a3: i32) -> Vec4<F> {
+    if (path_a0.ray == 1u32) {
+        let texel_8 = map_texel(&r.shadow_search_map, place_a1.x, place_a1.y, layer_a2, level_a3);
+        let e_13 = decoded(r, texel_8, &r.surface_settings.maps[2]);
+        return e_13;
+    }
+    let e_15 = map_texel(&r.search_map, place_a1.x, place_a1.y, layer_a2, level_a3);
+    let e_20 = decoded(r, e_15, &r.surface_settings.maps[1]);
+    return e_20;
+} }
+lanes! { fn cone_slope(r: &Resources<'_>, within: M, path_a0: &Path, texel_a1: Vec2<F>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let n_3 = r.height_texels(path_a0.level);
+    let place_4 = Vec2 { x: i_of_f(texel_a1.x), y: i_of_f(texel_a1.y) };
+    let e_7 = wrap_index(r, ex, place_4.x, n_3.x);
+    let e_10 = wrap_index(r, ex, place_4.y, n_3.y);
+    let wrapped_11 = Vec2 { x: e_7, y: e_10 };
+    let e_15 = search_texel_llss(r, path_a0, wrapped_11, 0i32, (path_a0.level as i32));
+    let e_17 = slope_of(r, ex, e_15.x);
+    return e_17;
+} }
+lanes! { fn corner_height(r: &Resources<'_>, heights_a0: Vec4<F>, corner_a1: Vec2<F>) -> F {
+    let above_7 = sel(gt(corner_a1.x, splat(0.5f32)), heights_a0.y, heights_a0.x);
+    let below_13 = sel(gt(corner_a1.x, splat(0.5f32)), heights_a0.w, heights_a0.z);
+    return sel(gt(corner_a1.y, splat(0.5f32)), below_13, above_7);
+} }
+lanes! { fn height_and_slope(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: u32) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let size_2 = r.height_size(level_a1);
+    let point_7 = Vec2 { x: sub(mul(uv_a0.x, splat(size_2.x)), splat(0.5f32)), y: sub(mul(uv_a0.y, splat(size_2.y)), splat(0.5f32)) };
+    let cell_8 = cell_of(r, point_7);
+    let f_9 = Vec2 { x: sub(point_7.x, cell_8.x), y: sub(point_7.y, cell_8.y) };
+    let h_11 = height_cell(r, ex, Vec2 { x: i_of_f(cell_8.x), y: i_of_f(cell_8.y) }, level_a1);
+    let top_18 = add(h_11.x, mul(sub(h_11.y, h_11.x), f_9.x));
+    let bottom_25 = add(h_11.z, mul(sub(h_11.w, h_11.z), f_9.x));
+    let left_32 = add(h_11.x, mul(sub(h_11.z, h_11.x), f_9.y));
+    let right_39 = add(h_11.y, mul(sub(h_11.w, h_11.y), f_9.y));
+    return Vec3 { x: add(top_18, mul(sub(bottom_25, top_18), f_9.y)), y: mul(sub(right_39, left_32), splat(size_2.x)), z: mul(sub(bottom_25, top_18), splat(size_2.y)) };
+} }
+lanes! { fn search_texel_between_lll(r: &Resources<'_>, within: M, path_a0: &Path, uv_a1: Vec2<F>, layer_a2: I) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_4 = r.height_texels(path_a0.level);
+    let at_5 = texels_around(r, ex, uv_a1, e_4);
+    let level_7 = (path_a0.level as i32);
+    let e_13 = search_texel_llls(r, ex, path_a0, Vec2 { x: at_5.columns.x, y: at_5.rows.x }, layer_a2, level_7);
+    let e_19 = search_texel_llls(r, ex, path_a0, Vec2 { x: at_5.columns.y, y: at_5.rows.x }, layer_a2, level_7);
+    let e_25 = search_texel_llls(r, ex, path_a0, Vec2 { x: at_5.columns.x, y: at_5.rows.y }, layer_a2, level_7);
+    let e_31 = search_texel_llls(r, ex, path_a0, Vec2 { x: at_5.columns.y, y: at_5.rows.y }, layer_a2, level_7);
+    let e_33 = bilinear(r, e_13, e_19, e_25, e_31, Vec2 { x: at_5.part.x, y: at_5.part.y });
+    return e_33;
+} }
+lanes! { fn search_texel_between_lls(r: &Resources<'_>, within: M, path_a0: &Path, uv_a1: Vec2<F>, layer_a2: i32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_4 = r.height_texels(path_a0.level);
+    let at_5 = texels_around(r, ex, uv_a1, e_4);
+    let level_7 = (path_a0.level as i32);
+    let e_13 = search_texel_llss(r, path_a0, Vec2 { x: at_5.columns.x, y: at_5.rows.x }, layer_a2, level_7);
+    let e_19 = search_texel_llss(r, path_a0, Vec2 { x: at_5.columns.y, y: at_5.rows.x }, layer_a2, level_7);
+    let e_25 = search_texel_llss(r, path_a0, Vec2 { x: at_5.columns.x, y: at_5.rows.y }, layer_a2, level_7);
+    let e_31 = search_texel_llss(r, path_a0, Vec2 { x: at_5.columns.y, y: at_5.rows.y }, layer_a2, level_7);
+    let e_33 = bilinear(r, e_13, e_19, e_25, e_31, Vec2 { x: at_5.part.x, y: at_5.part.y });
+    return e_33;
+} }
+lanes! { fn distance_at(r: &Resources<'_>, within: M, path_a0: &Path, uv_a1: Vec2<F>, height_a2: F, slices_a3: f32) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let place_10 = min(max_with(sub(mul(height_a2, splat(slices_a3)), splat(0.5f32)), splat(0.0f32)), splat((slices_a3 - 1.0f32)));
+    let below_11 = floor(place_10);
+    let e_13 = search_texel_between_lll(r, ex, path_a0, uv_a1, i_of_f(below_11));
+    let e_21 = search_texel_between_lll(r, ex, path_a0, uv_a1, i_of_f(min(add(below_11, splat(1.0f32)), splat((slices_a3 - 1.0f32)))));
+    return add(e_13.x, mul(sub(e_21.x, e_13.x), sub(place_10, below_11)));
+} }
+stage! { fn entered_once(r: &Resources<'_>, within: M, path_a0: &Path, grid_a1: &Grid, above_a2: F, below_a3: F, above_gap_a4: F, below_gap_a5: F, so_far_a6: Vec3<U>) -> Found {
+    let mut ex = within;
+    let mut ret: Found = zero_found();
+    let mut near_v0: F = splat(0f32);
+    let mut far_v1: F = splat(0f32);
+    let mut near_gap_v2: F = splat(0f32);
+    let mut far_gap_v3: F = splat(0f32);
+    let mut cost_v4: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut both_v5: M = splat_m(false);
+    near_v0 = above_a2;
+    far_v1 = below_a3;
+    near_gap_v2 = above_gap_a4;
+    far_gap_v3 = below_gap_a5;
+    cost_v4 = so_far_a6;
+    let wide_18 = add(abs(grid_a1.step.x), abs(grid_a1.step.y));
+    let b2 = ex;
+    'l1: loop {
+        let e_19 = far_v1;
+        let e_20 = near_v0;
+        let c3 = gt(mul(wide_18, sub(e_19, e_20)), splat(3.0f32));
+        ex = and(ex, c3);
+        let e_25 = cost_v4;
+        let (m4, y5) = (ex, Vec3 { x: add_u(e_25.x, splat_u(0u32)), y: add_u(e_25.y, splat_u(1u32)), z: add_u(e_25.z, splat_u(0u32)) });
+        cost_v4 = Vec3 { x: sel_u(m4, y5.x, cost_v4.x), y: sel_u(m4, y5.y, cost_v4.y), z: sel_u(m4, y5.z, cost_v4.z) };
+        let e_28 = near_v0;
+        let e_29 = far_v1;
+        let middle_32 = mul(splat(0.5f32), add(e_28, e_29));
+        let e_33 = near_v0;
+        let e_37 = far_v1;
+        both_v5 = and(gt(middle_32, e_33), lt(middle_32, e_37));
+        let e_40 = both_v5;
+        let c6 = not(e_40);
+        ex = and_not(ex, c6);
+        if none(ex) { break 'l1; }
+        let gap_42 = path_gap(r, ex, path_a0, middle_32);
+        let e_43 = cost_v4;
+        let (m7, y8) = (ex, Vec3 { x: add_u(e_43.x, splat_u(1u32)), y: add_u(e_43.y, splat_u(0u32)), z: add_u(e_43.z, splat_u(16u32)) });
+        cost_v4 = Vec3 { x: sel_u(m7, y8.x, cost_v4.x), y: sel_u(m7, y8.y, cost_v4.y), z: sel_u(m7, y8.z, cost_v4.z) };
+        let c9 = le(gap_42, splat(0.0f32));
+        far_v1 = sel(and(ex, c9), middle_32, far_v1);
+        far_gap_v3 = sel(and(ex, c9), gap_42, far_gap_v3);
+        near_v0 = sel(and(ex, not(c9)), middle_32, near_v0);
+        near_gap_v2 = sel(and(ex, not(c9)), gap_42, near_gap_v2);
+    }
+    ex = b2;
+    let e_49 = near_v0;
+    let e_50 = far_v1;
+    let e_51 = near_gap_v2;
+    let e_52 = far_gap_v3;
+    let e_53 = cost_v4;
+    return Found { status: splat_u(3u32), near: e_49, far: e_50, near_gap: e_51, far_gap: e_52, cost: e_53, };
+} }
+lanes! { fn miss(r: &Resources<'_>, cost_a0: Vec3<U>) -> Hit {
+    return Hit { found: splat_u(0u32), exhausted: splat_u(0u32), uv: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, height: splat(0.0f32), t: splat(0.0f32), cost: cost_a0, };
+} }
+lanes! { fn path_slope(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
+    return add(path_a0.h.y, mul(mul(splat(2.0f32), t_a1), path_a0.h.z));
+} }
+lanes! { fn hit_on_path(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F, exhausted_a2: U, cost_a3: Vec3<U>) -> Hit {
+    let mut ex = within;
+    let mut ret: Hit = zero_hit();
+    let mut both_v0: M = splat_m(false);
+    let (b1, c2) = (ex, gt(t_a1, path_a0.exit));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_9 = path_height(r, path_a0, path_a0.exit);
+        both_v0 = sel_m(ex, gt(e_9, splat(1e-6f32)), both_v0);
+    }
+    ex = and_not(b1, c2);
+    if any(ex) {
+        both_v0 = sel_m(ex, splat_m(false), both_v0);
+    }
+    ex = b1;
+    let e_13 = both_v0;
+    let (b3, c4) = (ex, e_13);
+    ex = and(b3, c4);
+    if any(ex) {
+        let e_14 = miss(r, cost_a3);
+        ret = e_14;
+        ex = no_lane();
+    }
+    ex = and_not(b3, c4);
+    let inside_17 = min(max_with(t_a1, splat(0.0f32)), path_a0.exit);
+    if none(ex) { return ret; }
+    let e_19 = path_uv(r, path_a0, inside_17);
+    let e_20 = path_height(r, path_a0, inside_17);
+    return sel_hit(ex, &Hit { found: splat_u(1u32), exhausted: exhausted_a2, uv: e_19, height: e_20, t: inside_17, cost: cost_a3, }, &ret);
+} }
+lanes! { fn starting_point(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut both_v0: M = splat_m(false);
+    let c1 = eq_u(found_a1.status, splat_u(6u32));
+    ret = path_a0.base;
+    ex = and_not(ex, c1);
+    both_v0 = or(eq_u(found_a1.status, splat_u(3u32)), eq_u(found_a1.status, splat_u(2u32)));
+    let e_16 = both_v0;
+    let c2 = e_16;
+    ret = sel(and(ex, c2), found_a1.far, ret);
+    ex = and_not(ex, c2);
+    return sel(ex, found_a1.near, ret);
+} }
+lanes! { fn refine_none(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+    let mut ex = within;
+    let mut ret: Hit = zero_hit();
+    let (b1, c2) = (ex, eq_u(found_a1.status, splat_u(0u32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_7 = miss(r, Vec3 { x: found_a1.cost.x, y: found_a1.cost.y, z: found_a1.cost.z });
+        ret = e_7;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    let exhausted_13 = sel_u(eq_u(found_a1.status, splat_u(4u32)), splat_u(1u32), splat_u(0u32));
+    if none(ex) { return ret; }
+    let e_14 = starting_point(r, ex, path_a0, found_a1);
+    let e_16 = hit_on_path(r, ex, path_a0, e_14, exhausted_13, Vec3 { x: found_a1.cost.x, y: found_a1.cost.y, z: found_a1.cost.z });
+    return sel_hit(ex, &e_16, &ret);
+} }
+lanes! { fn refine_offset(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+    let mut ex = within;
+    let mut ret: Hit = zero_hit();
+    let mut t_v0: F = splat(0f32);
+    let (b1, c2) = (ex, eq_u(found_a1.status, splat_u(0u32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_7 = miss(r, Vec3 { x: found_a1.cost.x, y: found_a1.cost.y, z: found_a1.cost.z });
+        ret = e_7;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let start_8 = starting_point(r, ex, path_a0, found_a1);
+    let e_9 = path_uv(r, path_a0, start_8);
+    let level_11 = height_at(r, ex, e_9, path_a0.level);
+    let slope_12 = path_slope(r, path_a0, start_8);
+    t_v0 = start_8;
+    let (b3, c4) = (ex, ne(slope_12, splat(0.0f32)));
+    ex = and(b3, c4);
+    if any(ex) {
+        let e_16 = path_height(r, path_a0, start_8);
+        t_v0 = sel(ex, add(start_8, div(sub(level_11, e_16), slope_12)), t_v0);
+    }
+    ex = b3;
+    let e_20 = t_v0;
+    let e_30 = hit_on_path(r, ex, path_a0, e_20, sel_u(eq_u(found_a1.status, splat_u(4u32)), splat_u(1u32), splat_u(0u32)), Vec3 { x: add_u(found_a1.cost.x, splat_u(1u32)), y: add_u(found_a1.cost.y, splat_u(0u32)), z: add_u(found_a1.cost.z, splat_u(16u32)) });
+    return sel_hit(ex, &e_30, &ret);
+} }
+lanes! { fn refine_offset_limited(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+    let mut ex = within;
+    let mut ret: Hit = zero_hit();
+    let mut hit_v0: Hit = zero_hit();
+    let (b1, c2) = (ex, eq_u(found_a1.status, splat_u(0u32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_7 = miss(r, Vec3 { x: found_a1.cost.x, y: found_a1.cost.y, z: found_a1.cost.z });
+        ret = e_7;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let start_8 = starting_point(r, ex, path_a0, found_a1);
+    let e_9 = path_uv(r, path_a0, start_8);
+    let level_11 = height_at(r, ex, e_9, path_a0.level);
+    let e_12 = path_height(r, path_a0, start_8);
+    let rise_m_16 = mul(sub(level_11, e_12), path_a0.metric.w);
+    let exhausted_22 = sel_u(eq_u(found_a1.status, splat_u(4u32)), splat_u(1u32), splat_u(0u32));
+    let e_27 = hit_on_path(r, ex, path_a0, sub(start_8, rise_m_16), exhausted_22, Vec3 { x: add_u(found_a1.cost.x, splat_u(1u32)), y: add_u(found_a1.cost.y, splat_u(0u32)), z: add_u(found_a1.cost.z, splat_u(16u32)) });
+    hit_v0 = e_27;
+    let e_30 = hit_v0.found;
+    let c3 = eq_u(e_30, splat_u(1u32));
+    hit_v0.height = sel(c3, level_11, hit_v0.height);
+    let e_34 = hit_v0;
+    return sel_hit(ex, &e_34, &ret);
+} }
+lanes! { fn normal_z(r: &Resources<'_>, path_a0: &Path, slope_a1: Vec2<F>) -> F {
+    let area_9 = sub(mul(path_a0.metric.x, path_a0.metric.z), mul(path_a0.metric.y, path_a0.metric.y));
+    let squared_29 = div(add(sub(mul(mul(slope_a1.x, slope_a1.x), path_a0.metric.z), mul(mul(mul(splat(2.0f32), slope_a1.x), slope_a1.y), path_a0.metric.y)), mul(mul(slope_a1.y, slope_a1.y), path_a0.metric.x)), area_9);
+    return div(splat(1.0f32), sqrt(add(splat(1.0f32), mul(mul(path_a0.metric.w, path_a0.metric.w), squared_29))));
+} }
+lanes! { fn refine_slope(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+    let mut ex = within;
+    let mut ret: Hit = zero_hit();
+    let mut t_v0: F = splat(0f32);
+    let (b1, c2) = (ex, eq_u(found_a1.status, splat_u(0u32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_7 = miss(r, Vec3 { x: found_a1.cost.x, y: found_a1.cost.y, z: found_a1.cost.z });
+        ret = e_7;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let start_8 = starting_point(r, ex, path_a0, found_a1);
+    let e_9 = path_uv(r, path_a0, start_8);
+    let plane_11 = height_and_slope(r, ex, e_9, path_a0.level);
+    let e_13 = path_height(r, path_a0, start_8);
+    let rise_14 = sub(plane_11.x, e_13);
+    t_v0 = start_8;
+    if (params_a2.x > 0.5f32) {
+        let e_19 = path_slope(r, path_a0, start_8);
+        let closing_29 = sub(e_19, add(mul(plane_11.y, path_a0.duv.x), mul(plane_11.z, path_a0.duv.y)));
+        let c3 = lt(closing_29, splat(0.0f32));
+        t_v0 = sel(c3, add(start_8, div(rise_14, closing_29)), t_v0);
+    } else {
+        let e_40 = normal_z(r, path_a0, Vec2 { x: plane_11.y, y: plane_11.z });
+        t_v0 = sub(start_8, mul(mul(rise_14, path_a0.metric.w), e_40));
+    }
+    let e_43 = t_v0;
+    let e_53 = hit_on_path(r, ex, path_a0, e_43, sel_u(eq_u(found_a1.status, splat_u(4u32)), splat_u(1u32), splat_u(0u32)), Vec3 { x: add_u(found_a1.cost.x, splat_u(1u32)), y: add_u(found_a1.cost.y, splat_u(0u32)), z: add_u(found_a1.cost.z, splat_u(16u32)) });
+    return sel_hit(ex, &e_53, &ret);
+} }
+stage! { fn refine_slope_iterative(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+    let mut ex = within;
+    let mut ret: Hit = zero_hit();
+    let mut t_v0: F = splat(0f32);
+    let mut cost_v1: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut k_v2: f32 = 0.0f32;
+    let (b1, c2) = (ex, eq_u(found_a1.status, splat_u(0u32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_7 = miss(r, Vec3 { x: found_a1.cost.x, y: found_a1.cost.y, z: found_a1.cost.z });
+        ret = e_7;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let e_8 = starting_point(r, ex, path_a0, found_a1);
+    t_v0 = e_8;
+    cost_v1 = Vec3 { x: found_a1.cost.x, y: found_a1.cost.y, z: found_a1.cost.z };
+    'l3: loop {
+        let e_14 = k_v2;
+        if (e_14 < params_a2.x) {
+        } else {
+            break 'l3;
+        }
+        let e_17 = cost_v1;
+        cost_v1 = Vec3 { x: add_u(e_17.x, splat_u(0u32)), y: add_u(e_17.y, splat_u(1u32)), z: add_u(e_17.z, splat_u(0u32)) };
+        let e_20 = t_v0;
+        let e_21 = path_uv(r, path_a0, e_20);
+        let plane_23 = height_and_slope(r, ex, e_21, path_a0.level);
+        let e_24 = cost_v1;
+        cost_v1 = Vec3 { x: add_u(e_24.x, splat_u(1u32)), y: add_u(e_24.y, splat_u(0u32)), z: add_u(e_24.z, splat_u(16u32)) };
+        let e_28 = t_v0;
+        let e_29 = path_height(r, path_a0, e_28);
+        let rise_30 = sub(plane_23.x, e_29);
+        if (params_a2.y > 0.5f32) {
+            let e_34 = t_v0;
+            let e_35 = path_slope(r, path_a0, e_34);
+            let closing_45 = sub(e_35, add(mul(plane_23.y, path_a0.duv.x), mul(plane_23.z, path_a0.duv.y)));
+            let c4 = lt(closing_45, splat(0.0f32));
+            let e_48 = t_v0;
+            t_v0 = sel(c4, add(e_48, div(rise_30, closing_45)), t_v0);
+        } else {
+            let e_51 = t_v0;
+            let e_58 = normal_z(r, path_a0, Vec2 { x: plane_23.y, y: plane_23.z });
+            t_v0 = sub(e_51, mul(mul(rise_30, path_a0.metric.w), e_58));
+        }
+        let e_61 = t_v0;
+        t_v0 = min(max_with(e_61, splat(0.0f32)), path_a0.exit);
+        let e_65 = k_v2;
+        k_v2 = (e_65 + 1.0f32);
+    }
+    let e_68 = t_v0;
+    let e_75 = cost_v1;
+    let e_76 = hit_on_path(r, ex, path_a0, e_68, sel_u(eq_u(found_a1.status, splat_u(4u32)), splat_u(1u32), splat_u(0u32)), e_75);
+    return sel_hit(ex, &e_76, &ret);
+} }
+lanes! { fn has_interval(r: &Resources<'_>, within: M, found_a0: &Found) -> M {
+    let mut ex = within;
+    let mut ret: M = splat_m(false);
+    let mut both_v0: M = splat_m(false);
+    let mut both_v1: M = splat_m(false);
+    let mut both_v2: M = splat_m(false);
+    let (b1, c2) = (ex, gt(found_a0.far, found_a0.near));
+    ex = and(b1, c2);
+    if any(ex) {
+        both_v1 = or(eq_u(found_a0.status, splat_u(3u32)), eq_u(found_a0.status, splat_u(6u32)));
+        let e_16 = both_v1;
+        both_v2 = or(e_16, eq_u(found_a0.status, splat_u(1u32)));
+        let e_24 = both_v2;
+        both_v0 = sel_m(ex, e_24, both_v0);
+    }
+    ex = and_not(b1, c2);
+    if any(ex) {
+        both_v0 = sel_m(ex, splat_m(false), both_v0);
+    }
+    ex = b1;
+    let e_26 = both_v0;
+    return e_26;
+} }
+stage! { fn refine_binary(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+    let mut ex = within;
+    let mut ret: Hit = zero_hit();
+    let mut near_v0: F = splat(0f32);
+    let mut far_v1: F = splat(0f32);
+    let mut cost_v2: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut both_v3: M = splat_m(false);
+    let mut crossed_v4: M = splat_m(false);
+    let mut k_v5: f32 = 0.0f32;
+    let e_3 = has_interval(r, ex, found_a1);
+    let (b1, c2) = (ex, not(e_3));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_5 = refine_none(r, ex, path_a0, found_a1, params_a2);
+        ret = e_5;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    near_v0 = found_a1.near;
+    far_v1 = found_a1.far;
+    cost_v2 = Vec3 { x: found_a1.cost.x, y: found_a1.cost.y, z: found_a1.cost.z };
+    if none(ex) { return ret; }
+    let (b3, c4) = (ex, not(eq_u(found_a1.status, splat_u(3u32))));
+    ex = and(b3, c4);
+    if any(ex) {
+        let e_18 = far_v1;
+        let e_19 = path_height(r, path_a0, e_18);
+        both_v3 = sel_m(ex, le(e_19, splat(1e-6f32)), both_v3);
+    }
+    ex = and_not(b3, c4);
+    if any(ex) {
+        both_v3 = sel_m(ex, splat_m(true), both_v3);
+    }
+    ex = b3;
+    let e_23 = both_v3;
+    crossed_v4 = e_23;
+    'l5: loop {
+        let e_27 = k_v5;
+        if (e_27 < params_a2.x) {
+        } else {
+            break 'l5;
+        }
+        let e_30 = cost_v2;
+        cost_v2 = Vec3 { x: add_u(e_30.x, splat_u(0u32)), y: add_u(e_30.y, splat_u(1u32)), z: add_u(e_30.z, splat_u(0u32)) };
+        let e_33 = near_v0;
+        let e_34 = far_v1;
+        let middle_37 = mul(splat(0.5f32), add(e_33, e_34));
+        let e_38 = cost_v2;
+        cost_v2 = Vec3 { x: add_u(e_38.x, splat_u(1u32)), y: add_u(e_38.y, splat_u(0u32)), z: add_u(e_38.z, splat_u(16u32)) };
+        let e_41 = path_gap(r, ex, path_a0, middle_37);
+        let c6 = le(e_41, splat(0.0f32));
+        far_v1 = sel(c6, middle_37, far_v1);
+        crossed_v4 = sel_m(c6, splat_m(true), crossed_v4);
+        near_v0 = sel(not(c6), middle_37, near_v0);
+        let e_45 = k_v5;
+        k_v5 = (e_45 + 1.0f32);
+    }
+    let e_48 = crossed_v4;
+    let (b7, c8) = (ex, not(e_48));
+    ex = and(b7, c8);
+    if any(ex) {
+        let e_50 = cost_v2;
+        let e_51 = miss(r, e_50);
+        ret = sel_hit(ex, &e_51, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b7, c8);
+    let e_52 = near_v0;
+    let e_53 = far_v1;
+    let e_58 = cost_v2;
+    if none(ex) { return ret; }
+    let e_59 = hit_on_path(r, ex, path_a0, mul(splat(0.5f32), add(e_52, e_53)), splat_u(0u32), e_58);
+    return sel_hit(ex, &e_59, &ret);
+} }
+stage! { fn refine_secant(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+    let mut ex = within;
+    let mut ret: Hit = zero_hit();
+    let mut near_v0: F = splat(0f32);
+    let mut far_v1: F = splat(0f32);
+    let mut near_gap_v2: F = splat(0f32);
+    let mut far_gap_v3: F = splat(0f32);
+    let mut cost_v4: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut t_v5: F = splat(0f32);
+    let mut k_v6: F = splat(1.0f32);
+    let e_3 = has_interval(r, ex, found_a1);
+    let (b1, c2) = (ex, not(e_3));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_5 = refine_none(r, ex, path_a0, found_a1, params_a2);
+        ret = e_5;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    near_v0 = found_a1.near;
+    far_v1 = found_a1.far;
+    near_gap_v2 = found_a1.near_gap;
+    far_gap_v3 = found_a1.far_gap;
+    cost_v4 = Vec3 { x: found_a1.cost.x, y: found_a1.cost.y, z: found_a1.cost.z };
+    if none(ex) { return ret; }
+    let (b3, c4) = (ex, ne_u(found_a1.status, splat_u(3u32)));
+    ex = and(b3, c4);
+    if any(ex) {
+        let e_19 = near_v0;
+        let e_20 = path_gap(r, ex, path_a0, e_19);
+        near_gap_v2 = sel(ex, e_20, near_gap_v2);
+        let e_21 = far_v1;
+        let e_22 = path_gap(r, ex, path_a0, e_21);
+        far_gap_v3 = sel(ex, e_22, far_gap_v3);
+        let e_23 = cost_v4;
+        let (m5, y6) = (ex, Vec3 { x: add_u(add_u(e_23.x, splat_u(1u32)), splat_u(1u32)), y: add_u(add_u(e_23.y, splat_u(0u32)), splat_u(0u32)), z: add_u(add_u(e_23.z, splat_u(16u32)), splat_u(16u32)) });
+        cost_v4 = Vec3 { x: sel_u(m5, y6.x, cost_v4.x), y: sel_u(m5, y6.y, cost_v4.y), z: sel_u(m5, y6.z, cost_v4.z) };
+        let e_28 = far_gap_v3;
+        let (b7, c8) = (ex, gt(e_28, splat(0.0f32)));
+        ex = and(b7, c8);
+        if any(ex) {
+            let e_31 = cost_v4;
+            let e_32 = miss(r, e_31);
+            ret = sel_hit(ex, &e_32, &ret);
+            ex = no_lane();
+        }
+        ex = and_not(b7, c8);
+    }
+    let x9 = ex;
+    ex = and_not(b3, c4);
+    ex = or(ex, x9);
+    let e_33 = far_v1;
+    t_v5 = e_33;
+    if none(ex) { return ret; }
+    let b11 = ex;
+    'l10: loop {
+        let e_37 = k_v6;
+        let c12 = le(e_37, splat(params_a2.x));
+        ex = and(ex, c12);
+        let e_40 = cost_v4;
+        let (m13, y14) = (ex, Vec3 { x: add_u(e_40.x, splat_u(0u32)), y: add_u(e_40.y, splat_u(1u32)), z: add_u(e_40.z, splat_u(0u32)) });
+        cost_v4 = Vec3 { x: sel_u(m13, y14.x, cost_v4.x), y: sel_u(m13, y14.y, cost_v4.y), z: sel_u(m13, y14.z, cost_v4.z) };
+        let e_43 = near_gap_v2;
+        let e_44 = far_gap_v3;
+        let drop_45 = sub(e_43, e_44);
+        let c15 = not(gt(drop_45, splat(0.0f32)));
+        ex = and_not(ex, c15);
+        let e_49 = near_v0;
+        let e_50 = far_v1;
+        let e_51 = near_v0;
+        let e_53 = near_gap_v2;
+        t_v5 = sel(ex, add(e_49, mul(sub(e_50, e_51), div(e_53, drop_45))), t_v5);
+        let e_57 = k_v6;
+        if none(ex) { break 'l10; }
+        let (b16, c17) = (ex, lt(e_57, splat(params_a2.x)));
+        ex = and(b16, c17);
+        if any(ex) {
+            let e_60 = t_v5;
+            let gap_61 = path_gap(r, ex, path_a0, e_60);
+            let e_62 = cost_v4;
+            let (m18, y19) = (ex, Vec3 { x: add_u(e_62.x, splat_u(1u32)), y: add_u(e_62.y, splat_u(0u32)), z: add_u(e_62.z, splat_u(16u32)) });
+            cost_v4 = Vec3 { x: sel_u(m18, y19.x, cost_v4.x), y: sel_u(m18, y19.y, cost_v4.y), z: sel_u(m18, y19.z, cost_v4.z) };
+            let c20 = le(gap_61, splat(0.0f32));
+            let e_67 = t_v5;
+            far_v1 = sel(and(ex, c20), e_67, far_v1);
+            far_gap_v3 = sel(and(ex, c20), gap_61, far_gap_v3);
+            let e_68 = t_v5;
+            near_v0 = sel(and(ex, not(c20)), e_68, near_v0);
+            near_gap_v2 = sel(and(ex, not(c20)), gap_61, near_gap_v2);
+        }
+        ex = b16;
+        let e_69 = k_v6;
+        k_v6 = add(e_69, splat(1.0f32));
+    }
+    ex = b11;
+    let e_72 = t_v5;
+    let e_74 = cost_v4;
+    let e_75 = hit_on_path(r, ex, path_a0, e_72, splat_u(0u32), e_74);
+    return sel_hit(ex, &e_75, &ret);
+} }
+stage! { fn refine_true_secant(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+    let mut ex = within;
+    let mut ret: Hit = zero_hit();
+    let mut before_v0: F = splat(0f32);
+    let mut last_v1: F = splat(0f32);
+    let mut before_gap_v2: F = splat(0f32);
+    let mut last_gap_v3: F = splat(0f32);
+    let mut cost_v4: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut k_v5: F = splat(1.0f32);
+    let e_3 = has_interval(r, ex, found_a1);
+    let (b1, c2) = (ex, not(e_3));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_5 = refine_none(r, ex, path_a0, found_a1, params_a2);
+        ret = e_5;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    before_v0 = found_a1.near;
+    last_v1 = found_a1.far;
+    before_gap_v2 = found_a1.near_gap;
+    last_gap_v3 = found_a1.far_gap;
+    cost_v4 = Vec3 { x: found_a1.cost.x, y: found_a1.cost.y, z: found_a1.cost.z };
+    if none(ex) { return ret; }
+    let (b3, c4) = (ex, ne_u(found_a1.status, splat_u(3u32)));
+    ex = and(b3, c4);
+    if any(ex) {
+        let e_19 = before_v0;
+        let e_20 = path_gap(r, ex, path_a0, e_19);
+        before_gap_v2 = sel(ex, e_20, before_gap_v2);
+        let e_21 = last_v1;
+        let e_22 = path_gap(r, ex, path_a0, e_21);
+        last_gap_v3 = sel(ex, e_22, last_gap_v3);
+        let e_23 = cost_v4;
+        let (m5, y6) = (ex, Vec3 { x: add_u(add_u(e_23.x, splat_u(1u32)), splat_u(1u32)), y: add_u(add_u(e_23.y, splat_u(0u32)), splat_u(0u32)), z: add_u(add_u(e_23.z, splat_u(16u32)), splat_u(16u32)) });
+        cost_v4 = Vec3 { x: sel_u(m5, y6.x, cost_v4.x), y: sel_u(m5, y6.y, cost_v4.y), z: sel_u(m5, y6.z, cost_v4.z) };
+        let e_28 = last_gap_v3;
+        let (b7, c8) = (ex, gt(e_28, splat(0.0f32)));
+        ex = and(b7, c8);
+        if any(ex) {
+            let e_31 = cost_v4;
+            let e_32 = miss(r, e_31);
+            ret = sel_hit(ex, &e_32, &ret);
+            ex = no_lane();
+        }
+        ex = and_not(b7, c8);
+    }
+    let x9 = ex;
+    ex = and_not(b3, c4);
+    ex = or(ex, x9);
+    if none(ex) { return ret; }
+    let b11 = ex;
+    'l10: loop {
+        let e_35 = k_v5;
+        let c12 = le(e_35, splat(params_a2.x));
+        ex = and(ex, c12);
+        let e_38 = cost_v4;
+        let (m13, y14) = (ex, Vec3 { x: add_u(e_38.x, splat_u(0u32)), y: add_u(e_38.y, splat_u(1u32)), z: add_u(e_38.z, splat_u(0u32)) });
+        cost_v4 = Vec3 { x: sel_u(m13, y14.x, cost_v4.x), y: sel_u(m13, y14.y, cost_v4.y), z: sel_u(m13, y14.z, cost_v4.z) };
+        let e_41 = before_gap_v2;
+        let e_42 = last_gap_v3;
+        let change_43 = sub(e_41, e_42);
+        let c15 = eq(change_43, splat(0.0f32));
+        ex = and_not(ex, c15);
+        let e_46 = last_v1;
+        let e_47 = last_v1;
+        let e_48 = before_v0;
+        let e_50 = last_gap_v3;
+        let t_56 = min(max(add(e_46, mul(sub(e_47, e_48), div(e_50, change_43))), found_a1.near), found_a1.far);
+        let e_57 = last_v1;
+        before_v0 = e_57;
+        let e_58 = last_gap_v3;
+        before_gap_v2 = e_58;
+        last_v1 = sel(ex, t_56, last_v1);
+        let e_59 = k_v5;
+        if none(ex) { break 'l10; }
+        let (b16, c17) = (ex, lt(e_59, splat(params_a2.x)));
+        ex = and(b16, c17);
+        if any(ex) {
+            let e_62 = path_gap(r, ex, path_a0, t_56);
+            last_gap_v3 = sel(ex, e_62, last_gap_v3);
+            let e_63 = cost_v4;
+            let (m18, y19) = (ex, Vec3 { x: add_u(e_63.x, splat_u(1u32)), y: add_u(e_63.y, splat_u(0u32)), z: add_u(e_63.z, splat_u(16u32)) });
+            cost_v4 = Vec3 { x: sel_u(m18, y19.x, cost_v4.x), y: sel_u(m18, y19.y, cost_v4.y), z: sel_u(m18, y19.z, cost_v4.z) };
+        }
+        ex = b16;
+        let e_66 = k_v5;
+        k_v5 = add(e_66, splat(1.0f32));
+    }
+    ex = b11;
+    let e_69 = last_v1;
+    let e_71 = cost_v4;
+    let e_72 = hit_on_path(r, ex, path_a0, e_69, splat_u(0u32), e_71);
+    return sel_hit(ex, &e_72, &ret);
+} }
+stage! { fn refine_patch(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+    let mut ex = within;
+    let mut ret: Hit = zero_hit();
+    let mut alive = ex;
+    let mut t_v0: F = splat(0f32);
+    let mut cell_v1: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut cost_v2: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut both_v3: M = splat_m(false);
+    let (b1, c2) = (ex, eq_u(found_a1.status, splat_u(0u32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_7 = miss(r, Vec3 { x: found_a1.cost.x, y: found_a1.cost.y, z: found_a1.cost.z });
+        ret = e_7;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let (b3, c4) = (ex, eq_u(found_a1.status, splat_u(4u32)));
+    ex = and(b3, c4);
+    if any(ex) {
+        let e_14 = hit_on_path(r, ex, path_a0, found_a1.near, splat_u(1u32), Vec3 { x: found_a1.cost.x, y: found_a1.cost.y, z: found_a1.cost.z });
+        ret = sel_hit(ex, &e_14, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b3, c4);
+    if none(ex) { return ret; }
+    let (b5, c6) = (ex, eq_u(found_a1.status, splat_u(5u32)));
+    ex = and(b5, c6);
+    if any(ex) {
+        let e_21 = hit_on_path(r, ex, path_a0, found_a1.near, splat_u(0u32), Vec3 { x: found_a1.cost.x, y: found_a1.cost.y, z: found_a1.cost.z });
+        ret = sel_hit(ex, &e_21, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b5, c6);
+    if none(ex) { return ret; }
+    let grid_22 = grid_of(r, path_a0);
+    t_v0 = found_a1.near;
+    let e_27 = t_v0;
+    let e_30 = cell_of(r, Vec2 { x: add(grid_22.origin.x, mul(grid_22.step.x, e_27)), y: add(grid_22.origin.y, mul(grid_22.step.y, e_27)) });
+    cell_v1 = e_30;
+    cost_v2 = Vec3 { x: found_a1.cost.x, y: found_a1.cost.y, z: found_a1.cost.z };
+    let e_35 = cost_v2.x;
+    let limit_38 = add_u(e_35, splat_u((params_a2.x as u32)));
+    let b8 = ex;
+    'l7: loop {
+        let e_40 = cost_v2.x;
+        let c9 = lt_u(e_40, limit_38);
+        ex = and(ex, c9);
+        let e_42 = cost_v2;
+        let (m10, y11) = (ex, Vec3 { x: add_u(e_42.x, splat_u(0u32)), y: add_u(e_42.y, splat_u(1u32)), z: add_u(e_42.z, splat_u(0u32)) });
+        cost_v2 = Vec3 { x: sel_u(m10, y11.x, cost_v2.x), y: sel_u(m10, y11.y, cost_v2.y), z: sel_u(m10, y11.z, cost_v2.z) };
+        let e_45 = cell_v1;
+        if none(ex) { break 'l7; }
+        let leave_46 = cell_leave(r, ex, &grid_22, e_45);
+        let end_51 = min(min(leave_46.x, leave_46.y), found_a1.far);
+        let e_52 = t_v0;
+        let span_55 = max_with(sub(end_51, e_52), splat(0.0f32));
+        let e_56 = cell_v1;
+        let e_57 = t_v0;
+        let c_58 = cell_gap(r, ex, path_a0, &grid_22, e_56, e_57);
+        let e_59 = cost_v2;
+        let (m12, y13) = (ex, Vec3 { x: add_u(e_59.x, splat_u(1u32)), y: add_u(e_59.y, splat_u(0u32)), z: add_u(e_59.z, splat_u(16u32)) });
+        cost_v2 = Vec3 { x: sel_u(m12, y13.x, cost_v2.x), y: sel_u(m12, y13.y, cost_v2.y), z: sel_u(m12, y13.z, cost_v2.z) };
+        let (b14, c15) = (ex, le(c_58.x, splat(0.0f32)));
+        ex = and(b14, c15);
+        if any(ex) {
+            let e_65 = t_v0;
+            let e_67 = cost_v2;
+            let e_68 = hit_on_path(r, ex, path_a0, e_65, splat_u(0u32), e_67);
+            ret = sel_hit(ex, &e_68, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b14, c15);
+        if none(ex) { break 'l7; }
+        let s_69 = first_root(r, ex, c_58, span_55);
+        let (b16, c17) = (ex, lt(s_69, splat(3e38f32)));
+        ex = and(b16, c17);
+        if any(ex) {
+            let e_72 = t_v0;
+            let e_75 = cost_v2;
+            let e_76 = hit_on_path(r, ex, path_a0, add(e_72, s_69), splat_u(0u32), e_75);
+            ret = sel_hit(ex, &e_76, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b16, c17);
+        if none(ex) { break 'l7; }
+        let (b18, c19) = (ex, ge(end_51, found_a1.far));
+        ex = and(b18, c19);
+        if any(ex) {
+            both_v3 = or(eq_u(found_a1.status, splat_u(3u32)), eq_u(found_a1.status, splat_u(2u32)));
+            let e_89 = both_v3;
+            let (b20, c21) = (ex, e_89);
+            ex = and(b20, c21);
+            if any(ex) {
+                let e_92 = cost_v2;
+                let e_93 = hit_on_path(r, ex, path_a0, found_a1.far, splat_u(0u32), e_92);
+                ret = sel_hit(ex, &e_93, &ret);
+                alive = and_not(alive, ex);
+                ex = no_lane();
+            }
+            ex = and_not(b20, c21);
+            let e_94 = cost_v2;
+            let e_95 = miss(r, e_94);
+            ret = sel_hit(ex, &e_95, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b18, c19);
+        let e_96 = cell_v1;
+        if none(ex) { break 'l7; }
+        let e_97 = cell_next(r, ex, &grid_22, e_96, leave_46);
+        cell_v1 = e_97;
+        let e_98 = t_v0;
+        t_v0 = sel(ex, max(e_98, end_51), t_v0);
+    }
+    ex = and(b8, alive);
+    let e_100 = t_v0;
+    let e_102 = cost_v2;
+    if none(ex) { return ret; }
+    let e_103 = hit_on_path(r, ex, path_a0, e_100, splat_u(1u32), e_102);
+    return sel_hit(ex, &e_103, &ret);
+} }
+lanes! { fn refine_half_texel(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+    let mut ex = within;
+    let mut ret: Hit = zero_hit();
+    let mut part_v0: F = splat(0.5f32);
+    let (b1, c2) = (ex, ne_u(found_a1.status, splat_u(2u32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_6 = refine_none(r, ex, path_a0, found_a1, params_a2);
+        ret = e_6;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    let e_9 = r.height_size(path_a0.level);
+    let e_10 = Vec2 { x: mul(path_a0.duv.x, splat(e_9.x)), y: mul(path_a0.duv.y, splat(e_9.y)) };
+    let speed_11 = sqrt(add(mul(e_10.x, e_10.x), mul(e_10.y, e_10.y)));
+    if none(ex) { return ret; }
+    let (b3, c4) = (ex, not(gt(mul(speed_11, path_a0.exit), splat(0.5f32))));
+    ex = and(b3, c4);
+    if any(ex) {
+        let e_17 = refine_none(r, ex, path_a0, found_a1, params_a2);
+        ret = sel_hit(ex, &e_17, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b3, c4);
+    let half_19 = div(splat(0.5f32), speed_11);
+    let backward_23 = max_with(sub(found_a1.far, half_19), splat(0.0f32));
+    let forward_27 = min(add(found_a1.far, half_19), path_a0.exit);
+    if none(ex) { return ret; }
+    let e_28 = path_gap(r, ex, path_a0, backward_23);
+    let before_29 = abs(e_28);
+    let e_30 = path_gap(r, ex, path_a0, forward_27);
+    let behind_31 = abs(e_30);
+    let c5 = gt(add(before_29, behind_31), splat(0.0f32));
+    part_v0 = sel(c5, div(before_29, add(before_29, behind_31)), part_v0);
+    let cost_43 = Vec3 { x: add_u(add_u(found_a1.cost.x, splat_u(1u32)), splat_u(1u32)), y: add_u(add_u(found_a1.cost.y, splat_u(0u32)), splat_u(0u32)), z: add_u(add_u(found_a1.cost.z, splat_u(16u32)), splat_u(16u32)) };
+    let e_45 = part_v0;
+    let e_49 = hit_on_path(r, ex, path_a0, add(backward_23, mul(sub(forward_27, backward_23), e_45)), splat_u(0u32), cost_43);
+    return sel_hit(ex, &e_49, &ret);
+} }
+lanes! { fn refine_stage(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found) -> Hit {
+    let mut ex = within;
+    let mut ret: Hit = zero_hit();
+    match r.surface_settings.choices[4].number {
+        0u32 => {
+            let e_12 = refine_none(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            return e_12;
+        }
+        1u32 => {
+            let e_18 = refine_offset(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            return e_18;
+        }
+        2u32 => {
+            let e_24 = refine_offset_limited(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            return e_24;
+        }
+        3u32 => {
+            let e_30 = refine_slope(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            return e_30;
+        }
+        4u32 => {
+            let e_36 = refine_slope_iterative(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            return e_36;
+        }
+        5u32 => {
+            let e_42 = refine_binary(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            return e_42;
+        }
+        6u32 => {
+            let e_48 = refine_secant(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            return e_48;
+        }
+        7u32 => {
+            let e_54 = refine_true_secant(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            return e_54;
+        }
+        8u32 => {
+            let e_60 = refine_patch(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            return e_60;
+        }
+        _ => {
+            let e_66 = refine_half_texel(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            return e_66;
+        }
+    }
+} }
+lanes! { fn search_none(r: &Resources<'_>, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+    return Found { status: splat_u(6u32), near: splat(0.0f32), far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) }, };
+} }
+stage! { fn search_linear(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+    let mut ex = within;
+    let mut ret: Found = zero_found();
+    let mut alive = ex;
+    let mut near_v0: F = splat(0.0f32);
+    let mut near_gap_v1: F = splat(0f32);
+    let mut cost_v2: Vec3<U> = Vec3 { x: splat_u(1u32), y: splat_u(0u32), z: splat_u(16u32) };
+    let mut k_v3: F = splat(1.0f32);
+    let cosine_10 = min_with(max_with(mul(abs(path_a0.h.y), path_a0.metric.w), splat(0.0f32)), splat(1.0f32));
+    let steps_20 = max_with(ceil(mul(mul(splat(params_a1.x), add(mul(splat(params_a1.y), sub(splat(1.0f32), cosine_10)), mul(splat(1.0f32), cosine_10))), path_a0.share)), splat(1.0f32));
+    let e_24 = path_gap(r, ex, path_a0, splat(0.0f32));
+    near_gap_v1 = e_24;
+    let e_28 = near_gap_v1;
+    let (b1, c2) = (ex, lt(e_28, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_32 = near_gap_v1;
+        let e_33 = near_gap_v1;
+        let e_34 = cost_v2;
+        ret = Found { status: splat_u(5u32), near: splat(0.0f32), far: splat(0.0f32), near_gap: e_32, far_gap: e_33, cost: e_34, };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let b4 = ex;
+    'l3: loop {
+        let e_40 = k_v3;
+        let c5 = le(e_40, steps_20);
+        ex = and(ex, c5);
+        let e_42 = cost_v2;
+        let (m6, y7) = (ex, Vec3 { x: add_u(e_42.x, splat_u(0u32)), y: add_u(e_42.y, splat_u(1u32)), z: add_u(e_42.z, splat_u(0u32)) });
+        cost_v2 = Vec3 { x: sel_u(m6, y7.x, cost_v2.x), y: sel_u(m6, y7.y, cost_v2.y), z: sel_u(m6, y7.z, cost_v2.z) };
+        let e_46 = k_v3;
+        let t_48 = mul(path_a0.exit, div(e_46, steps_20));
+        if none(ex) { break 'l3; }
+        let gap_49 = path_gap(r, ex, path_a0, t_48);
+        let e_50 = cost_v2;
+        let (m8, y9) = (ex, Vec3 { x: add_u(e_50.x, splat_u(1u32)), y: add_u(e_50.y, splat_u(0u32)), z: add_u(e_50.z, splat_u(16u32)) });
+        cost_v2 = Vec3 { x: sel_u(m8, y9.x, cost_v2.x), y: sel_u(m8, y9.y, cost_v2.y), z: sel_u(m8, y9.z, cost_v2.z) };
+        let (b10, c11) = (ex, le(gap_49, splat(0.0f32)));
+        ex = and(b10, c11);
+        if any(ex) {
+            let e_56 = near_v0;
+            let e_57 = near_gap_v1;
+            let e_58 = cost_v2;
+            ret = sel_found(ex, &Found { status: splat_u(3u32), near: e_56, far: t_48, near_gap: e_57, far_gap: gap_49, cost: e_58, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b10, c11);
+        near_v0 = sel(ex, t_48, near_v0);
+        near_gap_v1 = sel(ex, gap_49, near_gap_v1);
+        let e_60 = k_v3;
+        k_v3 = add(e_60, splat(1.0f32));
+        if none(ex) { break 'l3; }
+    }
+    ex = and(b4, alive);
+    let e_64 = near_v0;
+    let e_65 = near_v0;
+    let e_66 = near_gap_v1;
+    let e_67 = near_gap_v1;
+    let e_68 = cost_v2;
+    return sel_found(ex, &Found { status: splat_u(0u32), near: e_64, far: e_65, near_gap: e_66, far_gap: e_67, cost: e_68, }, &ret);
+} }
+lanes! { fn least_at(r: &Resources<'_>, within: M, c_a0: Vec3<F>, span_a1: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let c1 = gt(c_a0.z, splat(0.0f32));
+    ret = min(max_with(div(sub(splat(0.0f32), c_a0.y), mul(splat(2.0f32), c_a0.z)), splat(0.0f32)), span_a1);
+    ex = and_not(ex, c1);
+    return sel(ex, span_a1, ret);
+} }
+lanes! { fn found_in_cell(r: &Resources<'_>, within: M, c_a0: Vec3<F>, t_a1: F, span_a2: F, first_a3: M, cost_a4: Vec3<U>) -> Found {
+    let mut ex = within;
+    let mut ret: Found = zero_found();
+    let mut both_v0: M = splat_m(false);
+    let (b1, c2) = (ex, le(c_a0.x, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        both_v0 = and(first_a3, lt(c_a0.x, splat(0.0f32)));
+        let e_14 = both_v0;
+        let (b3, c4) = (ex, e_14);
+        ex = and(b3, c4);
+        if any(ex) {
+            ret = Found { status: splat_u(5u32), near: splat(0.0f32), far: splat(0.0f32), near_gap: c_a0.x, far_gap: c_a0.x, cost: cost_a4, };
+            ex = no_lane();
+        }
+        ex = and_not(b3, c4);
+        ret = sel_found(ex, &Found { status: splat_u(3u32), near: t_a1, far: t_a1, near_gap: c_a0.x, far_gap: c_a0.x, cost: cost_a4, }, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let s_25 = least_at(r, ex, c_a0, span_a2);
+    let gap_26 = quadratic(r, c_a0, s_25);
+    let (b5, c6) = (ex, le(gap_26, splat(0.0f32)));
+    ex = and(b5, c6);
+    if any(ex) {
+        ret = sel_found(ex, &Found { status: splat_u(3u32), near: t_a1, far: add(t_a1, s_25), near_gap: c_a0.x, far_gap: gap_26, cost: cost_a4, }, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b5, c6);
+    if none(ex) { return ret; }
+    let e_36 = quadratic(r, c_a0, span_a2);
+    return sel_found(ex, &Found { status: splat_u(1u32), near: t_a1, far: add(t_a1, span_a2), near_gap: c_a0.x, far_gap: e_36, cost: cost_a4, }, &ret);
+} }
+stage! { fn search_cells(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+    let mut ex = within;
+    let mut ret: Found = zero_found();
+    let mut alive = ex;
+    let mut cell_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut t_v1: F = splat(0.0f32);
+    let mut cost_v2: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let grid_2 = grid_of(r, path_a0);
+    let e_4 = cell_of(r, Vec2 { x: grid_2.origin.x, y: grid_2.origin.y });
+    cell_v0 = e_4;
+    let limit_11 = (params_a1.x as u32);
+    let b2 = ex;
+    'l1: loop {
+        let e_13 = cost_v2.x;
+        let c3 = lt_u(e_13, splat_u(limit_11));
+        ex = and(ex, c3);
+        let e_15 = cost_v2;
+        let (m4, y5) = (ex, Vec3 { x: add_u(e_15.x, splat_u(0u32)), y: add_u(e_15.y, splat_u(1u32)), z: add_u(e_15.z, splat_u(0u32)) });
+        cost_v2 = Vec3 { x: sel_u(m4, y5.x, cost_v2.x), y: sel_u(m4, y5.y, cost_v2.y), z: sel_u(m4, y5.z, cost_v2.z) };
+        let e_18 = cell_v0;
+        if none(ex) { break 'l1; }
+        let leave_19 = cell_leave(r, ex, &grid_2, e_18);
+        let end_24 = min(min(leave_19.x, leave_19.y), path_a0.exit);
+        let e_25 = cell_v0;
+        let e_26 = t_v1;
+        let c_27 = cell_gap(r, ex, path_a0, &grid_2, e_25, e_26);
+        let e_28 = cost_v2;
+        let (m6, y7) = (ex, Vec3 { x: add_u(e_28.x, splat_u(1u32)), y: add_u(e_28.y, splat_u(0u32)), z: add_u(e_28.z, splat_u(16u32)) });
+        cost_v2 = Vec3 { x: sel_u(m6, y7.x, cost_v2.x), y: sel_u(m6, y7.y, cost_v2.y), z: sel_u(m6, y7.z, cost_v2.z) };
+        let e_31 = t_v1;
+        let span_34 = max_with(sub(end_24, e_31), splat(0.0f32));
+        let e_35 = t_v1;
+        let e_37 = cost_v2.x;
+        let e_40 = cost_v2;
+        let found_41 = found_in_cell(r, ex, c_27, e_35, span_34, eq_u(e_37, splat_u(1u32)), e_40);
+        let (b8, c9) = (ex, ne_u(found_41.status, splat_u(1u32)));
+        ex = and(b8, c9);
+        if any(ex) {
+            ret = sel_found(ex, &found_41, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b8, c9);
+        if none(ex) { break 'l1; }
+        let (b10, c11) = (ex, ge(end_24, path_a0.exit));
+        ex = and(b10, c11);
+        if any(ex) {
+            let e_48 = t_v1;
+            let e_52 = cost_v2;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_48, far: path_a0.exit, near_gap: c_27.x, far_gap: found_41.far_gap, cost: e_52, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b10, c11);
+        let e_54 = cell_v0;
+        if none(ex) { break 'l1; }
+        let e_55 = cell_next(r, ex, &grid_2, e_54, leave_19);
+        cell_v0 = e_55;
+        let e_56 = t_v1;
+        t_v1 = sel(ex, max(e_56, end_24), t_v1);
+    }
+    ex = and(b2, alive);
+    let e_59 = t_v1;
+    let e_61 = cost_v2;
+    return sel_found(ex, &Found { status: splat_u(4u32), near: e_59, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_61, }, &ret);
+} }
+lanes! { fn image_of(r: &Resources<'_>, within: M, cell_a0: I, n_a1: i32) -> Vec2<I> {
+    let mut ex = within;
+    let mut ret: Vec2<I> = Vec2 { x: splat_i(0i32), y: splat_i(0i32) };
+    let mut both_v0: M = splat_m(false);
+    both_v0 = and(ge_i(cell_a0, splat_i(0i32)), lt_i(cell_a0, splat_i(n_a1)));
+    let e_8 = both_v0;
+    let c1 = e_8;
+    ret = Vec2 { x: cell_a0, y: splat_i(0i32) };
+    ex = and_not(ex, c1);
+    if (r.surface_settings.wrap == 1u32) {
+        let y2 = Vec2 { x: min_i(max_i(cell_a0, splat_i(0i32)), splat_i(n_a1.wrapping_sub(1i32))), y: splat_i(2i32) };
+        return Vec2 { x: sel_i(ex, y2.x, ret.x), y: sel_i(ex, y2.y, ret.y) };
+    }
+    if (r.surface_settings.wrap == 0u32) {
+        if none(ex) { return ret; }
+        let y3 = Vec2 { x: rem_i(add_i(rem_i(cell_a0, splat_i(n_a1)), splat_i(n_a1)), splat_i(n_a1)), y: splat_i(0i32) };
+        return Vec2 { x: sel_i(ex, y3.x, ret.x), y: sel_i(ex, y3.y, ret.y) };
+    }
+    let period_33 = 2i32.wrapping_mul(n_a1);
+    if none(ex) { return ret; }
+    let folded_36 = rem_i(add_i(rem_i(cell_a0, splat_i(period_33)), splat_i(period_33)), splat_i(period_33));
+    let c4 = lt_i(folded_36, splat_i(n_a1));
+    let y5 = Vec2 { x: folded_36, y: splat_i(0i32) };
+    ret = Vec2 { x: sel_i(and(ex, c4), y5.x, ret.x), y: sel_i(and(ex, c4), y5.y, ret.y) };
+    ex = and_not(ex, c4);
+    let c6 = eq_i(folded_36, splat_i(period_33.wrapping_sub(1i32)));
+    let y7 = Vec2 { x: splat_i(0i32), y: splat_i(2i32) };
+    ret = Vec2 { x: sel_i(and(ex, c6), y7.x, ret.x), y: sel_i(and(ex, c6), y7.y, ret.y) };
+    ex = and_not(ex, c6);
+    let y8 = Vec2 { x: sub_i(splat_i(period_33.wrapping_sub(2i32)), folded_36), y: splat_i(1i32) };
+    return Vec2 { x: sel_i(ex, y8.x, ret.x), y: sel_i(ex, y8.y, ret.y) };
+} }
+lanes! { fn frustum_slope(r: &Resources<'_>, within: M, path_a0: &Path, cell_a1: Vec2<I>, forward_a2: Vec2<M>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut both_v0: M = splat_m(false);
+    let n_4 = r.height_texels(path_a0.level);
+    let u_7 = image_of(r, ex, cell_a1.x, n_4.x);
+    let v_10 = image_of(r, ex, cell_a1.y, n_4.y);
+    both_v0 = or(eq_i(u_7.y, splat_i(2i32)), eq_i(v_10.y, splat_i(2i32)));
+    let e_21 = both_v0;
+    let c1 = e_21;
+    ret = splat((-1.0f32));
+    ex = and_not(ex, c1);
+    if none(ex) { return ret; }
+    let slopes_29 = search_texel_llss(r, path_a0, Vec2 { x: u_7.x, y: v_10.x }, 0i32, (path_a0.level as i32));
+    let right_34 = eq_m(forward_a2.x, eq_i(u_7.y, splat_i(0i32)));
+    let down_39 = eq_m(forward_a2.y, eq_i(v_10.y, splat_i(0i32)));
+    return sel(ex, sel(down_39, sel(right_34, slopes_29.x, slopes_29.y), sel(right_34, slopes_29.z, slopes_29.w)), ret);
+} }
+lanes! { fn map_read(r: &Resources<'_>, path_a0: &Path, texels_a1: u32) -> Vec3<U> {
+    let slot_7 = (if (path_a0.ray == 1u32) { 2u32 } else { 1u32 });
+    return Vec3 { x: splat_u(1u32), y: splat_u(0u32), z: splat_u(texels_a1.wrapping_mul(r.surface_settings.maps[slot_7 as usize].texel_bytes)) };
+} }
+lanes! { fn stays_above(r: &Resources<'_>, within: M, above_a0: Vec3<F>, slope_a1: F, left_a2: F, speed_a3: F, lost_a4: F, span_a5: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let rise_7 = mul(slope_a1, abs(speed_a3));
+    let gap_11 = sub(add(above_a0.x, mul(slope_a1, left_a2)), lost_a4);
+    let c1 = le(gap_11, splat(0.0f32));
+    ret = splat(0.0f32);
+    ex = and_not(ex, c1);
+    let closing_22 = add(sub(rise_7, above_a0.y), mul(splat(9.536743e-7f32), add(rise_7, abs(above_a0.y))));
+    if none(ex) { return ret; }
+    let (b2, c3) = (ex, ne(above_a0.z, splat(0.0f32)));
+    ex = and(b2, c3);
+    if any(ex) {
+        let e_30 = first_root(r, ex, Vec3 { x: gap_11, y: sub(splat(0.0f32), closing_22), z: above_a0.z }, span_a5);
+        ret = sel(ex, e_30, ret);
+        ex = no_lane();
+    }
+    ex = and_not(b2, c3);
+    let c4 = gt(closing_22, splat(0.0f32));
+    ret = sel(and(ex, c4), div(gap_11, closing_22), ret);
+    ex = and_not(ex, c4);
+    return sel(ex, splat(3e38f32), ret);
+} }
+stage! { fn search_frustum(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+    let mut ex = within;
+    let mut ret: Found = zero_found();
+    let mut alive = ex;
+    let mut cell_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut t_v1: F = splat(0.0f32);
+    let mut cost_v2: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut next_v3: F = splat(0f32);
+    let mut slope_v4: F = splat(0f32);
+    let mut both_v5: M = splat_m(false);
+    let grid_2 = grid_of(r, path_a0);
+    let forward_7 = Vec2 { x: ge(grid_2.step.x, splat(0.0f32)), y: ge(grid_2.step.y, splat(0.0f32)) };
+    let e_9 = cell_of(r, Vec2 { x: grid_2.origin.x, y: grid_2.origin.y });
+    cell_v0 = e_9;
+    let limit_16 = (params_a1.x as u32);
+    let b2 = ex;
+    'l1: loop {
+        let e_18 = cost_v2.x;
+        let c3 = lt_u(e_18, splat_u(limit_16));
+        ex = and(ex, c3);
+        let e_20 = cost_v2;
+        let (m4, y5) = (ex, Vec3 { x: add_u(e_20.x, splat_u(0u32)), y: add_u(e_20.y, splat_u(1u32)), z: add_u(e_20.z, splat_u(0u32)) });
+        cost_v2 = Vec3 { x: sel_u(m4, y5.x, cost_v2.x), y: sel_u(m4, y5.y, cost_v2.y), z: sel_u(m4, y5.z, cost_v2.z) };
+        let e_24 = cost_v2.x;
+        let first_26 = eq_u(e_24, splat_u(0u32));
+        let e_27 = cell_v0;
+        if none(ex) { break 'l1; }
+        let heights_30 = height_cell(r, ex, Vec2 { x: i_of_f(e_27.x), y: i_of_f(e_27.y) }, path_a0.level);
+        let e_31 = cost_v2;
+        let (m6, y7) = (ex, Vec3 { x: add_u(e_31.x, splat_u(1u32)), y: add_u(e_31.y, splat_u(0u32)), z: add_u(e_31.z, splat_u(16u32)) });
+        cost_v2 = Vec3 { x: sel_u(m6, y7.x, cost_v2.x), y: sel_u(m6, y7.y, cost_v2.y), z: sel_u(m6, y7.z, cost_v2.z) };
+        let e_34 = cell_v0;
+        let leave_35 = cell_leave(r, ex, &grid_2, e_34);
+        let end_40 = min(min(leave_35.x, leave_35.y), path_a0.exit);
+        let e_41 = t_v1;
+        let span_44 = max_with(sub(end_40, e_41), splat(0.0f32));
+        let top_51 = max(max(heights_30.x, heights_30.y), max(heights_30.z, heights_30.w));
+        let e_52 = t_v1;
+        let e_53 = path_height(r, path_a0, e_52);
+        let e_55 = t_v1;
+        let e_56 = path_slope(r, path_a0, e_55);
+        let above_59 = Vec3 { x: sub(e_53, top_51), y: e_56, z: path_a0.h.z };
+        let e_63 = t_v1;
+        let e_67 = t_v1;
+        let of_heights_76 = mul(splat(9.536743e-7f32), add(abs(path_a0.h.x), mul(e_63, add(abs(path_a0.h.y), mul(e_67, abs(path_a0.h.z))))));
+        let e_77 = t_v1;
+        next_v3 = max(e_77, end_40);
+        slope_v4 = splat((-1.0f32));
+        let e_82 = least_at(r, ex, above_59, span_44);
+        let e_83 = quadratic(r, above_59, e_82);
+        both_v5 = and(gt(e_83, of_heights_76), gt(above_59.x, of_heights_76));
+        let e_90 = both_v5;
+        let (b8, c9) = (ex, e_90);
+        ex = and(b8, c9);
+        if any(ex) {
+            let (b10, c11) = (ex, lt(end_40, path_a0.exit));
+            ex = and(b10, c11);
+            if any(ex) {
+                let e_93 = cell_v0;
+                let e_95 = frustum_slope(r, ex, path_a0, Vec2 { x: i_of_f(e_93.x), y: i_of_f(e_93.y) }, forward_7);
+                slope_v4 = sel(ex, e_95, slope_v4);
+                let e_96 = slope_v4;
+                let (b12, c13) = (ex, ge(e_96, splat(0.0f32)));
+                ex = and(b12, c13);
+                if any(ex) {
+                    let e_99 = cost_v2;
+                    let e_101 = map_read(r, path_a0, 1u32);
+                    let (m14, y15) = (ex, Vec3 { x: add_u(e_99.x, e_101.x), y: add_u(e_99.y, e_101.y), z: add_u(e_99.z, e_101.z) });
+                    cost_v2 = Vec3 { x: sel_u(m14, y15.x, cost_v2.x), y: sel_u(m14, y15.y, cost_v2.y), z: sel_u(m14, y15.z, cost_v2.z) };
+                }
+                ex = b12;
+            }
+            ex = b10;
+        }
+        ex = and_not(b8, c9);
+        if any(ex) {
+            let e_103 = cell_v0;
+            let e_104 = t_v1;
+            let c_105 = gap_to(r, path_a0, &grid_2, e_103, heights_30, e_104);
+            let e_106 = t_v1;
+            let e_107 = cost_v2;
+            let found_108 = found_in_cell(r, ex, c_105, e_106, span_44, first_26, e_107);
+            let (b16, c17) = (ex, ne_u(found_108.status, splat_u(1u32)));
+            ex = and(b16, c17);
+            if any(ex) {
+                ret = sel_found(ex, &found_108, &ret);
+                alive = and_not(alive, ex);
+                ex = no_lane();
+            }
+            ex = and_not(b16, c17);
+        }
+        ex = or(ex, and(b8, c9));
+        let e_112 = slope_v4;
+        if none(ex) { break 'l1; }
+        let (b18, c19) = (ex, ge(e_112, splat(0.0f32)));
+        ex = and(b18, c19);
+        if any(ex) {
+            let e_116 = cell_v0;
+            let e_119 = t_v1;
+            let at_121 = Vec2 { x: add(sub(grid_2.origin.x, e_116.x), mul(grid_2.step.x, e_119)), y: add(sub(grid_2.origin.y, e_116.y), mul(grid_2.step.y, e_119)) };
+            let left_126 = Vec2 { x: sel(forward_7.x, sub(splat(1.0f32), at_121.x), at_121.x), y: sel(forward_7.y, sub(splat(1.0f32), at_121.y), at_121.y) };
+            let e_131 = t_v1;
+            let far_137 = Vec2 { x: add(add(abs(grid_2.origin.x), mul(abs(grid_2.step.x), e_131)), splat(1.0f32)), y: add(add(abs(grid_2.origin.y), mul(abs(grid_2.step.y), e_131)), splat(1.0f32)) };
+            let e_139 = slope_v4;
+            let e_141 = mul(splat(9.536743e-7f32), e_139);
+            let lost_143 = Vec2 { x: add(of_heights_76, mul(e_141, far_137.x)), y: add(of_heights_76, mul(e_141, far_137.y)) };
+            let e_145 = t_v1;
+            let rest_146 = sub(path_a0.exit, e_145);
+            let e_147 = slope_v4;
+            let u_152 = stays_above(r, ex, above_59, e_147, left_126.x, grid_2.step.x, lost_143.x, rest_146);
+            let e_153 = slope_v4;
+            let v_158 = stays_above(r, ex, above_59, e_153, left_126.y, grid_2.step.y, lost_143.y, rest_146);
+            let e_159 = next_v3;
+            let e_160 = t_v1;
+            next_v3 = sel(ex, max(e_159, add(e_160, min(u_152, v_158))), next_v3);
+        }
+        ex = b18;
+        let e_164 = next_v3;
+        let (b20, c21) = (ex, ge(e_164, path_a0.exit));
+        ex = and(b20, c21);
+        if any(ex) {
+            let e_168 = t_v1;
+            let e_170 = cost_v2;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_168, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_170, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b20, c21);
+        let e_174 = slope_v4;
+        if none(ex) { break 'l1; }
+        let (b22, c23) = (ex, ge(e_174, splat(0.0f32)));
+        ex = and(b22, c23);
+        if any(ex) {
+            let e_177 = cell_v0;
+            let e_178 = next_v3;
+            let e_179 = cell_after(r, &grid_2, e_177, leave_35, forward_7, e_178);
+            let (m24, y25) = (ex, e_179);
+            cell_v0 = Vec2 { x: sel(m24, y25.x, cell_v0.x), y: sel(m24, y25.y, cell_v0.y) };
+        }
+        ex = and_not(b22, c23);
+        if any(ex) {
+            let e_180 = cell_v0;
+            let e_181 = cell_next(r, ex, &grid_2, e_180, leave_35);
+            let (m26, y27) = (ex, e_181);
+            cell_v0 = Vec2 { x: sel(m26, y27.x, cell_v0.x), y: sel(m26, y27.y, cell_v0.y) };
+        }
+        ex = b22;
+        let e_182 = next_v3;
+        t_v1 = sel(ex, e_182, t_v1);
+    }
+    ex = and(b2, alive);
+    let e_184 = t_v1;
+    let e_186 = cost_v2;
+    return sel_found(ex, &Found { status: splat_u(4u32), near: e_184, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_186, }, &ret);
+} }
+lanes! { fn nearest_corner(r: &Resources<'_>, at_a0: Vec2<F>) -> Vec2<F> {
+    return Vec2 { x: sel(ge(at_a0.x, splat(0.5f32)), splat(1.0f32), splat(0.0f32)), y: sel(ge(at_a0.y, splat(0.5f32)), splat(1.0f32), splat(0.0f32)) };
+} }
+lanes! { fn stays_inside(r: &Resources<'_>, within: M, path_a0: &Path, grid_a1: &Grid, offset_a2: Vec2<F>, apex_a3: F, slope_a4: F, t_a5: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut most_v0: F = splat(0f32);
+    let mut both_v1: M = splat_m(false);
+    let mut leave_v2: F = splat(3e38f32);
+    let rest_7 = sub(path_a0.exit, t_a5);
+    let e_8 = path_height(r, path_a0, t_a5);
+    let height_9 = sub(e_8, apex_a3);
+    let terms_20 = add(abs(path_a0.h.y), mul(mul(splat(2.0f32), path_a0.exit), abs(path_a0.h.z)));
+    let e_21 = path_slope(r, path_a0, t_a5);
+    let rise_30 = sub(add(e_21, mul(min_with(path_a0.h.z, splat(0.0f32)), rest_7)), mul(splat(9.536743e-7f32), terms_20));
+    most_v0 = rest_7;
+    let c1 = lt(rise_30, splat(0.0f32));
+    let e_34 = most_v0;
+    most_v0 = sel(c1, min(e_34, div(height_9, sub(splat(0.0f32), rise_30))), most_v0);
+    let e_39 = most_v0;
+    let end_40 = add(t_a5, e_39);
+    let e_52 = r.height_size(path_a0.level);
+    let far_53 = Vec2 { x: div(add(add(abs(grid_a1.origin.x), mul(abs(grid_a1.step.x), end_40)), splat(1.0f32)), splat(e_52.x)), y: div(add(add(abs(grid_a1.origin.y), mul(abs(grid_a1.step.y), end_40)), splat(1.0f32)), splat(e_52.y)) };
+    let of_heights_68 = mul(splat(9.536743e-7f32), add(abs(path_a0.h.x), mul(end_40, add(abs(path_a0.h.y), mul(end_40, abs(path_a0.h.z))))));
+    let lost_75 = add(of_heights_68, mul(mul(splat(9.536743e-7f32), slope_a4), add(far_53.x, far_53.y)));
+    let gap_78 = sub(height_9, mul(splat(2.0f32), lost_75));
+    let e_85 = r.height_size(path_a0.level);
+    let aside_86 = Vec2 { x: div(add(sub(grid_a1.origin.x, offset_a2.x), mul(grid_a1.step.x, t_a5)), splat(e_85.x)), y: div(add(sub(grid_a1.origin.y, offset_a2.y), mul(grid_a1.step.y, t_a5)), splat(e_85.y)) };
+    let c_93 = mul(sub(mul(slope_a4, sqrt(add(mul(aside_86.x, aside_86.x), mul(aside_86.y, aside_86.y)))), gap_78), add(mul(slope_a4, sqrt(add(mul(aside_86.x, aside_86.x), mul(aside_86.y, aside_86.y)))), gap_78));
+    both_v1 = or(le(gap_78, splat(0.0f32)), ge(c_93, splat(0.0f32)));
+    let e_102 = both_v1;
+    let c2 = e_102;
+    ret = splat(0.0f32);
+    ex = and_not(ex, c2);
+    let b_109 = sub(mul(mul(slope_a4, slope_a4), add(add(mul(aside_86.x, path_a0.duv.x), mul(aside_86.y, path_a0.duv.y)), splat(0.0f32))), mul(gap_78, rise_30));
+    let a_116 = sub(mul(mul(slope_a4, slope_a4), add(add(mul(path_a0.duv.x, path_a0.duv.x), mul(path_a0.duv.y, path_a0.duv.y)), splat(0.0f32))), mul(rise_30, rise_30));
+    let discriminant_119 = sub(mul(b_109, b_109), mul(a_116, c_93));
+    if none(ex) { return ret; }
+    let (b3, c4) = (ex, ge(discriminant_119, splat(0.0f32)));
+    ex = and(b3, c4);
+    if any(ex) {
+        let root_124 = sqrt(discriminant_119);
+        let c5 = ge(b_109, splat(0.0f32));
+        leave_v2 = sel(and(ex, c5), div(sub(splat(0.0f32), c_93), add(b_109, root_124)), leave_v2);
+        let c6 = gt(a_116, splat(0.0f32));
+        leave_v2 = sel(and(ex, and(not(c5), c6)), div(sub(root_124, b_109), a_116), leave_v2);
+    }
+    ex = b3;
+    let e_135 = leave_v2;
+    let e_136 = most_v0;
+    leave_v2 = min(e_135, e_136);
+    let e_139 = leave_v2;
+    let e_145 = leave_v2;
+    let e_141 = Vec2 { x: add(aside_86.x, mul(path_a0.duv.x, e_139)), y: add(aside_86.y, mul(path_a0.duv.y, e_139)) };
+    let c7 = le(add(mul(slope_a4, sqrt(add(mul(e_141.x, e_141.x), mul(e_141.y, e_141.y)))), lost_75), add(height_9, mul(rise_30, e_145)));
+    let e_149 = leave_v2;
+    ret = sel(and(ex, c7), e_149, ret);
+    ex = and_not(ex, c7);
+    return sel(ex, splat(0.0f32), ret);
+} }
+stage! { fn search_cone(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+    let mut ex = within;
+    let mut ret: Found = zero_found();
+    let mut alive = ex;
+    let mut cell_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut t_v1: F = splat(0.0f32);
+    let mut cost_v2: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut next_v3: F = splat(0f32);
+    let grid_2 = grid_of(r, path_a0);
+    let forward_7 = Vec2 { x: ge(grid_2.step.x, splat(0.0f32)), y: ge(grid_2.step.y, splat(0.0f32)) };
+    let e_9 = cell_of(r, Vec2 { x: grid_2.origin.x, y: grid_2.origin.y });
+    cell_v0 = e_9;
+    let limit_16 = (params_a1.x as u32);
+    let b2 = ex;
+    'l1: loop {
+        let e_18 = cost_v2.x;
+        let c3 = lt_u(e_18, splat_u(limit_16));
+        ex = and(ex, c3);
+        let e_20 = cost_v2;
+        let (m4, y5) = (ex, Vec3 { x: add_u(e_20.x, splat_u(0u32)), y: add_u(e_20.y, splat_u(1u32)), z: add_u(e_20.z, splat_u(0u32)) });
+        cost_v2 = Vec3 { x: sel_u(m4, y5.x, cost_v2.x), y: sel_u(m4, y5.y, cost_v2.y), z: sel_u(m4, y5.z, cost_v2.z) };
+        let e_24 = cost_v2.x;
+        let first_26 = eq_u(e_24, splat_u(0u32));
+        let e_27 = cell_v0;
+        if none(ex) { break 'l1; }
+        let heights_30 = height_cell(r, ex, Vec2 { x: i_of_f(e_27.x), y: i_of_f(e_27.y) }, path_a0.level);
+        let e_31 = cost_v2;
+        let (m6, y7) = (ex, Vec3 { x: add_u(e_31.x, splat_u(1u32)), y: add_u(e_31.y, splat_u(0u32)), z: add_u(e_31.z, splat_u(16u32)) });
+        cost_v2 = Vec3 { x: sel_u(m6, y7.x, cost_v2.x), y: sel_u(m6, y7.y, cost_v2.y), z: sel_u(m6, y7.z, cost_v2.z) };
+        let e_34 = cell_v0;
+        let leave_35 = cell_leave(r, ex, &grid_2, e_34);
+        let end_40 = min(min(leave_35.x, leave_35.y), path_a0.exit);
+        let e_41 = t_v1;
+        let span_44 = max_with(sub(end_40, e_41), splat(0.0f32));
+        let e_46 = cell_v0;
+        let e_49 = t_v1;
+        let at_51 = Vec2 { x: add(sub(grid_2.origin.x, e_46.x), mul(grid_2.step.x, e_49)), y: add(sub(grid_2.origin.y, e_46.y), mul(grid_2.step.y, e_49)) };
+        let corner_52 = nearest_corner(r, at_51);
+        let apex_53 = corner_height(r, heights_30, corner_52);
+        let e_54 = t_v1;
+        next_v3 = e_54;
+        let e_56 = t_v1;
+        let e_57 = path_height(r, path_a0, e_56);
+        let (b8, c9) = (ex, gt(e_57, apex_53));
+        ex = and(b8, c9);
+        if any(ex) {
+            let e_59 = cell_v0;
+            let texel_60 = Vec2 { x: add(e_59.x, corner_52.x), y: add(e_59.y, corner_52.y) };
+            let slope_61 = cone_slope(r, ex, path_a0, texel_60);
+            let e_62 = cost_v2;
+            let e_64 = map_read(r, path_a0, 1u32);
+            let (m10, y11) = (ex, Vec3 { x: add_u(e_62.x, e_64.x), y: add_u(e_62.y, e_64.y), z: add_u(e_62.z, e_64.z) });
+            cost_v2 = Vec3 { x: sel_u(m10, y11.x, cost_v2.x), y: sel_u(m10, y11.y, cost_v2.y), z: sel_u(m10, y11.z, cost_v2.z) };
+            let (b12, c13) = (ex, ge(slope_61, splat(0.0f32)));
+            ex = and(b12, c13);
+            if any(ex) {
+                let e_68 = t_v1;
+                let e_69 = t_v1;
+                let e_70 = stays_inside(r, ex, path_a0, &grid_2, texel_60, apex_53, slope_61, e_69);
+                next_v3 = sel(ex, add(e_68, e_70), next_v3);
+            }
+            ex = b12;
+        }
+        ex = b8;
+        let e_72 = next_v3;
+        let (b14, c15) = (ex, lt(e_72, end_40));
+        ex = and(b14, c15);
+        if any(ex) {
+            let e_74 = cell_v0;
+            let e_75 = t_v1;
+            let e_76 = gap_to(r, path_a0, &grid_2, e_74, heights_30, e_75);
+            let e_77 = t_v1;
+            let e_78 = cost_v2;
+            let found_79 = found_in_cell(r, ex, e_76, e_77, span_44, first_26, e_78);
+            let (b16, c17) = (ex, ne_u(found_79.status, splat_u(1u32)));
+            ex = and(b16, c17);
+            if any(ex) {
+                ret = sel_found(ex, &found_79, &ret);
+                alive = and_not(alive, ex);
+                ex = no_lane();
+            }
+            ex = and_not(b16, c17);
+            let e_83 = t_v1;
+            next_v3 = sel(ex, max(e_83, end_40), next_v3);
+        }
+        let x18 = ex;
+        ex = and_not(b14, c15);
+        ex = or(ex, x18);
+        let e_85 = next_v3;
+        if none(ex) { break 'l1; }
+        let (b19, c20) = (ex, ge(e_85, path_a0.exit));
+        ex = and(b19, c20);
+        if any(ex) {
+            let e_89 = t_v1;
+            let e_91 = cost_v2;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_89, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_91, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b19, c20);
+        let e_95 = cell_v0;
+        let e_96 = next_v3;
+        if none(ex) { break 'l1; }
+        let e_97 = cell_after(r, &grid_2, e_95, leave_35, forward_7, e_96);
+        cell_v0 = e_97;
+        let e_98 = next_v3;
+        t_v1 = sel(ex, e_98, t_v1);
+    }
+    ex = and(b2, alive);
+    let e_100 = t_v1;
+    let e_102 = cost_v2;
+    return sel_found(ex, &Found { status: splat_u(4u32), near: e_100, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_102, }, &ret);
+} }
+lanes! { fn node_extent(r: &Resources<'_>, within: M, cell_a0: I, image_a1: Vec2<I>, n_a2: i32, level_a3: U) -> Vec2<I> {
+    let mut ex = within;
+    let mut ret: Vec2<I> = Vec2 { x: splat_i(0i32), y: splat_i(0i32) };
+    let mut both_v0: M = splat_m(false);
+    let first_6 = shl_i(shr_i(image_a1.x, level_a3), level_a3);
+    let side_8 = shl_i(splat_i(1i32), level_a3);
+    let c1 = eq_i(image_a1.y, splat_i(0i32));
+    let low_14 = sub_i(cell_a0, sub_i(image_a1.x, first_6));
+    ret = Vec2 { x: low_14, y: add_i(low_14, min_i(side_8, sub_i(splat_i(n_a2), first_6))) };
+    ex = and_not(ex, c1);
+    let c2 = eq_i(image_a1.y, splat_i(1i32));
+    let high_26 = add_i(add_i(cell_a0, sub_i(image_a1.x, first_6)), splat_i(1i32));
+    let y3 = Vec2 { x: sub_i(high_26, min_i(side_8, sub_i(splat_i(n_a2.wrapping_sub(1i32)), first_6))), y: high_26 };
+    ret = Vec2 { x: sel_i(and(ex, c2), y3.x, ret.x), y: sel_i(and(ex, c2), y3.y, ret.y) };
+    ex = and_not(ex, c2);
+    both_v0 = and(gt_u(level_a3, splat_u(0u32)), splat_m((r.surface_settings.wrap == 1u32)));
+    let e_43 = both_v0;
+    let c4 = e_43;
+    let y5 = Vec2 { x: sel_i(ge_i(cell_a0, splat_i(n_a2)), splat_i(n_a2), splat_i((-1073741824i32))), y: sel_i(ge_i(cell_a0, splat_i(n_a2)), splat_i(1073741824i32), splat_i(0i32)) };
+    ret = Vec2 { x: sel_i(and(ex, c4), y5.x, ret.x), y: sel_i(and(ex, c4), y5.y, ret.y) };
+    ex = and_not(ex, c4);
+    let y6 = Vec2 { x: cell_a0, y: add_i(cell_a0, splat_i(1i32)) };
+    return Vec2 { x: sel_i(ex, y6.x, ret.x), y: sel_i(ex, y6.y, ret.y) };
+} }
+lanes! { fn leaves_extent(r: &Resources<'_>, within: M, origin_a0: F, step_a1: F, extent_a2: Vec2<I>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let c1 = gt(step_a1, splat(0.0f32));
+    ret = div(sub(f_of_i(extent_a2.y), origin_a0), step_a1);
+    ex = and_not(ex, c1);
+    let c2 = lt(step_a1, splat(0.0f32));
+    ret = sel(and(ex, c2), div(sub(f_of_i(extent_a2.x), origin_a0), step_a1), ret);
+    ex = and_not(ex, c2);
+    return sel(ex, splat(3e38f32), ret);
+} }
+stage! { fn search_pyramid(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+    let mut ex = within;
+    let mut ret: Found = zero_found();
+    let mut alive = ex;
+    let mut top_v0: u32 = 0u32;
+    let mut level_v1: U = splat_u(0u32);
+    let mut cell_v2: Vec2<I> = Vec2 { x: splat_i(0i32), y: splat_i(0i32) };
+    let mut parent_v3: Vec2<I> = Vec2 { x: splat_i((-1i32)), y: splat_i((-1i32)) };
+    let mut t_v4: F = splat(0.0f32);
+    let mut cost_v5: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut both_v6: M = splat_m(false);
+    let mut both_v7: M = splat_m(false);
+    let mut both_v8: M = splat_m(false);
+    let mut both_v9: M = splat_m(false);
+    let grid_2 = grid_of(r, path_a0);
+    let n_4 = r.height_texels(path_a0.level);
+    let long_13 = mul(max(abs(grid_2.step.x), abs(grid_2.step.y)), path_a0.exit);
+    'l1: loop {
+        let e_18 = top_v0;
+        if (1i32.unbounded_shl(e_18) < n_4.x.max(n_4.y)) {
+        } else {
+            break 'l1;
+        }
+        let e_25 = top_v0;
+        top_v0 = e_25.wrapping_add(1u32);
+        let e_28 = level_v1;
+        let c2 = lt(f_of_i(shl_i(splat_i(1i32), e_28)), long_13);
+        let e_33 = level_v1;
+        level_v1 = sel_u(c2, add_u(e_33, splat_u(1u32)), level_v1);
+    }
+    let e_37 = cell_of(r, Vec2 { x: grid_2.origin.x, y: grid_2.origin.y });
+    cell_v2 = Vec2 { x: i_of_f(e_37.x), y: i_of_f(e_37.y) };
+    let limit_49 = (params_a1.x as u32);
+    let b5 = ex;
+    let mut live6 = ex;
+    'l3: loop {
+        't4: {
+            let e_51 = cost_v5.x;
+            let c7 = lt_u(e_51, splat_u(limit_49));
+            live6 = and_not(live6, and_not(ex, c7));
+            ex = and(ex, c7);
+            let e_53 = cost_v5;
+            let (m8, y9) = (ex, Vec3 { x: add_u(e_53.x, splat_u(0u32)), y: add_u(e_53.y, splat_u(1u32)), z: add_u(e_53.z, splat_u(0u32)) });
+            cost_v5 = Vec3 { x: sel_u(m8, y9.x, cost_v5.x), y: sel_u(m8, y9.y, cost_v5.y), z: sel_u(m8, y9.z, cost_v5.z) };
+            let e_57 = cell_v2.x;
+            if none(ex) { break 't4; }
+            let u_59 = image_of(r, ex, e_57, n_4.x);
+            let e_61 = cell_v2.y;
+            let v_63 = image_of(r, ex, e_61, n_4.y);
+            let place_66 = Vec2 { x: u_59.x, y: v_63.x };
+            let e_67 = level_v1;
+            let above_level_69 = add_u(e_67, splat_u(1u32));
+            let over_74 = Vec2 { x: shr_i(place_66.x, above_level_69), y: shr_i(place_66.y, above_level_69) };
+            let e_76 = parent_v3.x;
+            let e_82 = parent_v3.x;
+            let e_89 = parent_v3.y;
+            both_v7 = or(ne_i(e_82, over_74.x), ne_i(e_89, over_74.y));
+            let e_93 = both_v7;
+            both_v6 = and(ge_i(e_76, splat_i(0i32)), e_93);
+            let left_95 = both_v6;
+            let e_98 = level_v1;
+            let e_99 = top_v0;
+            both_v8 = and(left_95, lt_u(e_98, splat_u(e_99)));
+            let e_102 = both_v8;
+            let c10 = e_102;
+            level_v1 = sel_u(and(ex, c10), above_level_69, level_v1);
+            let e_104 = cell_v2.x;
+            let e_106 = level_v1;
+            let columns_107 = node_extent(r, ex, e_104, u_59, n_4.x, e_106);
+            let e_109 = cell_v2.y;
+            let e_111 = level_v1;
+            let rows_112 = node_extent(r, ex, e_109, v_63, n_4.y, e_111);
+            let leave_u_117 = leaves_extent(r, ex, grid_2.origin.x, grid_2.step.x, columns_107);
+            let leave_v_122 = leaves_extent(r, ex, grid_2.origin.y, grid_2.step.y, rows_112);
+            let end_125 = min(min(leave_u_117, leave_v_122), path_a0.exit);
+            let e_126 = t_v4;
+            let span_129 = max_with(sub(end_125, e_126), splat(0.0f32));
+            let low_132 = Vec2 { x: columns_107.x, y: rows_112.x };
+            let last_139 = Vec2 { x: sub_i(columns_107.y, splat_i(1i32)), y: sub_i(rows_112.y, splat_i(1i32)) };
+            let e_140 = level_v1;
+            let (b11, c12) = (ex, eq_u(e_140, splat_u(0u32)));
+            ex = and(b11, c12);
+            if any(ex) {
+                let e_143 = cost_v5;
+                let (m13, y14) = (ex, Vec3 { x: add_u(e_143.x, splat_u(1u32)), y: add_u(e_143.y, splat_u(0u32)), z: add_u(e_143.z, splat_u(16u32)) });
+                cost_v5 = Vec3 { x: sel_u(m13, y14.x, cost_v5.x), y: sel_u(m13, y14.y, cost_v5.y), z: sel_u(m13, y14.z, cost_v5.z) };
+                let e_146 = cell_v2;
+                let e_148 = cell_v2;
+                let e_150 = height_cell(r, ex, e_148, path_a0.level);
+                let e_151 = t_v4;
+                let c_152 = gap_to(r, path_a0, &grid_2, Vec2 { x: f_of_i(e_146.x), y: f_of_i(e_146.y) }, e_150, e_151);
+                let e_153 = t_v4;
+                let e_154 = t_v4;
+                let e_157 = cost_v5;
+                let found_158 = found_in_cell(r, ex, c_152, e_153, span_129, eq(e_154, splat(0.0f32)), e_157);
+                let (b15, c16) = (ex, ne_u(found_158.status, splat_u(1u32)));
+                ex = and(b15, c16);
+                if any(ex) {
+                    ret = sel_found(ex, &found_158, &ret);
+                    alive = and_not(alive, ex);
+                    live6 = and_not(live6, ex);
+                    ex = no_lane();
+                }
+                ex = and_not(b15, c16);
+            }
+            let x17 = ex;
+            ex = and_not(b11, c12);
+            if any(ex) {
+                let e_162 = cost_v5;
+                let e_164 = map_read(r, path_a0, 1u32);
+                let (m18, y19) = (ex, Vec3 { x: add_u(e_162.x, e_164.x), y: add_u(e_162.y, e_164.y), z: add_u(e_162.z, e_164.z) });
+                cost_v5 = Vec3 { x: sel_u(m18, y19.x, cost_v5.x), y: sel_u(m18, y19.y, cost_v5.y), z: sel_u(m18, y19.z, cost_v5.z) };
+                let e_167 = level_v1;
+                let e_170 = level_v1;
+                let node_172 = Vec2 { x: shr_i(place_66.x, e_167), y: shr_i(place_66.y, e_170) };
+                let e_174 = level_v1;
+                let e_180 = search_texel_llsl(r, ex, path_a0, node_172, 0i32, sub_i(i_of_u(add_u(e_174, splat_u(path_a0.level))), splat_i(1i32)));
+                let e_182 = t_v4;
+                let furthest_183 = add(e_182, span_129);
+                let rounded_196 = add(abs(path_a0.h.x), mul(furthest_183, add(abs(path_a0.h.y), mul(furthest_183, abs(path_a0.h.z)))));
+                let e_197 = t_v4;
+                let e_198 = path_height(r, path_a0, e_197);
+                let e_203 = t_v4;
+                let e_204 = path_slope(r, path_a0, e_203);
+                let gap_207 = Vec3 { x: sub(sub(e_198, e_180.y), mul(splat(9.536743e-7f32), rounded_196)), y: e_204, z: path_a0.h.z };
+                let (b20, c21) = (ex, not(le(gap_207.x, splat(0.0f32))));
+                ex = and(b20, c21);
+                if any(ex) {
+                    let e_214 = least_at(r, ex, gap_207, span_129);
+                    let e_215 = quadratic(r, gap_207, e_214);
+                    both_v9 = sel_m(ex, le(e_215, splat(0.0f32)), both_v9);
+                }
+                ex = and_not(b20, c21);
+                if any(ex) {
+                    both_v9 = sel_m(ex, splat_m(true), both_v9);
+                }
+                ex = b20;
+                let e_219 = both_v9;
+                let (b22, c23) = (ex, e_219);
+                ex = and(b22, c23);
+                if any(ex) {
+                    let (b24, c25) = (ex, gt(gap_207.x, splat(0.0f32)));
+                    ex = and(b24, c25);
+                    if any(ex) {
+                        let e_223 = t_v4;
+                        let e_224 = first_root(r, ex, gap_207, span_129);
+                        t_v4 = sel(ex, add(e_223, min(e_224, span_129)), t_v4);
+                    }
+                    ex = b24;
+                    let e_229 = t_v4;
+                    let e_232 = cell_of(r, Vec2 { x: add(grid_2.origin.x, mul(grid_2.step.x, e_229)), y: add(grid_2.origin.y, mul(grid_2.step.y, e_229)) });
+                    let (m26, y27) = (ex, Vec2 { x: min_i(max_i(i_of_f(e_232.x), low_132.x), last_139.x), y: min_i(max_i(i_of_f(e_232.y), low_132.y), last_139.y) });
+                    cell_v2 = Vec2 { x: sel_i(m26, y27.x, cell_v2.x), y: sel_i(m26, y27.y, cell_v2.y) };
+                    let e_235 = level_v1;
+                    level_v1 = sel_u(ex, sub_u(e_235, splat_u(1u32)), level_v1);
+                    let (m28, y29) = (ex, Vec2 { x: splat_i((-1i32)), y: splat_i((-1i32)) });
+                    parent_v3 = Vec2 { x: sel_i(m28, y29.x, parent_v3.x), y: sel_i(m28, y29.y, parent_v3.y) };
+                    ex = no_lane();
+                }
+                ex = and_not(b22, c23);
+            }
+            ex = or(ex, x17);
+            if none(ex) { break 't4; }
+            let (b30, c31) = (ex, ge(end_125, path_a0.exit));
+            ex = and(b30, c31);
+            if any(ex) {
+                let e_244 = t_v4;
+                let e_246 = cost_v5;
+                ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_244, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_246, }, &ret);
+                alive = and_not(alive, ex);
+                live6 = and_not(live6, ex);
+                ex = no_lane();
+            }
+            ex = and_not(b30, c31);
+            if none(ex) { break 't4; }
+            let e_254 = cell_of(r, Vec2 { x: add(grid_2.origin.x, mul(grid_2.step.x, end_125)), y: add(grid_2.origin.y, mul(grid_2.step.y, end_125)) });
+            let (m32, y33) = (ex, Vec2 { x: min_i(max_i(i_of_f(e_254.x), low_132.x), last_139.x), y: min_i(max_i(i_of_f(e_254.y), low_132.y), last_139.y) });
+            cell_v2 = Vec2 { x: sel_i(m32, y33.x, cell_v2.x), y: sel_i(m32, y33.y, cell_v2.y) };
+            let c34 = le(leave_u_117, end_125);
+            cell_v2.x = sel_i(and(ex, c34), sel_i(gt(grid_2.step.x, splat(0.0f32)), columns_107.y, sub_i(low_132.x, splat_i(1i32))), cell_v2.x);
+            let c35 = le(leave_v_122, end_125);
+            cell_v2.y = sel_i(and(ex, c35), sel_i(gt(grid_2.step.y, splat(0.0f32)), rows_112.y, sub_i(low_132.y, splat_i(1i32))), cell_v2.y);
+            let e_280 = level_v1;
+            let e_285 = level_v1;
+            let (m36, y37) = (ex, Vec2 { x: shr_i(place_66.x, add_u(e_280, splat_u(1u32))), y: shr_i(place_66.y, add_u(e_285, splat_u(1u32))) });
+            parent_v3 = Vec2 { x: sel_i(m36, y37.x, parent_v3.x), y: sel_i(m36, y37.y, parent_v3.y) };
+            let e_290 = t_v4;
+            t_v4 = sel(ex, max(e_290, end_125), t_v4);
+        }
+        ex = live6;
+        if none(ex) { break 'l3; }
+    }
+    ex = and(b5, alive);
+    let e_293 = t_v4;
+    let e_295 = cost_v5;
+    return sel_found(ex, &Found { status: splat_u(4u32), near: e_293, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_295, }, &ret);
+} }
+lanes! { fn texel_extent(r: &Resources<'_>, within: M, texel_a0: I, n_a1: i32, level_a2: U) -> Vec2<I> {
+    let mut ex = within;
+    let mut ret: Vec2<I> = Vec2 { x: splat_i(0i32), y: splat_i(0i32) };
+    let mut both_v0: M = splat_m(false);
+    let place_3 = wrap_index(r, ex, texel_a0, n_a1);
+    let first_5 = shl_i(shr_i(place_3, level_a2), level_a2);
+    let last_9 = min_i(add_i(first_5, shl_i(splat_i(1i32), level_a2)), splat_i(n_a1));
+    both_v0 = or(eq_i(texel_a0, place_3), splat_m((r.surface_settings.wrap == 0u32)));
+    let e_20 = both_v0;
+    let c1 = e_20;
+    ret = Vec2 { x: add_i(sub_i(texel_a0, place_3), first_5), y: add_i(sub_i(texel_a0, place_3), last_9) };
+    ex = and_not(ex, c1);
+    if (r.surface_settings.wrap == 2u32) {
+        let period_32 = 2i32.wrapping_mul(n_a1);
+        if none(ex) { return ret; }
+        let folded_35 = rem_i(add_i(rem_i(texel_a0, splat_i(period_32)), splat_i(period_32)), splat_i(period_32));
+        let c2 = lt_i(folded_35, splat_i(n_a1));
+        let y3 = Vec2 { x: add_i(sub_i(texel_a0, place_3), first_5), y: add_i(sub_i(texel_a0, place_3), last_9) };
+        ret = Vec2 { x: sel_i(and(ex, c2), y3.x, ret.x), y: sel_i(and(ex, c2), y3.y, ret.y) };
+        ex = and_not(ex, c2);
+        let y4 = Vec2 { x: add_i(sub_i(add_i(texel_a0, place_3), last_9), splat_i(1i32)), y: add_i(sub_i(add_i(texel_a0, place_3), first_5), splat_i(1i32)) };
+        return Vec2 { x: sel_i(ex, y4.x, ret.x), y: sel_i(ex, y4.y, ret.y) };
+    }
+    let y5 = Vec2 { x: texel_a0, y: add_i(texel_a0, splat_i(1i32)) };
+    return Vec2 { x: sel_i(ex, y5.x, ret.x), y: sel_i(ex, y5.y, ret.y) };
+} }
+stage! { fn search_pyramid_texels(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+    let mut ex = within;
+    let mut ret: Found = zero_found();
+    let mut alive = ex;
+    let mut level_v0: U = splat_u(0u32);
+    let mut texel_v1: Vec2<I> = Vec2 { x: splat_i(0i32), y: splat_i(0i32) };
+    let mut t_v2: F = splat(0.0f32);
+    let mut cost_v3: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut finest_v4: U = splat_u(0u32);
+    let mut highest_v5: F = splat(0f32);
+    let mut sinks_v6: F = splat(0f32);
+    let n_3 = r.height_texels(path_a0.level);
+    let e_6 = r.height_size(path_a0.level);
+    let origin_7 = Vec2 { x: mul(path_a0.uv.x, splat(e_6.x)), y: mul(path_a0.uv.y, splat(e_6.y)) };
+    let e_10 = r.height_size(path_a0.level);
+    let step_11 = Vec2 { x: mul(path_a0.duv.x, splat(e_10.x)), y: mul(path_a0.duv.y, splat(e_10.y)) };
+    let b2 = ex;
+    'l1: loop {
+        let e_14 = level_v0;
+        let c3 = lt_i(shl_i(splat_i(1i32), e_14), splat_i(n_3.x.max(n_3.y)));
+        ex = and(ex, c3);
+        let e_21 = level_v0;
+        level_v0 = sel_u(ex, add_u(e_21, splat_u(1u32)), level_v0);
+        if none(ex) { break 'l1; }
+    }
+    ex = b2;
+    let e_24 = cell_of(r, origin_7);
+    texel_v1 = Vec2 { x: i_of_f(e_24.x), y: i_of_f(e_24.y) };
+    let limit_32 = (params_a1.x as u32);
+    let e_35 = level_v0;
+    finest_v4 = min_u(splat_u((params_a1.y as u32)), e_35);
+    if (path_a0.ray == 1u32) {
+        finest_v4 = splat_u(0u32);
+    }
+    let b5 = ex;
+    'l4: loop {
+        let e_43 = cost_v3.x;
+        let c6 = lt_u(e_43, splat_u(limit_32));
+        ex = and(ex, c6);
+        let e_45 = cost_v3;
+        let (m7, y8) = (ex, Vec3 { x: add_u(e_45.x, splat_u(0u32)), y: add_u(e_45.y, splat_u(1u32)), z: add_u(e_45.z, splat_u(0u32)) });
+        cost_v3 = Vec3 { x: sel_u(m7, y8.x, cost_v3.x), y: sel_u(m7, y8.y, cost_v3.y), z: sel_u(m7, y8.z, cost_v3.z) };
+        let e_49 = texel_v1.x;
+        if none(ex) { break 'l4; }
+        let e_51 = wrap_index(r, ex, e_49, n_3.x);
+        let e_53 = texel_v1.y;
+        let e_55 = wrap_index(r, ex, e_53, n_3.y);
+        let place_56 = Vec2 { x: e_51, y: e_55 };
+        highest_v5 = splat(0.0f32);
+        let e_59 = level_v0;
+        let (b9, c10) = (ex, eq_u(e_59, splat_u(0u32)));
+        ex = and(b9, c10);
+        if any(ex) {
+            let e_62 = cost_v3;
+            let (m11, y12) = (ex, Vec3 { x: add_u(e_62.x, splat_u(1u32)), y: add_u(e_62.y, splat_u(0u32)), z: add_u(e_62.z, splat_u(4u32)) });
+            cost_v3 = Vec3 { x: sel_u(m11, y12.x, cost_v3.x), y: sel_u(m11, y12.y, cost_v3.y), z: sel_u(m11, y12.z, cost_v3.z) };
+            let e_67 = height_texel(&r.height_map, place_56.x, place_56.y, 0i32);
+            highest_v5 = sel(ex, e_67.x, highest_v5);
+        }
+        ex = and_not(b9, c10);
+        if any(ex) {
+            let e_70 = level_v0;
+            let e_73 = level_v0;
+            let node_75 = Vec2 { x: shr_i(place_56.x, e_70), y: shr_i(place_56.y, e_73) };
+            let e_76 = cost_v3;
+            let e_78 = map_read(r, path_a0, 1u32);
+            let (m13, y14) = (ex, Vec3 { x: add_u(e_76.x, e_78.x), y: add_u(e_76.y, e_78.y), z: add_u(e_76.z, e_78.z) });
+            cost_v3 = Vec3 { x: sel_u(m13, y14.x, cost_v3.x), y: sel_u(m13, y14.y, cost_v3.y), z: sel_u(m13, y14.z, cost_v3.z) };
+            let e_81 = level_v0;
+            let e_85 = search_texel_llsl(r, ex, path_a0, node_75, 0i32, sub_i(i_of_u(e_81), splat_i(1i32)));
+            highest_v5 = sel(ex, e_85.y, highest_v5);
+        }
+        ex = b9;
+        let e_88 = texel_v1.x;
+        let e_90 = level_v0;
+        let columns_91 = texel_extent(r, ex, e_88, n_3.x, e_90);
+        let e_93 = texel_v1.y;
+        let e_95 = level_v0;
+        let rows_96 = texel_extent(r, ex, e_93, n_3.y, e_95);
+        let e_99 = leaves_extent(r, ex, origin_7.x, step_11.x, columns_91);
+        let e_102 = leaves_extent(r, ex, origin_7.y, step_11.y, rows_96);
+        let leave_103 = Vec2 { x: e_99, y: e_102 };
+        let e_109 = t_v2;
+        let end_110 = max(min(min(leave_103.x, leave_103.y), path_a0.exit), e_109);
+        let e_111 = t_v2;
+        let e_112 = path_height(r, path_a0, e_111);
+        let e_113 = highest_v5;
+        let e_115 = t_v2;
+        let e_116 = path_slope(r, path_a0, e_115);
+        let gap_119 = Vec3 { x: sub(e_112, e_113), y: e_116, z: path_a0.h.z };
+        sinks_v6 = splat(0.0f32);
+        let (b15, c16) = (ex, gt(gap_119.x, splat(0.0f32)));
+        ex = and(b15, c16);
+        if any(ex) {
+            let e_125 = t_v2;
+            let e_127 = first_root(r, ex, gap_119, sub(end_110, e_125));
+            sinks_v6 = sel(ex, e_127, sinks_v6);
+        }
+        ex = b15;
+        let low_130 = Vec2 { x: columns_91.x, y: rows_96.x };
+        let last_137 = Vec2 { x: sub_i(columns_91.y, splat_i(1i32)), y: sub_i(rows_96.y, splat_i(1i32)) };
+        let e_138 = sinks_v6;
+        let (b17, c18) = (ex, lt(e_138, splat(3e38f32)));
+        ex = and(b17, c18);
+        if any(ex) {
+            let e_141 = t_v2;
+            let e_142 = sinks_v6;
+            t_v2 = sel(ex, add(e_141, e_142), t_v2);
+            let e_144 = level_v0;
+            let e_145 = finest_v4;
+            let (b19, c20) = (ex, eq_u(e_144, e_145));
+            ex = and(b19, c20);
+            if any(ex) {
+                let e_148 = t_v2;
+                let e_149 = cost_v3;
+                ret = sel_found(ex, &Found { status: splat_u(2u32), near: splat(0.0f32), far: e_148, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_149, }, &ret);
+                alive = and_not(alive, ex);
+                ex = no_lane();
+            }
+            ex = and_not(b19, c20);
+            let e_154 = level_v0;
+            level_v0 = sel_u(ex, sub_u(e_154, splat_u(1u32)), level_v0);
+            let e_157 = t_v2;
+            let e_160 = cell_of(r, Vec2 { x: add(origin_7.x, mul(step_11.x, e_157)), y: add(origin_7.y, mul(step_11.y, e_157)) });
+            let (m21, y22) = (ex, Vec2 { x: min_i(max_i(i_of_f(e_160.x), low_130.x), last_137.x), y: min_i(max_i(i_of_f(e_160.y), low_130.y), last_137.y) });
+            texel_v1 = Vec2 { x: sel_i(m21, y22.x, texel_v1.x), y: sel_i(m21, y22.y, texel_v1.y) };
+        }
+        let x23 = ex;
+        ex = and_not(b17, c18);
+        if any(ex) {
+            let (b24, c25) = (ex, ge(end_110, path_a0.exit));
+            ex = and(b24, c25);
+            if any(ex) {
+                let e_166 = t_v2;
+                let e_168 = cost_v3;
+                ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_166, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_168, }, &ret);
+                alive = and_not(alive, ex);
+                ex = no_lane();
+            }
+            ex = and_not(b24, c25);
+            let e_174 = cell_of(r, Vec2 { x: add(origin_7.x, mul(step_11.x, end_110)), y: add(origin_7.y, mul(step_11.y, end_110)) });
+            let (m26, y27) = (ex, Vec2 { x: min_i(max_i(i_of_f(e_174.x), low_130.x), last_137.x), y: min_i(max_i(i_of_f(e_174.y), low_130.y), last_137.y) });
+            texel_v1 = Vec2 { x: sel_i(m26, y27.x, texel_v1.x), y: sel_i(m26, y27.y, texel_v1.y) };
+            let c28 = le(leave_103.x, end_110);
+            texel_v1.x = sel_i(and(ex, c28), sel_i(gt(step_11.x, splat(0.0f32)), columns_91.y, sub_i(low_130.x, splat_i(1i32))), texel_v1.x);
+            let c29 = le(leave_103.y, end_110);
+            texel_v1.y = sel_i(and(ex, c29), sel_i(gt(step_11.y, splat(0.0f32)), rows_96.y, sub_i(low_130.y, splat_i(1i32))), texel_v1.y);
+            t_v2 = sel(ex, end_110, t_v2);
+        }
+        ex = or(ex, x23);
+        if none(ex) { break 'l4; }
+    }
+    ex = and(b5, alive);
+    let e_200 = t_v2;
+    let e_202 = cost_v3;
+    return sel_found(ex, &Found { status: splat_u(4u32), near: e_200, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_202, }, &ret);
+} }
+lanes! { fn leaves_window(r: &Resources<'_>, within: M, grid_a0: &Grid, cell_a1: Vec2<F>, radius_a2: f32) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let wide_3 = Vec2 { x: radius_a2, y: radius_a2 };
+    let leave_low_5 = cell_leave(r, ex, grid_a0, Vec2 { x: sub(cell_a1.x, splat(wide_3.x)), y: sub(cell_a1.y, splat(wide_3.y)) });
+    let leave_high_7 = cell_leave(r, ex, grid_a0, Vec2 { x: add(cell_a1.x, splat(wide_3.x)), y: add(cell_a1.y, splat(wide_3.y)) });
+    let leave_13 = Vec2 { x: sel(gt(grid_a0.step.x, splat(0.0f32)), leave_high_7.x, leave_low_5.x), y: sel(gt(grid_a0.step.y, splat(0.0f32)), leave_high_7.y, leave_low_5.y) };
+    return min(leave_13.x, leave_13.y);
+} }
+stage! { fn search_dilation_erosion(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+    let mut ex = within;
+    let mut ret: Found = zero_found();
+    let mut alive = ex;
+    let mut cell_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut t_v1: F = splat(0.0f32);
+    let mut safe_v2: F = splat(0.0f32);
+    let mut cost_v3: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut next_v4: F = splat(0f32);
+    let mut looks_v5: M = splat_m(false);
+    let mut both_v6: M = splat_m(false);
+    let mut both_v7: M = splat_m(false);
+    let mut both_v8: M = splat_m(false);
+    let mut both_v9: M = splat_m(false);
+    let grid_2 = grid_of(r, path_a0);
+    let n_4 = r.height_texels(path_a0.level);
+    let forward_9 = Vec2 { x: ge(grid_2.step.x, splat(0.0f32)), y: ge(grid_2.step.y, splat(0.0f32)) };
+    let e_11 = cell_of(r, Vec2 { x: grid_2.origin.x, y: grid_2.origin.y });
+    cell_v0 = e_11;
+    let limit_20 = (params_a1.x as u32);
+    let b2 = ex;
+    'l1: loop {
+        let e_22 = cost_v3.x;
+        let c3 = lt_u(e_22, splat_u(limit_20));
+        ex = and(ex, c3);
+        let e_24 = cost_v3;
+        let (m4, y5) = (ex, Vec3 { x: add_u(e_24.x, splat_u(0u32)), y: add_u(e_24.y, splat_u(1u32)), z: add_u(e_24.z, splat_u(0u32)) });
+        cost_v3 = Vec3 { x: sel_u(m4, y5.x, cost_v3.x), y: sel_u(m4, y5.y, cost_v3.y), z: sel_u(m4, y5.z, cost_v3.z) };
+        let e_27 = cell_v0;
+        if none(ex) { break 'l1; }
+        let leave_28 = cell_leave(r, ex, &grid_2, e_27);
+        let end_33 = min(min(leave_28.x, leave_28.y), path_a0.exit);
+        let e_34 = t_v1;
+        let span_37 = max_with(sub(end_33, e_34), splat(0.0f32));
+        let e_38 = t_v1;
+        next_v4 = e_38;
+        looks_v5 = splat_m((params_a1.y > 0.5f32));
+        let e_45 = cell_v0.x;
+        let u_48 = image_of(r, ex, i_of_f(e_45), n_4.x);
+        let e_50 = cell_v0.y;
+        let v_53 = image_of(r, ex, i_of_f(e_50), n_4.y);
+        both_v6 = or(eq_i(u_48.y, splat_i(2i32)), eq_i(v_53.y, splat_i(2i32)));
+        let e_64 = both_v6;
+        let (b6, c7) = (ex, e_64);
+        ex = and(b6, c7);
+        if any(ex) {
+            looks_v5 = sel_m(ex, splat_m(true), looks_v5);
+        }
+        ex = and_not(b6, c7);
+        if any(ex) {
+            let bounds_72 = search_texel_llss(r, path_a0, Vec2 { x: u_48.x, y: v_53.x }, 0i32, (path_a0.level as i32));
+            let e_73 = cost_v3;
+            let e_75 = map_read(r, path_a0, 1u32);
+            let (m8, y9) = (ex, Vec3 { x: add_u(e_73.x, e_75.x), y: add_u(e_73.y, e_75.y), z: add_u(e_73.z, e_75.z) });
+            cost_v3 = Vec3 { x: sel_u(m8, y9.x, cost_v3.x), y: sel_u(m8, y9.y, cost_v3.y), z: sel_u(m8, y9.z, cost_v3.z) };
+            let e_77 = cell_v0;
+            let e_79 = leaves_window(r, ex, &grid_2, e_77, params_a1.z);
+            let e_82 = t_v1;
+            let reach_85 = max_with(sub(min(e_79, path_a0.exit), e_82), splat(0.0f32));
+            let e_86 = t_v1;
+            let furthest_87 = add(e_86, reach_85);
+            let rounded_100 = add(abs(path_a0.h.x), mul(furthest_87, add(abs(path_a0.h.y), mul(furthest_87, abs(path_a0.h.z)))));
+            let e_101 = t_v1;
+            let e_102 = path_height(r, path_a0, e_101);
+            let e_108 = t_v1;
+            let e_109 = path_slope(r, path_a0, e_108);
+            let gap_112 = Vec3 { x: sub(sub(e_102, bounds_72.y), mul(splat(9.536743e-7f32), rounded_100)), y: e_109, z: path_a0.h.z };
+            let (b10, c11) = (ex, gt(gap_112.x, splat(0.0f32)));
+            ex = and(b10, c11);
+            if any(ex) {
+                let e_116 = t_v1;
+                safe_v2 = sel(ex, e_116, safe_v2);
+                let e_117 = t_v1;
+                next_v4 = sel(ex, add(e_117, reach_85), next_v4);
+                let e_119 = least_at(r, ex, gap_112, reach_85);
+                let e_120 = quadratic(r, gap_112, e_119);
+                let (b12, c13) = (ex, le(e_120, splat(0.0f32)));
+                ex = and(b12, c13);
+                if any(ex) {
+                    let e_123 = t_v1;
+                    let e_124 = first_root(r, ex, gap_112, reach_85);
+                    next_v4 = sel(ex, add(e_123, min(e_124, reach_85)), next_v4);
+                }
+                ex = b12;
+            }
+            ex = b10;
+            let e_127 = looks_v5;
+            let e_131 = next_v4;
+            both_v7 = and(not(e_127), lt(e_131, end_33));
+            let e_134 = both_v7;
+            let (b14, c15) = (ex, e_134);
+            ex = and(b14, c15);
+            if any(ex) {
+                let e_137 = path_height(r, path_a0, end_33);
+                both_v8 = sel_m(ex, lt(e_137, bounds_72.x), both_v8);
+            }
+            ex = and_not(b14, c15);
+            if any(ex) {
+                both_v8 = sel_m(ex, splat_m(false), both_v8);
+            }
+            ex = b14;
+            let e_141 = both_v8;
+            let (b16, c17) = (ex, e_141);
+            ex = and(b16, c17);
+            if any(ex) {
+                let e_142 = safe_v2;
+                let e_143 = cost_v3;
+                let e_144 = bracket_between(r, ex, path_a0, e_142, end_33, e_143);
+                ret = sel_found(ex, &e_144, &ret);
+                alive = and_not(alive, ex);
+                ex = no_lane();
+            }
+            ex = and_not(b16, c17);
+        }
+        ex = or(ex, and(b6, c7));
+        let e_145 = next_v4;
+        let e_150 = t_v1;
+        both_v9 = or(lt(e_145, end_33), not(gt(end_33, e_150)));
+        let e_154 = both_v9;
+        if none(ex) { break 'l1; }
+        let (b18, c19) = (ex, e_154);
+        ex = and(b18, c19);
+        if any(ex) {
+            let e_155 = looks_v5;
+            let (b20, c21) = (ex, e_155);
+            ex = and(b20, c21);
+            if any(ex) {
+                let e_156 = cost_v3;
+                let (m22, y23) = (ex, Vec3 { x: add_u(e_156.x, splat_u(1u32)), y: add_u(e_156.y, splat_u(0u32)), z: add_u(e_156.z, splat_u(16u32)) });
+                cost_v3 = Vec3 { x: sel_u(m22, y23.x, cost_v3.x), y: sel_u(m22, y23.y, cost_v3.y), z: sel_u(m22, y23.z, cost_v3.z) };
+                let e_159 = cell_v0;
+                let heights_162 = height_cell(r, ex, Vec2 { x: i_of_f(e_159.x), y: i_of_f(e_159.y) }, path_a0.level);
+                let e_163 = cell_v0;
+                let e_164 = t_v1;
+                let e_165 = gap_to(r, path_a0, &grid_2, e_163, heights_162, e_164);
+                let e_166 = t_v1;
+                let e_167 = t_v1;
+                let e_170 = cost_v3;
+                let found_171 = found_in_cell(r, ex, e_165, e_166, span_37, eq(e_167, splat(0.0f32)), e_170);
+                let (b24, c25) = (ex, ne_u(found_171.status, splat_u(1u32)));
+                ex = and(b24, c25);
+                if any(ex) {
+                    ret = sel_found(ex, &found_171, &ret);
+                    alive = and_not(alive, ex);
+                    ex = no_lane();
+                }
+                ex = and_not(b24, c25);
+            }
+            let x26 = ex;
+            ex = and_not(b20, c21);
+            ex = or(ex, x26);
+            let e_175 = t_v1;
+            next_v4 = sel(ex, max(e_175, end_33), next_v4);
+        }
+        let x27 = ex;
+        ex = and_not(b18, c19);
+        ex = or(ex, x27);
+        let e_177 = next_v4;
+        if none(ex) { break 'l1; }
+        let (b28, c29) = (ex, ge(e_177, path_a0.exit));
+        ex = and(b28, c29);
+        if any(ex) {
+            let e_181 = t_v1;
+            let e_183 = cost_v3;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_181, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_183, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b28, c29);
+        let e_187 = cell_v0;
+        let e_188 = next_v4;
+        if none(ex) { break 'l1; }
+        let e_189 = cell_after(r, &grid_2, e_187, leave_28, forward_9, e_188);
+        cell_v0 = e_189;
+        let e_190 = next_v4;
+        t_v1 = sel(ex, e_190, t_v1);
+    }
+    ex = and(b2, alive);
+    let e_192 = t_v1;
+    let e_194 = cost_v3;
+    return sel_found(ex, &Found { status: splat_u(4u32), near: e_192, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_194, }, &ret);
+} }
+stage! { fn search_sphere(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+    let mut ex = within;
+    let mut ret: Found = zero_found();
+    let mut alive = ex;
+    let mut cell_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut t_v1: F = splat(0.0f32);
+    let mut cost_v2: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut next_v3: F = splat(0f32);
+    let mut both_v4: M = splat_m(false);
+    let grid_2 = grid_of(r, path_a0);
+    let forward_7 = Vec2 { x: ge(grid_2.step.x, splat(0.0f32)), y: ge(grid_2.step.y, splat(0.0f32)) };
+    let e_9 = path_slope(r, path_a0, splat(0.0f32));
+    let e_12 = path_slope(r, path_a0, path_a0.exit);
+    let climb_14 = max(abs(e_9), abs(e_12));
+    let e_16 = Vec3 { x: path_a0.duv.x, y: path_a0.duv.y, z: climb_14 };
+    let fastest_17 = sqrt(add(add(mul(e_16.x, e_16.x), mul(e_16.y, e_16.y)), mul(e_16.z, e_16.z)));
+    let speed_20 = add(fastest_17, mul(splat(9.536743e-7f32), fastest_17));
+    let far_27 = Vec2 { x: add(abs(path_a0.uv.x), mul(abs(path_a0.duv.x), path_a0.exit)), y: add(abs(path_a0.uv.y), mul(abs(path_a0.duv.y), path_a0.exit)) };
+    let height_terms_42 = add(abs(path_a0.h.x), mul(path_a0.exit, add(abs(path_a0.h.y), mul(path_a0.exit, abs(path_a0.h.z)))));
+    let lost_50 = mul(splat(9.536743e-7f32), add(add(add(far_27.x, far_27.y), height_terms_42), splat(1.0f32)));
+    let e_52 = cell_of(r, Vec2 { x: grid_2.origin.x, y: grid_2.origin.y });
+    cell_v0 = e_52;
+    let limit_59 = (params_a1.x as u32);
+    let b2 = ex;
+    'l1: loop {
+        let e_61 = cost_v2.x;
+        let c3 = lt_u(e_61, splat_u(limit_59));
+        ex = and(ex, c3);
+        let e_63 = cost_v2;
+        let (m4, y5) = (ex, Vec3 { x: add_u(e_63.x, splat_u(0u32)), y: add_u(e_63.y, splat_u(1u32)), z: add_u(e_63.z, splat_u(0u32)) });
+        cost_v2 = Vec3 { x: sel_u(m4, y5.x, cost_v2.x), y: sel_u(m4, y5.y, cost_v2.y), z: sel_u(m4, y5.z, cost_v2.z) };
+        let e_66 = cell_v0;
+        if none(ex) { break 'l1; }
+        let leave_67 = cell_leave(r, ex, &grid_2, e_66);
+        let end_72 = min(min(leave_67.x, leave_67.y), path_a0.exit);
+        let e_73 = t_v1;
+        let span_76 = max_with(sub(end_72, e_73), splat(0.0f32));
+        let e_77 = t_v1;
+        let e_78 = path_uv(r, path_a0, e_77);
+        let e_79 = t_v1;
+        let e_80 = path_height(r, path_a0, e_79);
+        let e_82 = distance_at(r, ex, path_a0, e_78, e_80, params_a1.z);
+        let free_83 = sub(e_82, lost_50);
+        let e_84 = cost_v2;
+        let e_86 = map_read(r, path_a0, 4u32);
+        let e_89 = map_read(r, path_a0, 4u32);
+        let (m6, y7) = (ex, Vec3 { x: add_u(add_u(e_84.x, e_86.x), e_89.x), y: add_u(add_u(e_84.y, e_86.y), e_89.y), z: add_u(add_u(e_84.z, e_86.z), e_89.z) });
+        cost_v2 = Vec3 { x: sel_u(m6, y7.x, cost_v2.x), y: sel_u(m6, y7.y, cost_v2.y), z: sel_u(m6, y7.z, cost_v2.z) };
+        let e_91 = t_v1;
+        next_v3 = e_91;
+        let c8 = gt(free_83, splat(0.0f32));
+        let e_95 = t_v1;
+        next_v3 = sel(c8, add(e_95, div(free_83, speed_20)), next_v3);
+        if (params_a1.y < 0.5f32) {
+            let e_101 = next_v3;
+            let e_102 = t_v1;
+            let (b9, c10) = (ex, not(gt(sub(e_101, e_102), mul(splat(9.536743e-7f32), path_a0.exit))));
+            ex = and(b9, c10);
+            if any(ex) {
+                let e_110 = t_v1;
+                let e_112 = cost_v2;
+                ret = sel_found(ex, &Found { status: splat_u(1u32), near: e_110, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_112, }, &ret);
+                alive = and_not(alive, ex);
+                ex = no_lane();
+            }
+            ex = and_not(b9, c10);
+        } else {
+            let e_116 = next_v3;
+            let e_121 = t_v1;
+            both_v4 = or(lt(e_116, end_72), not(gt(end_72, e_121)));
+            let e_125 = both_v4;
+            let (b11, c12) = (ex, e_125);
+            ex = and(b11, c12);
+            if any(ex) {
+                let e_126 = cost_v2;
+                let (m13, y14) = (ex, Vec3 { x: add_u(e_126.x, splat_u(1u32)), y: add_u(e_126.y, splat_u(0u32)), z: add_u(e_126.z, splat_u(16u32)) });
+                cost_v2 = Vec3 { x: sel_u(m13, y14.x, cost_v2.x), y: sel_u(m13, y14.y, cost_v2.y), z: sel_u(m13, y14.z, cost_v2.z) };
+                let e_129 = cell_v0;
+                let e_130 = cell_v0;
+                let e_133 = height_cell(r, ex, Vec2 { x: i_of_f(e_130.x), y: i_of_f(e_130.y) }, path_a0.level);
+                let e_134 = t_v1;
+                let c_135 = gap_to(r, path_a0, &grid_2, e_129, e_133, e_134);
+                let e_136 = t_v1;
+                let e_137 = t_v1;
+                let e_140 = cost_v2;
+                let found_141 = found_in_cell(r, ex, c_135, e_136, span_76, eq(e_137, splat(0.0f32)), e_140);
+                let (b15, c16) = (ex, ne_u(found_141.status, splat_u(1u32)));
+                ex = and(b15, c16);
+                if any(ex) {
+                    ret = sel_found(ex, &found_141, &ret);
+                    alive = and_not(alive, ex);
+                    ex = no_lane();
+                }
+                ex = and_not(b15, c16);
+                let e_145 = t_v1;
+                next_v3 = sel(ex, max(e_145, end_72), next_v3);
+            }
+            let x17 = ex;
+            ex = and_not(b11, c12);
+            ex = or(ex, x17);
+        }
+        let e_147 = next_v3;
+        if none(ex) { break 'l1; }
+        let (b18, c19) = (ex, ge(e_147, path_a0.exit));
+        ex = and(b18, c19);
+        if any(ex) {
+            let e_151 = t_v1;
+            let e_153 = cost_v2;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_151, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_153, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b18, c19);
+        let e_157 = cell_v0;
+        let e_158 = next_v3;
+        if none(ex) { break 'l1; }
+        let e_159 = cell_after(r, &grid_2, e_157, leave_67, forward_7, e_158);
+        cell_v0 = e_159;
+        let e_160 = next_v3;
+        t_v1 = sel(ex, e_160, t_v1);
+    }
+    ex = and(b2, alive);
+    let e_162 = t_v1;
+    let e_164 = cost_v2;
+    return sel_found(ex, &Found { status: splat_u(4u32), near: e_162, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_164, }, &ret);
+} }
+stage! { fn search_cone_moved(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+    let mut ex = within;
+    let mut ret: Found = zero_found();
+    let mut alive = ex;
+    let mut t_v0: F = splat(0.0f32);
+    let mut near_v1: F = splat(0.0f32);
+    let mut near_gap_v2: F = splat(0.0f32);
+    let mut cost_v3: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut k_v4: F = splat(0.0f32);
+    let mut both_v5: M = splat_m(false);
+    let aside_3 = sqrt(add(mul(path_a0.duv.x, path_a0.duv.x), mul(path_a0.duv.y, path_a0.duv.y)));
+    let b2 = ex;
+    'l1: loop {
+        let e_14 = k_v4;
+        let c3 = lt(e_14, splat(params_a1.x));
+        ex = and(ex, c3);
+        let e_17 = cost_v3;
+        let (m4, y5) = (ex, Vec3 { x: add_u(e_17.x, splat_u(0u32)), y: add_u(e_17.y, splat_u(1u32)), z: add_u(e_17.z, splat_u(0u32)) });
+        cost_v3 = Vec3 { x: sel_u(m4, y5.x, cost_v3.x), y: sel_u(m4, y5.y, cost_v3.y), z: sel_u(m4, y5.z, cost_v3.z) };
+        let e_20 = t_v0;
+        if none(ex) { break 'l1; }
+        let gap_21 = path_gap(r, ex, path_a0, e_20);
+        let e_22 = cost_v3;
+        let (m6, y7) = (ex, Vec3 { x: add_u(e_22.x, splat_u(1u32)), y: add_u(e_22.y, splat_u(0u32)), z: add_u(e_22.z, splat_u(16u32)) });
+        cost_v3 = Vec3 { x: sel_u(m6, y7.x, cost_v3.x), y: sel_u(m6, y7.y, cost_v3.y), z: sel_u(m6, y7.z, cost_v3.z) };
+        let (b8, c9) = (ex, le(gap_21, splat(0.0f32)));
+        ex = and(b8, c9);
+        if any(ex) {
+            let e_27 = t_v0;
+            both_v5 = and(eq(e_27, splat(0.0f32)), lt(gap_21, splat(0.0f32)));
+            let e_35 = both_v5;
+            let (b10, c11) = (ex, e_35);
+            ex = and(b10, c11);
+            if any(ex) {
+                let e_37 = cost_v3;
+                ret = sel_found(ex, &Found { status: splat_u(5u32), near: splat(0.0f32), far: splat(0.0f32), near_gap: gap_21, far_gap: gap_21, cost: e_37, }, &ret);
+                alive = and_not(alive, ex);
+                ex = no_lane();
+            }
+            ex = and_not(b10, c11);
+            let e_42 = near_v1;
+            let e_43 = t_v0;
+            let e_44 = near_gap_v2;
+            let e_45 = cost_v3;
+            ret = sel_found(ex, &Found { status: splat_u(3u32), near: e_42, far: e_43, near_gap: e_44, far_gap: gap_21, cost: e_45, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b8, c9);
+        let e_47 = t_v0;
+        near_v1 = e_47;
+        near_gap_v2 = gap_21;
+        let e_48 = t_v0;
+        if none(ex) { break 'l1; }
+        let e_49 = path_uv(r, path_a0, e_48);
+        let e_51 = search_texel_between_lls(r, ex, path_a0, e_49, 0i32);
+        let slope_53 = slope_of(r, ex, e_51.x);
+        let e_54 = cost_v3;
+        let e_56 = map_read(r, path_a0, 4u32);
+        let (m12, y13) = (ex, Vec3 { x: add_u(e_54.x, e_56.x), y: add_u(e_54.y, e_56.y), z: add_u(e_54.z, e_56.z) });
+        cost_v3 = Vec3 { x: sel_u(m12, y13.x, cost_v3.x), y: sel_u(m12, y13.y, cost_v3.y), z: sel_u(m12, y13.z, cost_v3.z) };
+        let c14 = lt(slope_53, splat(0.0f32));
+        ex = and_not(ex, c14);
+        let e_61 = t_v0;
+        let rest_62 = sub(path_a0.exit, e_61);
+        let e_63 = t_v0;
+        if none(ex) { break 'l1; }
+        let e_64 = path_slope(r, path_a0, e_63);
+        let rise_70 = add(e_64, mul(min_with(path_a0.h.z, splat(0.0f32)), rest_62));
+        let terms_85 = add(abs(path_a0.h.x), mul(path_a0.exit, add(abs(path_a0.h.y), mul(path_a0.exit, abs(path_a0.h.z)))));
+        let far_97 = Vec2 { x: mul(add(add(abs(path_a0.uv.x), mul(abs(path_a0.duv.x), path_a0.exit)), splat(1.0f32)), slope_53), y: mul(add(add(abs(path_a0.uv.y), mul(abs(path_a0.duv.y), path_a0.exit)), splat(1.0f32)), slope_53) };
+        let lost_103 = mul(splat(9.536743e-7f32), add(add(terms_85, far_97.x), far_97.y));
+        let nearing_105 = sub(mul(slope_53, aside_3), rise_70);
+        let closing_108 = add(nearing_105, mul(splat(9.536743e-7f32), nearing_105));
+        let (b15, c16) = (ex, le(closing_108, splat(0.0f32)));
+        ex = and(b15, c16);
+        if any(ex) {
+            let e_112 = t_v0;
+            let e_114 = cost_v3;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_112, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_114, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b15, c16);
+        let e_118 = t_v0;
+        t_v0 = sel(ex, add(e_118, div(max_with(sub(gap_21, lost_103), splat(0.0f32)), closing_108)), t_v0);
+        let e_124 = t_v0;
+        if none(ex) { break 'l1; }
+        let (b17, c18) = (ex, ge(e_124, path_a0.exit));
+        ex = and(b17, c18);
+        if any(ex) {
+            let e_128 = near_v1;
+            let e_130 = cost_v3;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_128, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_130, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b17, c18);
+        let e_134 = k_v4;
+        k_v4 = add(e_134, splat(1.0f32));
+        if none(ex) { break 'l1; }
+    }
+    ex = and(b2, alive);
+    let e_138 = t_v0;
+    let e_140 = t_v0;
+    if none(ex) { return ret; }
+    let e_141 = path_height(r, path_a0, e_140);
+    let e_142 = cost_v3;
+    return sel_found(ex, &Found { status: splat_u(1u32), near: e_138, far: path_a0.exit, near_gap: e_141, far_gap: splat(0.0f32), cost: e_142, }, &ret);
+} }
+stage! { fn search_relaxed_cone(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+    let mut ex = within;
+    let mut ret: Found = zero_found();
+    let mut alive = ex;
+    let mut cell_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut t_v1: F = splat(0.0f32);
+    let mut near_v2: F = splat(0.0f32);
+    let mut near_gap_v3: F = splat(0.0f32);
+    let mut cost_v4: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut both_v5: M = splat_m(false);
+    let mut start_v6: F = splat(0f32);
+    let mut gap_v7: F = splat(0f32);
+    let mut next_v8: F = splat(0f32);
+    let mut both_v9: M = splat_m(false);
+    let grid_2 = grid_of(r, path_a0);
+    let forward_7 = Vec2 { x: ge(grid_2.step.x, splat(0.0f32)), y: ge(grid_2.step.y, splat(0.0f32)) };
+    let aside_9 = sqrt(add(mul(path_a0.duv.x, path_a0.duv.x), mul(path_a0.duv.y, path_a0.duv.y)));
+    let rise_11 = path_slope(r, path_a0, splat(0.0f32));
+    let terms_20 = add(abs(path_a0.h.x), mul(path_a0.exit, abs(path_a0.h.y)));
+    let e_33 = r.height_size(path_a0.level);
+    let far_34 = Vec2 { x: div(add(add(abs(grid_2.origin.x), mul(abs(grid_2.step.x), path_a0.exit)), splat(1.0f32)), splat(e_33.x)), y: div(add(add(abs(grid_2.origin.y), mul(abs(grid_2.step.y), path_a0.exit)), splat(1.0f32)), splat(e_33.y)) };
+    let e_36 = cell_of(r, Vec2 { x: grid_2.origin.x, y: grid_2.origin.y });
+    cell_v0 = e_36;
+    let limit_47 = (params_a1.x as u32);
+    let b2 = ex;
+    'l1: loop {
+        let e_49 = cost_v4.x;
+        let c3 = lt_u(e_49, splat_u(limit_47));
+        ex = and(ex, c3);
+        let e_51 = cost_v4;
+        let (m4, y5) = (ex, Vec3 { x: add_u(e_51.x, splat_u(0u32)), y: add_u(e_51.y, splat_u(1u32)), z: add_u(e_51.z, splat_u(0u32)) });
+        cost_v4 = Vec3 { x: sel_u(m4, y5.x, cost_v4.x), y: sel_u(m4, y5.y, cost_v4.y), z: sel_u(m4, y5.z, cost_v4.z) };
+        let e_54 = cell_v0;
+        if none(ex) { break 'l1; }
+        let leave_55 = cell_leave(r, ex, &grid_2, e_54);
+        let end_60 = min(min(leave_55.x, leave_55.y), path_a0.exit);
+        let e_61 = t_v1;
+        let span_64 = max_with(sub(end_60, e_61), splat(0.0f32));
+        let e_65 = cell_v0;
+        let e_66 = cell_v0;
+        let e_69 = height_cell(r, ex, Vec2 { x: i_of_f(e_66.x), y: i_of_f(e_66.y) }, path_a0.level);
+        let e_70 = t_v1;
+        let c_71 = gap_to(r, path_a0, &grid_2, e_65, e_69, e_70);
+        let e_72 = cost_v4;
+        let (m6, y7) = (ex, Vec3 { x: add_u(e_72.x, splat_u(1u32)), y: add_u(e_72.y, splat_u(0u32)), z: add_u(e_72.z, splat_u(16u32)) });
+        cost_v4 = Vec3 { x: sel_u(m6, y7.x, cost_v4.x), y: sel_u(m6, y7.y, cost_v4.y), z: sel_u(m6, y7.z, cost_v4.z) };
+        let (b8, c9) = (ex, le(c_71.x, splat(0.0f32)));
+        ex = and(b8, c9);
+        if any(ex) {
+            let e_78 = near_v2;
+            let e_79 = t_v1;
+            let e_83 = near_gap_v3;
+            both_v5 = and(lt(e_78, e_79), gt(e_83, splat(0.0f32)));
+            let e_87 = both_v5;
+            let (b10, c11) = (ex, e_87);
+            ex = and(b10, c11);
+            if any(ex) {
+                let e_88 = near_v2;
+                let e_89 = t_v1;
+                let e_90 = near_gap_v3;
+                let e_92 = cost_v4;
+                let e_93 = entered_once(r, ex, path_a0, &grid_2, e_88, e_89, e_90, c_71.x, e_92);
+                ret = sel_found(ex, &e_93, &ret);
+                alive = and_not(alive, ex);
+                ex = no_lane();
+            }
+            ex = and_not(b10, c11);
+            let e_94 = t_v1;
+            let e_95 = t_v1;
+            let e_98 = cost_v4;
+            let e_99 = found_in_cell(r, ex, c_71, e_94, span_64, eq(e_95, splat(0.0f32)), e_98);
+            ret = sel_found(ex, &e_99, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b8, c9);
+        let e_100 = t_v1;
+        start_v6 = e_100;
+        gap_v7 = c_71.x;
+        if (params_a1.y > 0.5f32) {
+            let e_107 = t_v1;
+            let e_108 = t_v1;
+            let e_111 = cost_v4;
+            if none(ex) { break 'l1; }
+            let found_112 = found_in_cell(r, ex, c_71, e_107, span_64, eq(e_108, splat(0.0f32)), e_111);
+            let (b12, c13) = (ex, ne_u(found_112.status, splat_u(1u32)));
+            ex = and(b12, c13);
+            if any(ex) {
+                ret = sel_found(ex, &found_112, &ret);
+                alive = and_not(alive, ex);
+                ex = no_lane();
+            }
+            ex = and_not(b12, c13);
+            let e_116 = t_v1;
+            start_v6 = max(e_116, end_60);
+            gap_v7 = found_112.far_gap;
+        }
+        let e_119 = start_v6;
+        if none(ex) { break 'l1; }
+        let (b14, c15) = (ex, ge(e_119, path_a0.exit));
+        ex = and(b14, c15);
+        if any(ex) {
+            let e_123 = t_v1;
+            let e_125 = cost_v4;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_123, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_125, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b14, c15);
+        let e_129 = start_v6;
+        near_v2 = e_129;
+        let e_130 = gap_v7;
+        near_gap_v3 = e_130;
+        let e_131 = cell_v0;
+        let e_133 = cell_v0;
+        let e_136 = start_v6;
+        if none(ex) { break 'l1; }
+        let e_139 = nearest_corner(r, Vec2 { x: add(sub(grid_2.origin.x, e_133.x), mul(grid_2.step.x, e_136)), y: add(sub(grid_2.origin.y, e_133.y), mul(grid_2.step.y, e_136)) });
+        let slope_141 = cone_slope(r, ex, path_a0, Vec2 { x: add(e_131.x, e_139.x), y: add(e_131.y, e_139.y) });
+        let e_142 = cost_v4;
+        let e_144 = map_read(r, path_a0, 1u32);
+        let (m16, y17) = (ex, Vec3 { x: add_u(e_142.x, e_144.x), y: add_u(e_142.y, e_144.y), z: add_u(e_142.z, e_144.z) });
+        cost_v4 = Vec3 { x: sel_u(m16, y17.x, cost_v4.x), y: sel_u(m16, y17.y, cost_v4.y), z: sel_u(m16, y17.z, cost_v4.z) };
+        let e_146 = start_v6;
+        next_v8 = e_146;
+        let (b18, c19) = (ex, ge(slope_141, splat(0.0f32)));
+        ex = and(b18, c19);
+        if any(ex) {
+            let nearing_151 = sub(mul(slope_141, aside_9), rise_11);
+            let closing_154 = add(nearing_151, mul(splat(9.536743e-7f32), nearing_151));
+            let e_155 = gap_v7;
+            let room_163 = sub(e_155, mul(splat(9.536743e-7f32), add(terms_20, mul(slope_141, add(far_34.x, far_34.y)))));
+            next_v8 = sel(ex, splat(3e38f32), next_v8);
+            let c20 = gt(closing_154, splat(0.0f32));
+            let e_167 = start_v6;
+            next_v8 = sel(and(ex, c20), add(e_167, div(max_with(room_163, splat(0.0f32)), closing_154)), next_v8);
+        }
+        ex = b18;
+        if (params_a1.y < 0.5f32) {
+            let e_177 = next_v8;
+            let e_178 = t_v1;
+            both_v9 = not(gt(sub(e_177, e_178), mul(splat(9.536743e-7f32), path_a0.exit)));
+        } else {
+            both_v9 = splat_m(false);
+        }
+        let e_186 = both_v9;
+        let (b21, c22) = (ex, e_186);
+        ex = and(b21, c22);
+        if any(ex) {
+            let e_188 = t_v1;
+            let e_190 = gap_v7;
+            let e_191 = cost_v4;
+            ret = sel_found(ex, &Found { status: splat_u(1u32), near: e_188, far: path_a0.exit, near_gap: e_190, far_gap: splat(0.0f32), cost: e_191, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b21, c22);
+        let e_194 = next_v8;
+        if none(ex) { break 'l1; }
+        let (b23, c24) = (ex, ge(e_194, path_a0.exit));
+        ex = and(b23, c24);
+        if any(ex) {
+            let last_198 = path_gap(r, ex, path_a0, path_a0.exit);
+            let e_199 = cost_v4;
+            let (m25, y26) = (ex, Vec3 { x: add_u(e_199.x, splat_u(1u32)), y: add_u(e_199.y, splat_u(0u32)), z: add_u(e_199.z, splat_u(16u32)) });
+            cost_v4 = Vec3 { x: sel_u(m25, y26.x, cost_v4.x), y: sel_u(m25, y26.y, cost_v4.y), z: sel_u(m25, y26.z, cost_v4.z) };
+            let (b27, c28) = (ex, le(last_198, splat(0.0f32)));
+            ex = and(b27, c28);
+            if any(ex) {
+                let e_204 = start_v6;
+                let e_206 = gap_v7;
+                let e_207 = cost_v4;
+                let e_208 = entered_once(r, ex, path_a0, &grid_2, e_204, path_a0.exit, e_206, last_198, e_207);
+                ret = sel_found(ex, &e_208, &ret);
+                alive = and_not(alive, ex);
+                ex = no_lane();
+            }
+            ex = and_not(b27, c28);
+            let e_210 = start_v6;
+            let e_212 = cost_v4;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_210, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_212, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b23, c24);
+        let e_216 = cell_v0;
+        let e_217 = next_v8;
+        if none(ex) { break 'l1; }
+        let e_218 = cell_after(r, &grid_2, e_216, leave_55, forward_7, e_217);
+        cell_v0 = e_218;
+        let e_219 = next_v8;
+        t_v1 = sel(ex, e_219, t_v1);
+    }
+    ex = and(b2, alive);
+    let e_221 = t_v1;
+    let e_223 = cost_v4;
+    return sel_found(ex, &Found { status: splat_u(4u32), near: e_221, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_223, }, &ret);
+} }
+stage! { fn search_relaxed_cone_resting(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+    let mut ex = within;
+    let mut ret: Found = zero_found();
+    let mut alive = ex;
+    let mut cell_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut t_v1: F = splat(0.0f32);
+    let mut near_v2: F = splat(0.0f32);
+    let mut near_gap_v3: F = splat(0.0f32);
+    let mut cost_v4: Vec3<U> = Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) };
+    let mut both_v5: M = splat_m(false);
+    let mut next_v6: F = splat(0f32);
+    let grid_2 = grid_of(r, path_a0);
+    let forward_7 = Vec2 { x: ge(grid_2.step.x, splat(0.0f32)), y: ge(grid_2.step.y, splat(0.0f32)) };
+    let e_9 = cell_of(r, Vec2 { x: grid_2.origin.x, y: grid_2.origin.y });
+    cell_v0 = e_9;
+    let limit_20 = (params_a1.x as u32);
+    let b2 = ex;
+    'l1: loop {
+        let e_22 = cost_v4.x;
+        let c3 = lt_u(e_22, splat_u(limit_20));
+        ex = and(ex, c3);
+        let e_24 = cost_v4;
+        let (m4, y5) = (ex, Vec3 { x: add_u(e_24.x, splat_u(0u32)), y: add_u(e_24.y, splat_u(1u32)), z: add_u(e_24.z, splat_u(0u32)) });
+        cost_v4 = Vec3 { x: sel_u(m4, y5.x, cost_v4.x), y: sel_u(m4, y5.y, cost_v4.y), z: sel_u(m4, y5.z, cost_v4.z) };
+        let e_27 = cell_v0;
+        if none(ex) { break 'l1; }
+        let heights_30 = height_cell(r, ex, Vec2 { x: i_of_f(e_27.x), y: i_of_f(e_27.y) }, path_a0.level);
+        let e_31 = cost_v4;
+        let (m6, y7) = (ex, Vec3 { x: add_u(e_31.x, splat_u(1u32)), y: add_u(e_31.y, splat_u(0u32)), z: add_u(e_31.z, splat_u(16u32)) });
+        cost_v4 = Vec3 { x: sel_u(m6, y7.x, cost_v4.x), y: sel_u(m6, y7.y, cost_v4.y), z: sel_u(m6, y7.z, cost_v4.z) };
+        let e_34 = cell_v0;
+        let leave_35 = cell_leave(r, ex, &grid_2, e_34);
+        let end_40 = min(min(leave_35.x, leave_35.y), path_a0.exit);
+        let e_41 = t_v1;
+        let span_44 = max_with(sub(end_40, e_41), splat(0.0f32));
+        let e_45 = cell_v0;
+        let e_46 = t_v1;
+        let c_47 = gap_to(r, path_a0, &grid_2, e_45, heights_30, e_46);
+        let (b8, c9) = (ex, le(c_47.x, splat(0.0f32)));
+        ex = and(b8, c9);
+        if any(ex) {
+            let e_51 = near_v2;
+            let e_52 = t_v1;
+            let e_56 = near_gap_v3;
+            both_v5 = and(lt(e_51, e_52), gt(e_56, splat(0.0f32)));
+            let e_60 = both_v5;
+            let (b10, c11) = (ex, e_60);
+            ex = and(b10, c11);
+            if any(ex) {
+                let e_61 = near_v2;
+                let e_62 = t_v1;
+                let e_63 = near_gap_v3;
+                let e_65 = cost_v4;
+                let e_66 = entered_once(r, ex, path_a0, &grid_2, e_61, e_62, e_63, c_47.x, e_65);
+                ret = sel_found(ex, &e_66, &ret);
+                alive = and_not(alive, ex);
+                ex = no_lane();
+            }
+            ex = and_not(b10, c11);
+            let e_67 = t_v1;
+            let e_68 = t_v1;
+            let e_71 = cost_v4;
+            let e_72 = found_in_cell(r, ex, c_47, e_67, span_44, eq(e_68, splat(0.0f32)), e_71);
+            ret = sel_found(ex, &e_72, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b8, c9);
+        let e_73 = t_v1;
+        let e_74 = t_v1;
+        let e_77 = cost_v4;
+        if none(ex) { break 'l1; }
+        let found_78 = found_in_cell(r, ex, c_47, e_73, span_44, eq(e_74, splat(0.0f32)), e_77);
+        let (b12, c13) = (ex, ne_u(found_78.status, splat_u(1u32)));
+        ex = and(b12, c13);
+        if any(ex) {
+            ret = sel_found(ex, &found_78, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b12, c13);
+        let e_82 = t_v1;
+        let start_83 = max(e_82, end_40);
+        if none(ex) { break 'l1; }
+        let (b14, c15) = (ex, ge(start_83, path_a0.exit));
+        ex = and(b14, c15);
+        if any(ex) {
+            let e_87 = t_v1;
+            let e_89 = cost_v4;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_87, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_89, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b14, c15);
+        near_v2 = start_83;
+        near_gap_v3 = found_78.far_gap;
+        let e_95 = cell_v0;
+        if none(ex) { break 'l1; }
+        let corner_100 = nearest_corner(r, Vec2 { x: add(sub(grid_2.origin.x, e_95.x), mul(grid_2.step.x, start_83)), y: add(sub(grid_2.origin.y, e_95.y), mul(grid_2.step.y, start_83)) });
+        let apex_101 = corner_height(r, heights_30, corner_100);
+        next_v6 = start_83;
+        let e_103 = path_height(r, path_a0, start_83);
+        let (b16, c17) = (ex, gt(e_103, apex_101));
+        ex = and(b16, c17);
+        if any(ex) {
+            let e_105 = cell_v0;
+            let texel_106 = Vec2 { x: add(e_105.x, corner_100.x), y: add(e_105.y, corner_100.y) };
+            let slope_107 = cone_slope(r, ex, path_a0, texel_106);
+            let e_108 = cost_v4;
+            let e_110 = map_read(r, path_a0, 1u32);
+            let (m18, y19) = (ex, Vec3 { x: add_u(e_108.x, e_110.x), y: add_u(e_108.y, e_110.y), z: add_u(e_108.z, e_110.z) });
+            cost_v4 = Vec3 { x: sel_u(m18, y19.x, cost_v4.x), y: sel_u(m18, y19.y, cost_v4.y), z: sel_u(m18, y19.z, cost_v4.z) };
+            let (b20, c21) = (ex, ge(slope_107, splat(0.0f32)));
+            ex = and(b20, c21);
+            if any(ex) {
+                let e_114 = stays_inside(r, ex, path_a0, &grid_2, texel_106, apex_101, slope_107, start_83);
+                next_v6 = sel(ex, add(start_83, e_114), next_v6);
+            }
+            ex = b20;
+        }
+        ex = b16;
+        let e_116 = next_v6;
+        let (b22, c23) = (ex, ge(e_116, path_a0.exit));
+        ex = and(b22, c23);
+        if any(ex) {
+            let last_120 = path_gap(r, ex, path_a0, path_a0.exit);
+            let e_121 = cost_v4;
+            let (m24, y25) = (ex, Vec3 { x: add_u(e_121.x, splat_u(1u32)), y: add_u(e_121.y, splat_u(0u32)), z: add_u(e_121.z, splat_u(16u32)) });
+            cost_v4 = Vec3 { x: sel_u(m24, y25.x, cost_v4.x), y: sel_u(m24, y25.y, cost_v4.y), z: sel_u(m24, y25.z, cost_v4.z) };
+            let (b26, c27) = (ex, le(last_120, splat(0.0f32)));
+            ex = and(b26, c27);
+            if any(ex) {
+                let e_127 = near_gap_v3;
+                let e_128 = cost_v4;
+                let e_129 = entered_once(r, ex, path_a0, &grid_2, start_83, path_a0.exit, e_127, last_120, e_128);
+                ret = sel_found(ex, &e_129, &ret);
+                alive = and_not(alive, ex);
+                ex = no_lane();
+            }
+            ex = and_not(b26, c27);
+            let e_132 = cost_v4;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: start_83, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_132, }, &ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b22, c23);
+        let e_136 = cell_v0;
+        let e_137 = next_v6;
+        if none(ex) { break 'l1; }
+        let e_138 = cell_after(r, &grid_2, e_136, leave_35, forward_7, e_137);
+        cell_v0 = e_138;
+        let e_139 = next_v6;
+        t_v1 = sel(ex, e_139, t_v1);
+    }
+    ex = and(b2, alive);
+    let e_141 = t_v1;
+    let e_143 = cost_v4;
+    return sel_found(ex, &Found { status: splat_u(4u32), near: e_141, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_143, }, &ret);
+} }
+lanes! { fn search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> Found {
+    let mut ex = within;
+    let mut ret: Found = zero_found();
+    match r.surface_settings.choices[3].number {
+        0u32 => {
+            let e_11 = search_none(r, path_a0, r.surface_settings.choices[3].params);
+            return e_11;
+        }
+        1u32 => {
+            let e_17 = search_linear(r, ex, path_a0, r.surface_settings.choices[3].params);
+            return e_17;
+        }
+        2u32 => {
+            let e_23 = search_cells(r, ex, path_a0, r.surface_settings.choices[3].params);
+            return e_23;
+        }
+        3u32 => {
+            let e_29 = search_frustum(r, ex, path_a0, r.surface_settings.choices[3].params);
+            return e_29;
+        }
+        4u32 => {
+            let e_35 = search_cone(r, ex, path_a0, r.surface_settings.choices[3].params);
+            return e_35;
+        }
+        5u32 => {
+            let e_41 = search_pyramid(r, ex, path_a0, r.surface_settings.choices[3].params);
+            return e_41;
+        }
+        6u32 => {
+            let e_47 = search_pyramid_texels(r, ex, path_a0, r.surface_settings.choices[3].params);
+            return e_47;
+        }
+        7u32 => {
+            let e_53 = search_dilation_erosion(r, ex, path_a0, r.surface_settings.choices[3].params);
+            return e_53;
+        }
+        8u32 => {
+            let e_59 = search_sphere(r, ex, path_a0, r.surface_settings.choices[3].params);
+            return e_59;
+        }
+        9u32 => {
+            let e_65 = search_cone_moved(r, ex, path_a0, r.surface_settings.choices[3].params);
+            return e_65;
+        }
+        10u32 => {
+            let e_71 = search_relaxed_cone(r, ex, path_a0, r.surface_settings.choices[3].params);
+            return e_71;
+        }
+        _ => {
+            let e_77 = search_relaxed_cone_resting(r, ex, path_a0, r.surface_settings.choices[3].params);
+            return e_77;
+        }
+    }
+} }
+stage! { pub(super) fn trace(r: &Resources<'_>, within: M, path_a0: &Path) -> Hit {
+    let mut ex = within;
+    let mut ret: Hit = zero_hit();
+    let e_1 = search_stage(r, ex, path_a0);
+    let e_2 = refine_stage(r, ex, path_a0, &e_1);
+    return e_2;
+} }

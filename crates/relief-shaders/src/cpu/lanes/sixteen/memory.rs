@@ -1,0 +1,112 @@
+//! What of sixteen lanes the compiler cannot prove to be safe: memory by index or pointer, and the call of
+//! functions that need instructions which the machine was asked for.
+
+#![allow(unsafe_code)]
+
+use super::*;
+
+/// Proof that the machine has the instructions.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::cpu::lanes) struct Sixteen(());
+
+impl Sixteen {
+    /// Where the machine has them.
+    pub(in crate::cpu::lanes) fn new() -> Option<Self> {
+        let has_all = is_x86_feature_detected!("avx512f")
+            && is_x86_feature_detected!("avx512dq")
+            && is_x86_feature_detected!("avx512bw")
+            && is_x86_feature_detected!("avx512vl")
+            && is_x86_feature_detected!("f16c");
+        has_all.then_some(Self(()))
+    }
+
+    /// Traces the paths of a block that `which` has bits for.
+    pub(in crate::cpu::lanes) fn trace(
+        self,
+        r: &Resources<'_>,
+        paths: &PathBlock,
+        which: u16,
+        hits: &mut HitBlock,
+    ) {
+        // SAFETY: there is a value of this type where the machine has the instructions alone.
+        unsafe { tracing::trace_block(r, paths, which, hits) }
+    }
+}
+
+lanes! {
+    /// The numbers at these places; 0 for places that there are not.
+    pub(super) fn gather(values: &[f32], at: I) -> F {
+        let count = values.len().min(i32::MAX as usize) as u32;
+        let inside = lt_u(u_of_i(at), splat_u(count));
+        // SAFETY: lanes of `inside` alone are read. Their index is less than the number of values and less
+        // than 2^31, so that it is not taken for a negative one.
+        F(unsafe { _mm512_mask_i32gather_ps::<4>(_mm512_setzero_ps(), inside.0, at.0, values.as_ptr()) })
+    }
+}
+
+lanes! {
+    /// Four bytes from these places on; 0 where not all four are there.
+    pub(super) fn gather_of_8(values: &[u8], at: I) -> U {
+        let count = values.len().min(i32::MAX as usize).saturating_sub(3) as u32;
+        let inside = lt_u(u_of_i(at), splat_u(count));
+        // SAFETY: lanes of `inside` alone are read. Their place is less than 2^31, and has three bytes after
+        // it in the slice. A gather needs no alignment.
+        U(unsafe {
+            _mm512_mask_i32gather_epi32::<1>(_mm512_setzero_si512(), inside.0, at.0, values.as_ptr().cast())
+        })
+    }
+}
+
+lanes! {
+    /// The same of numbers of two bytes; places are those of bytes.
+    pub(super) fn gather_of_16(values: &[u16], at: I) -> U {
+        let count = size_of_val(values).min(i32::MAX as usize).saturating_sub(3) as u32;
+        let inside = lt_u(u_of_i(at), splat_u(count));
+        // SAFETY: as for single bytes; the count is that of bytes.
+        U(unsafe {
+            _mm512_mask_i32gather_epi32::<1>(_mm512_setzero_si512(), inside.0, at.0, values.as_ptr().cast())
+        })
+    }
+}
+
+lanes! {
+    /// A row of numbers.
+    pub(super) fn load(row: &[f32; LANES]) -> F {
+        // SAFETY: the row has as many numbers as are read, which need no alignment.
+        F(unsafe { _mm512_loadu_ps(row.as_ptr()) })
+    }
+}
+
+lanes! {
+    /// A row of numbers.
+    pub(super) fn load_u(row: &[u32; LANES]) -> U {
+        // SAFETY: the row has as many numbers as are read, which need no alignment.
+        U(unsafe { _mm512_loadu_si512(row.as_ptr().cast()) })
+    }
+}
+
+lanes! {
+    /// Writes the lanes of a mask to a row.
+    pub(super) fn store(row: &mut [f32; LANES], which: M, values: F) {
+        // SAFETY: the row has as many numbers as may be written, which need no alignment.
+        unsafe { _mm512_mask_storeu_ps(row.as_mut_ptr(), which.0, values.0) }
+    }
+}
+
+lanes! {
+    /// Writes the lanes of a mask to a row.
+    pub(super) fn store_u(row: &mut [u32; LANES], which: M, values: U) {
+        // SAFETY: the row has as many numbers as may be written, which need no alignment.
+        unsafe { _mm512_mask_storeu_epi32(row.as_mut_ptr().cast(), which.0, values.0) }
+    }
+}
+
+lanes! {
+    /// The number of each lane.
+    pub(super) fn numbers_of(values: I) -> [i32; LANES] {
+        let mut row = [0; LANES];
+        // SAFETY: the row has as many numbers as are written, which need no alignment.
+        unsafe { _mm512_storeu_si512(row.as_mut_ptr().cast(), values.0) };
+        row
+    }
+}

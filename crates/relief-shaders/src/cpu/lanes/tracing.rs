@@ -1,0 +1,70 @@
+//! Blocks of paths, included once for each width.
+
+use super::*;
+
+lanes! {
+    /// Traces the paths of a block that `which` has bits for.
+    pub(super) fn trace_block(r: &Resources<'_>, paths: &PathBlock, which: u16, hits: &mut HitBlock) {
+        let mut rest = which;
+        while rest != 0 {
+            // Those of one use and one level go together, as many as there are lanes.
+            let first = rest.trailing_zeros() as usize;
+            let part = first / LANES;
+            let (ray, level) = (paths.ray[first], paths.level[first]);
+            let is_same = |at: &usize| paths.ray[*at] == ray && paths.level[*at] == level;
+            let together = (part * LANES..(part + 1) * LANES)
+                .filter(is_same)
+                .fold(0u16, |bits, at| bits | (1 << at)) & rest;
+            rest &= !together;
+            trace_part(r, paths, part, u32::from(together) >> (part * LANES), [ray, level], hits);
+        }
+    }
+}
+
+lanes! {
+    /// Traces paths of one use and one level, in as many places of the block as there are lanes.
+    fn trace_part(
+        r: &Resources<'_>,
+        paths: &PathBlock,
+        part: usize,
+        which: u32,
+        [ray, level]: [u32; 2],
+        hits: &mut HitBlock
+    ) {
+        let row = |row: &[f32; super::super::BLOCK]| load(&row.as_chunks().0[part]);
+        let path = generated::Path {
+            uv: Vec2 { x: row(&paths.uv[0]), y: row(&paths.uv[1]) },
+            duv: Vec2 { x: row(&paths.duv[0]), y: row(&paths.duv[1]) },
+            h: Vec3 { x: row(&paths.h[0]), y: row(&paths.h[1]), z: row(&paths.h[2]) },
+            exit: row(&paths.exit),
+            base: row(&paths.base),
+            metric: Vec4 {
+                x: row(&paths.metric[0]),
+                y: row(&paths.metric[1]),
+                z: row(&paths.metric[2]),
+                w: row(&paths.metric[3]),
+            },
+            ray,
+            level,
+            start: row(&paths.start),
+            share: row(&paths.share),
+        };
+        let which = lanes_of(which);
+        let hit = generated::trace(r, which, &path);
+        let mut put = |row: &mut [f32; super::super::BLOCK], values: F| {
+            store(&mut row.as_chunks_mut().0[part], which, values);
+        };
+        put(&mut hits.uv[0], hit.uv.x);
+        put(&mut hits.uv[1], hit.uv.y);
+        put(&mut hits.height, hit.height);
+        put(&mut hits.t, hit.t);
+        let mut put = |row: &mut [u32; super::super::BLOCK], values: U| {
+            store_u(&mut row.as_chunks_mut().0[part], which, values);
+        };
+        put(&mut hits.found, hit.found);
+        put(&mut hits.exhausted, hit.exhausted);
+        put(&mut hits.cost[0], hit.cost.x);
+        put(&mut hits.cost[1], hit.cost.y);
+        put(&mut hits.cost[2], hit.cost.z);
+    }
+}

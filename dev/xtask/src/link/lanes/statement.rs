@@ -1,0 +1,683 @@
+//! Statements over lanes. `ex` are the lanes that run now; a branch runs under those that want it, a loop
+//! until none is left in it, and a value that a lane returns waits in `ret` until all have returned.
+
+use naga::{Block, Expression, Handle, Statement, SwitchValue};
+
+use super::function::{Refusal, Writer};
+use super::live::Locals;
+use super::reach;
+use super::types::{self, COMPONENTS, vector};
+use super::uniform::is_masked_loop;
+
+/// The most operations of a branch that all lanes go through, so that there is no jump.
+const SHORT_OPERATIONS: usize = 8;
+
+/// Where a statement stands.
+#[derive(Clone, Default)]
+pub struct Place {
+    /// What lanes that wait behind a branch or a loop around will read.
+    keep: Locals,
+    /// How many branches and loops around part the lanes.
+    depth: usize,
+    /// The condition of the branches around that all lanes go through.
+    condition: Option<String>,
+    /// Whether lanes wait in a branch, where it cannot be left because none is in it any more.
+    is_in_branch: bool,
+}
+
+/// A loop around a statement.
+pub struct LoopAround {
+    /// Where its turns end, and where it does.
+    turn: Option<String>,
+    end: String,
+    is_masked: bool,
+    /// The lanes that go into the next turn, where some may end a turn before others do.
+    live: Option<String>,
+}
+
+type Done = Result<(), Refusal>;
+
+impl Writer<'_> {
+    pub fn block(&mut self, block: &Block, place: &Place) -> Done {
+        for (statement, span) in block.span_iter() {
+            if self.is_dead {
+                break;
+            }
+            self.statement(statement, place)
+                .map_err(|refusal| Refusal { span: refusal.span.or(Some(*span)), ..refusal })?;
+        }
+        Ok(())
+    }
+
+    fn statement(&mut self, statement: &Statement, place: &Place) -> Done {
+        match statement {
+            Statement::Emit(range) => {
+                for handle in range.clone() {
+                    let expressions = &self.function.expressions;
+                    if matches!(expressions[handle], Expression::ImageLoad { .. }) || self.is_slow(handle) {
+                        self.settle(place);
+                    }
+                    self.emit(handle)?;
+                }
+                Ok(())
+            }
+            Statement::Block(inner) => self.block(inner, place),
+            Statement::If { condition, accept, reject } => {
+                self.branch(statement, *condition, accept, reject, place)
+            }
+            Statement::Switch { selector, cases } => self.switch(*selector, cases, place),
+            Statement::Loop { body, .. } => self.turns(statement, body, place),
+            Statement::Break => self.leave(true),
+            Statement::Continue => self.leave(false),
+            Statement::Return { value: Some(value) } => self.give(*value, place),
+            Statement::Store { pointer, value } => self.store(*pointer, *value, place),
+            Statement::Call { function, arguments, result: Some(result) } => {
+                self.call(*function, arguments, *result, place)
+            }
+            _ => Err(Refusal::from("this statement is not known in lanes".to_owned())),
+        }
+    }
+
+    /// Whether an expression is worth asking whether any lane needs it.
+    fn is_slow(&self, handle: Handle<Expression>) -> bool {
+        !self.is_uniform(handle)
+            && matches!(
+                self.function.expressions[handle],
+                Expression::Binary { op: naga::BinaryOperator::Modulo, .. }
+            )
+    }
+
+    /// Leaves what no lane is in any more, where some have left since that was asked last.
+    fn settle(&mut self, place: &Place) {
+        if !self.is_unsure || place.is_in_branch || place.condition.is_some() {
+            return;
+        }
+        self.is_unsure = false;
+        let way = match self.loops.last() {
+            _ if place.depth == 0 => "return ret;".to_owned(),
+            Some(around) => format!("break {};", around.turn.as_ref().unwrap_or(&around.end)),
+            None => return,
+        };
+        self.line(&format!("if none(ex) {{ {way} }}"));
+    }
+
+    /// Calls a function; one that gives the same in all lanes is called as it is for single numbers.
+    fn call(
+        &mut self,
+        function: Handle<naga::Function>,
+        arguments: &[Handle<Expression>],
+        result: Handle<Expression>,
+        place: &Place,
+    ) -> Done {
+        let module = self.module;
+        let callee = &module.functions[function];
+        let same: Vec<bool> = arguments.iter().map(|argument| self.is_uniform(*argument)).collect();
+        let variant = self.program.variant(function, &same);
+        let facts = self.program.facts(&variant);
+        if facts.result {
+            let name = callee.name.as_deref().unwrap_or_default();
+            let values: Result<Vec<String>, Refusal> =
+                arguments.iter().map(|argument| self.value(*argument, false)).collect();
+            let text = format!("r.{name}({})", values?.join(", "));
+            self.bind(result, &text);
+            return Ok(());
+        }
+        self.settle(place);
+        let name = self.program.name(&variant, self.written);
+        let mut text = format!("{name}(r");
+        if facts.is_masked {
+            text.push_str(", ex");
+        }
+        for (number, (argument, declared)) in arguments.iter().zip(&callee.arguments).enumerate() {
+            let value = self.value(*argument, !facts.arguments[number])?;
+            let by =
+                if types::is_struct(module, declared.ty) && !self.is_reference(*argument) { "&" } else { "" };
+            text.push_str(&format!(", {by}{value}"));
+        }
+        text.push(')');
+        self.bind(result, &text);
+        Ok(())
+    }
+
+    /// Whether a struct is a reference already: an argument of the function.
+    fn is_reference(&self, value: Handle<Expression>) -> bool {
+        matches!(self.function.expressions[value], Expression::FunctionArgument(_))
+    }
+
+    fn store(&mut self, pointer: Handle<Expression>, value: Handle<Expression>, place: &Place) -> Done {
+        let Some(local) = reach::local_of(self.function, pointer) else {
+            return self.refuse(pointer, "a store there is");
+        };
+        let target = self.place(pointer)?;
+        if self.facts().locals[local.index()] {
+            let value = self.value(value, false)?;
+            self.line(&format!("{target} = {value};"));
+            return Ok(());
+        }
+        if self.facts().is_uniform(pointer) {
+            return self.refuse(pointer, "a store to a member that all lanes share is");
+        }
+        let value = self.value(value, true)?;
+        let ty = self.info_of_pointee(pointer);
+        self.assign(&target, &value, ty, local, place);
+        Ok(())
+    }
+
+    fn info_of_pointee(&self, pointer: Handle<Expression>) -> naga::TypeInner {
+        match self.info[pointer].ty.inner_with(&self.module.types) {
+            naga::TypeInner::Pointer { base, .. } => self.module.types[*base].inner.clone(),
+            naga::TypeInner::ValuePointer { size: Some(size), scalar, .. } => {
+                naga::TypeInner::Vector { size: *size, scalar: *scalar }
+            }
+            naga::TypeInner::ValuePointer { size: None, scalar, .. } => naga::TypeInner::Scalar(*scalar),
+            inner => inner.clone(),
+        }
+    }
+
+    /// Stores a value in the lanes that run here; in the others, too, where they do not miss what was there.
+    fn assign(
+        &mut self,
+        target: &str,
+        value: &str,
+        ty: naga::TypeInner,
+        local: Handle<naga::LocalVariable>,
+        place: &Place,
+    ) {
+        let mask = match (place.keep.contains(&local), &place.condition) {
+            (true, Some(condition)) => Some(format!("and(ex, {condition})")),
+            (true, None) => Some("ex".to_owned()),
+            (false, condition) => condition.clone(),
+        };
+        let Some(mask) = mask else {
+            self.line(&format!("{target} = {value};"));
+            return;
+        };
+        let chosen = self.chosen(&mask, value, target, &ty, local);
+        self.line(&format!("{target} = {chosen};"));
+    }
+
+    /// One of two values, lane by lane.
+    fn chosen(
+        &mut self,
+        mask: &str,
+        yes: &str,
+        no: &str,
+        ty: &naga::TypeInner,
+        local: Handle<naga::LocalVariable>,
+    ) -> String {
+        match vector(ty) {
+            Some((kind, 1)) => format!("sel{}({mask}, {yes}, {no})", kind.suffix()),
+            Some((kind, size)) => {
+                let (mask_name, yes_name) = (self.fresh("m"), self.fresh("y"));
+                self.line(&format!("let ({mask_name}, {yes_name}) = ({mask}, {yes});"));
+                let part = |name: &&str| {
+                    format!("sel{}({mask_name}, {yes_name}.{name}, {no}.{name})", kind.suffix())
+                };
+                types::made(size, COMPONENTS[..size].iter().map(part))
+            }
+            None => {
+                let ty = self.function.local_variables[local].ty;
+                let name = self.module.types[ty].name.as_deref().unwrap_or_default();
+                format!("{}({mask}, &{yes}, &{no})", types::function_of("sel", name))
+            }
+        }
+    }
+
+    /// Gives a value back to the caller, from the lanes that run here.
+    fn give(&mut self, value: Handle<Expression>, place: &Place) -> Done {
+        let is_reference = self.is_reference(value) && self.vector_of(value).is_none();
+        let value = self.value(value, true)?;
+        let value = if is_reference { format!("*{value}") } else { value };
+        if place.depth == 0 {
+            let text = if self.has_returned { self.returned("ex", &value) } else { value };
+            self.line(&format!("return {text};"));
+            self.is_dead = true;
+            return Ok(());
+        }
+        if self.loops.last().is_some_and(|around| !around.is_masked) {
+            return Err(Refusal::from(
+                "a return out of a loop that parts no lanes is not known in lanes".to_owned(),
+            ));
+        }
+        self.note(&value, "ex");
+        self.line("ex = no_lane();");
+        self.is_dead = true;
+        Ok(())
+    }
+
+    /// Keeps a value for the lanes of a mask, which have returned.
+    fn note(&mut self, value: &str, mask: &str) {
+        let is_first = !self.has_returned && self.loops.is_empty();
+        let text = if is_first { value.to_owned() } else { self.returned(mask, value) };
+        self.line(&format!("ret = {text};"));
+        self.has_returned = true;
+        if self.has_alive && !self.loops.is_empty() {
+            self.line(&format!("alive = and_not(alive, {mask});"));
+        }
+        let lives: Vec<String> = self.loops.iter().filter_map(|around| around.live.clone()).collect();
+        for live in lives {
+            self.line(&format!("{live} = and_not({live}, {mask});"));
+        }
+    }
+
+    /// A value for the lanes of a mask, in the others what they have returned.
+    fn returned(&mut self, mask: &str, value: &str) -> String {
+        let Some(result) = &self.function.result else { return value.to_owned() };
+        let ty = &self.module.types[result.ty];
+        match vector(&ty.inner) {
+            Some((kind, 1)) => format!("sel{}({mask}, {value}, ret)", kind.suffix()),
+            Some((kind, size)) => {
+                let name = self.fresh("y");
+                self.line(&format!("let {name} = {value};"));
+                let part = |part: &&str| format!("sel{}({mask}, {name}.{part}, ret.{part})", kind.suffix());
+                types::made(size, COMPONENTS[..size].iter().map(part))
+            }
+            None => {
+                let function = types::function_of("sel", ty.name.as_deref().unwrap_or_default());
+                format!("{function}({mask}, &{value}, &ret)")
+            }
+        }
+    }
+
+    /// Leaves the innermost loop, or its turn.
+    fn leave(&mut self, ends_loop: bool) -> Done {
+        let Some(around) = self.loops.last() else {
+            return Err(Refusal::from("a break out of a switch is not known in lanes".to_owned()));
+        };
+        self.is_dead = true;
+        if !around.is_masked {
+            let way = match (ends_loop, &around.turn) {
+                (false, Some(turn)) => format!("break {turn};"),
+                _ => format!("break {};", around.end),
+            };
+            self.line(&way);
+            return Ok(());
+        }
+        if ends_loop && let Some(live) = around.live.clone() {
+            self.line(&format!("{live} = and_not({live}, ex);"));
+        }
+        self.line("ex = no_lane();");
+        Ok(())
+    }
+
+    fn switch(&mut self, selector: Handle<Expression>, cases: &[naga::SwitchCase], place: &Place) -> Done {
+        if !self.is_uniform(selector) {
+            return self.refuse(selector, "a switch by what differs is");
+        }
+        let selector = self.value(selector, false)?;
+        self.open(&format!("match {selector}"));
+        let (before, mut all_dead, mut any_unsure) = (self.is_unsure, true, false);
+        for case in cases {
+            if case.fall_through {
+                return Err(Refusal::from("a case that falls through is not known in lanes".to_owned()));
+            }
+            let pattern = match case.value {
+                SwitchValue::I32(value) => format!("{value}i32"),
+                SwitchValue::U32(value) => format!("{value}u32"),
+                SwitchValue::Default => "_".to_owned(),
+            };
+            self.open(&format!("{pattern} =>"));
+            self.is_unsure = before;
+            self.block(&case.body, place)?;
+            self.close("");
+            all_dead &= self.is_dead;
+            any_unsure |= self.is_unsure;
+            self.is_dead = false;
+        }
+        self.close("");
+        (self.is_dead, self.is_unsure) = (all_dead, any_unsure);
+        Ok(())
+    }
+
+    fn branch(
+        &mut self,
+        statement: &Statement,
+        condition: Handle<Expression>,
+        accept: &Block,
+        reject: &Block,
+        place: &Place,
+    ) -> Done {
+        if self.is_uniform(condition) {
+            return self.plain_branch(condition, accept, reject, place);
+        }
+        if let (Some(a), Some(b)) = (self.operations(accept), self.operations(reject))
+            && a + b <= SHORT_OPERATIONS
+        {
+            return self.both_ways(condition, accept, reject, place);
+        }
+        if place.condition.is_none() && (accept.is_empty() || reject.is_empty()) {
+            let (way, is_accept) = if reject.is_empty() { (accept, true) } else { (reject, false) };
+            if self.is_short_exit(way, place) {
+                return self.short_exit(condition, way, is_accept, place);
+            }
+        }
+        self.settle(place);
+        let condition = self.value(condition, true)?;
+        let (before, wanted) = (self.fresh("b"), self.fresh("c"));
+        self.line(&format!("let ({before}, {wanted}) = (ex, {condition});"));
+        let mut inside = place.clone();
+        inside.keep.extend(self.live.after(statement));
+        inside.depth += 1;
+        inside.is_in_branch = true;
+        let ways_out = [self.has_exit(accept), self.has_exit(reject)];
+        let mut left = None;
+        if !accept.is_empty() {
+            self.line(&format!("ex = and({before}, {wanted});"));
+            let is_dead = self.lanes_only(accept, &inside)?;
+            left = match (is_dead, ways_out[0]) {
+                (true, _) => None,
+                (false, true) => {
+                    let rest = self.fresh("x");
+                    self.line(&format!("let {rest} = ex;"));
+                    Some(rest)
+                }
+                (false, false) => Some(format!("and({before}, {wanted})")),
+            };
+        } else {
+            left = Some(format!("and({before}, {wanted})"));
+        }
+        if reject.is_empty() && !ways_out[0] {
+            self.line(&format!("ex = {before};"));
+            return Ok(());
+        }
+        self.line(&format!("ex = and_not({before}, {wanted});"));
+        let is_dead = if reject.is_empty() { false } else { self.lanes_only(reject, &inside)? };
+        match (left, is_dead) {
+            _ if ways_out == [false, false] => self.line(&format!("ex = {before};")),
+            (Some(left), true) => self.line(&format!("ex = {left};")),
+            (Some(left), false) => self.line(&format!("ex = or(ex, {left});")),
+            (None, true) => self.is_dead = true,
+            (None, false) => {}
+        }
+        self.is_unsure |= ways_out[0] || ways_out[1];
+        Ok(())
+    }
+
+    /// A block under the lanes of `ex`, which is skipped when there are none. Says whether all leave in it.
+    fn lanes_only(&mut self, block: &Block, inside: &Place) -> Result<bool, Refusal> {
+        self.open("if any(ex)");
+        let unsure = std::mem::replace(&mut self.is_unsure, false);
+        self.block(block, inside)?;
+        self.is_unsure = unsure;
+        self.close("");
+        Ok(std::mem::replace(&mut self.is_dead, false))
+    }
+
+    /// A branch by settings.
+    fn plain_branch(
+        &mut self,
+        condition: Handle<Expression>,
+        accept: &Block,
+        reject: &Block,
+        place: &Place,
+    ) -> Done {
+        let condition = self.value(condition, false)?;
+        let unsure = self.is_unsure;
+        self.open(&format!("if {condition}"));
+        self.block(accept, place)?;
+        let (dead, mut any_unsure) = (std::mem::replace(&mut self.is_dead, false), self.is_unsure);
+        self.is_unsure = unsure;
+        self.close(if reject.is_empty() { "" } else { " else {" });
+        if !reject.is_empty() {
+            self.reopen();
+            self.block(reject, place)?;
+            self.close("");
+        }
+        self.is_dead &= dead;
+        any_unsure |= self.is_unsure || (dead && place.depth > 0);
+        self.is_unsure = any_unsure;
+        Ok(())
+    }
+
+    /// A short branch, which all lanes go through.
+    fn both_ways(
+        &mut self,
+        condition: Handle<Expression>,
+        accept: &Block,
+        reject: &Block,
+        place: &Place,
+    ) -> Done {
+        if let (Some((yes_head, target, yes)), Some((no_head, other, no))) =
+            (self.only_store(accept), self.only_store(reject))
+            && target == other
+        {
+            for head in [yes_head, no_head] {
+                for statement in head {
+                    self.statement(statement, place)?;
+                }
+            }
+            return self.store_either(condition, target, [yes, no], place);
+        }
+        let condition = self.value(condition, true)?;
+        let wanted = self.fresh("c");
+        self.line(&format!("let {wanted} = {condition};"));
+        for (block, own) in [(accept, wanted.clone()), (reject, format!("not({wanted})"))] {
+            let condition = match &place.condition {
+                Some(around) => format!("and({around}, {own})"),
+                None => own,
+            };
+            self.block(block, &Place { condition: Some(condition), ..place.clone() })?;
+        }
+        Ok(())
+    }
+
+    /// What a block works out before it stores once, at its end; where to, and what.
+    fn only_store<'b>(
+        &self,
+        block: &'b Block,
+    ) -> Option<(Vec<&'b Statement>, Handle<Expression>, Handle<Expression>)> {
+        let mut statements: Vec<&Statement> = block.iter().collect();
+        let &Statement::Store { pointer, value } = statements.pop()? else { return None };
+        let is_plain = |statement: &&Statement| match statement {
+            Statement::Emit(_) => true,
+            // The one for another `&&`, whose variable nothing else stores in.
+            Statement::If { accept, reject, .. } => {
+                self.only_store(accept).is_some() && self.only_store(reject).is_some()
+            }
+            _ => false,
+        };
+        statements.iter().all(is_plain).then_some((statements, pointer, value))
+    }
+
+    /// Stores one of two values by a condition: `&&`, `||` and choices.
+    fn store_either(
+        &mut self,
+        condition: Handle<Expression>,
+        target: Handle<Expression>,
+        [yes, no]: [Handle<Expression>; 2],
+        place: &Place,
+    ) -> Done {
+        let Some(local) = reach::local_of(self.function, target) else {
+            return self.refuse(target, "a store there is");
+        };
+        let is_literal = |handle: Handle<Expression>, wanted: bool| {
+            matches!(self.function.expressions[handle],
+                Expression::Literal(naga::Literal::Bool(value)) if value == wanted)
+        };
+        let (is_and, is_or) = (is_literal(no, false), is_literal(no, true));
+        let ty = self.info_of_pointee(target);
+        let value = match self.function.expressions[condition] {
+            Expression::Unary { op: naga::UnaryOperator::LogicalNot, expr } if is_or => {
+                format!("or({}, {})", self.value(expr, true)?, self.value(yes, true)?)
+            }
+            _ if is_and => format!("and({}, {})", self.value(condition, true)?, self.value(yes, true)?),
+            _ => {
+                let (condition, yes, no) =
+                    (self.value(condition, true)?, self.value(yes, true)?, self.value(no, true)?);
+                let no_name = self.fresh("n");
+                self.line(&format!("let {no_name} = {no};"));
+                self.chosen(&condition, &yes, &no_name, &ty, local)
+            }
+        };
+        let target = self.place(target)?;
+        self.assign(&target, &value, ty, local, place);
+        Ok(())
+    }
+
+    /// How many operations a block has that all lanes may go through; none where it has something else.
+    fn operations(&self, block: &Block) -> Option<usize> {
+        let mut count = 0;
+        for statement in block {
+            match statement {
+                Statement::Emit(range) => {
+                    for handle in range.clone() {
+                        count += self.weight(handle)?;
+                    }
+                }
+                Statement::Store { pointer, .. } => {
+                    reach::local_of(self.function, *pointer)?;
+                    count += 1;
+                }
+                Statement::Block(inner) => count += self.operations(inner)?,
+                Statement::If { accept, reject, .. } => {
+                    count += self.operations(accept)? + self.operations(reject)?;
+                }
+                _ => return None,
+            }
+        }
+        Some(count)
+    }
+
+    fn weight(&self, handle: Handle<Expression>) -> Option<usize> {
+        let size = self.vector_of(handle).map_or(0, |(_, size)| size);
+        match self.function.expressions[handle] {
+            Expression::ImageLoad { .. } | Expression::Binary { op: naga::BinaryOperator::Modulo, .. } => {
+                None
+            }
+            Expression::Unary { .. }
+            | Expression::Binary { .. }
+            | Expression::Select { .. }
+            | Expression::Math { .. }
+            | Expression::As { .. }
+                if !self.is_uniform(handle) =>
+            {
+                Some(size)
+            }
+            _ => Some(0),
+        }
+    }
+
+    /// Whether lanes may leave a block otherwise than at its end.
+    fn has_exit(&self, block: &Block) -> bool {
+        reach::has(block, |statement| matches!(statement, Statement::Return { .. }))
+            || own_exit(block, |statement| matches!(statement, Statement::Break | Statement::Continue))
+    }
+
+    /// Whether a block is no more than a short way out.
+    fn is_short_exit(&self, block: &Block, place: &Place) -> bool {
+        let Some(last) = block.last() else { return false };
+        let is_number = |handle: Handle<Expression>| self.vector_of(handle).is_some();
+        let is_way_out = match last {
+            Statement::Break | Statement::Continue => {
+                self.loops.last().is_some_and(|around| around.is_masked)
+            }
+            Statement::Return { value: Some(value) } => place.depth == 0 && is_number(*value),
+            _ => false,
+        };
+        let mut count = 0;
+        for statement in block.iter().take(block.len() - 1) {
+            let Statement::Emit(range) = statement else { return false };
+            for handle in range.clone() {
+                let Some(weight) = self.weight(handle) else { return false };
+                count += weight;
+            }
+        }
+        is_way_out && count <= SHORT_OPERATIONS
+    }
+
+    /// Lanes that leave at once, by a condition.
+    fn short_exit(
+        &mut self,
+        condition: Handle<Expression>,
+        block: &Block,
+        is_accept: bool,
+        place: &Place,
+    ) -> Done {
+        let condition = self.value(condition, true)?;
+        let wanted = self.fresh("c");
+        self.line(&format!("let {wanted} = {condition};"));
+        let leave = if is_accept { format!("and(ex, {wanted})") } else { format!("and_not(ex, {wanted})") };
+        let stay = if is_accept { format!("and_not(ex, {wanted})") } else { format!("and(ex, {wanted})") };
+        for statement in block.iter().take(block.len() - 1) {
+            self.statement(statement, place)?;
+        }
+        match block.last() {
+            Some(Statement::Return { value: Some(value) }) => {
+                let value = self.value(*value, true)?;
+                self.note(&value, &leave);
+            }
+            Some(Statement::Break) => {
+                let live = self.loops.last().and_then(|around| around.live.clone());
+                if let Some(live) = live {
+                    self.line(&format!("{live} = and_not({live}, {leave});"));
+                }
+            }
+            _ => {}
+        }
+        self.line(&format!("ex = {stay};"));
+        self.is_unsure = true;
+        Ok(())
+    }
+
+    fn turns(&mut self, statement: &Statement, body: &Block, place: &Place) -> Done {
+        self.settle(place);
+        let is_masked = is_masked_loop(self.facts(), body);
+        let has_continue = own_exit(body, |inner| matches!(inner, Statement::Continue));
+        let end = self.fresh("'l");
+        let turn = has_continue.then(|| self.fresh("'t"));
+        let mut inside = place.clone();
+        let (mut before, mut live) = (String::new(), None);
+        if is_masked {
+            before = self.fresh("b");
+            self.line(&format!("let {before} = ex;"));
+            inside.depth += 1;
+            inside.is_in_branch = false;
+            inside.keep.extend(self.live.after(statement));
+            if has_continue {
+                inside.keep.extend(self.live.turn(statement));
+                let name = self.fresh("live");
+                self.line(&format!("let mut {name} = ex;"));
+                live = Some(name);
+            }
+        }
+        let unsure = std::mem::replace(&mut self.is_unsure, false);
+        self.open(&format!("{end}: loop"));
+        if let Some(turn) = &turn {
+            self.open(&format!("{turn}:"));
+        }
+        self.loops.push(LoopAround { turn: turn.clone(), end: end.clone(), is_masked, live: live.clone() });
+        self.block(body, &inside)?;
+        if turn.is_some() {
+            self.close("");
+        }
+        if let Some(live) = &live {
+            self.line(&format!("ex = {live};"));
+            self.line(&format!("if none(ex) {{ break {end}; }}"));
+        } else if is_masked && (self.is_unsure || self.is_dead) {
+            self.line(&format!("if none(ex) {{ break {end}; }}"));
+        }
+        self.loops.pop();
+        self.close("");
+        self.is_dead = false;
+        self.is_unsure = unsure;
+        if is_masked {
+            if reach::has(body, |inner| matches!(inner, Statement::Return { .. })) {
+                self.line(&format!("ex = and({before}, alive);"));
+                self.is_unsure = true;
+            } else {
+                self.line(&format!("ex = {before};"));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether a block has such a statement outside of the loops in it.
+fn own_exit(block: &Block, is_one: impl Fn(&Statement) -> bool + Copy) -> bool {
+    block.iter().any(|statement| match statement {
+        Statement::Block(inner) => own_exit(inner, is_one),
+        Statement::If { accept, reject, .. } => own_exit(accept, is_one) || own_exit(reject, is_one),
+        Statement::Switch { cases, .. } => cases.iter().any(|case| own_exit(&case.body, is_one)),
+        statement => is_one(statement),
+    })
+}
