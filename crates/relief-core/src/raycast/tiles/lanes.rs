@@ -167,8 +167,8 @@ impl<'a> Sheared<'a> {
         for corner in 0..3 {
             let mut p = corners[corner];
             if PARALLEL {
-                for axis in 0..3 {
-                    p[axis] = simd.sub_f64s(p[axis], of(&self.rays.origin[self.axes[axis]]));
+                for (along, axis) in p.iter_mut().zip(self.axes) {
+                    *along = simd.sub_f64s(*along, of(&self.rays.origin[axis]));
                 }
             }
             places[corner] = [
