@@ -86,7 +86,8 @@ impl<'a> TileCaster<'a> {
     /// A width of one lane casts them one by one.
     pub fn new(caster: &'a RayCaster, rays: PictureRays, size: [u32; 2], sides: Sides, lanes: Lanes) -> Self {
         let view = if lanes == Lanes::One { None } else { View::new(&rays, size) };
-        Self { caster, rays, sides, lanes, view }
+        // Wider vectors divide no faster, which is most of the work, and what comes after them is slower.
+        Self { caster, rays, sides, lanes: lanes.min(Lanes::Eight), view }
     }
 
     /// Sorts what an area of the picture may show into its tiles; all that the bins held is dropped.

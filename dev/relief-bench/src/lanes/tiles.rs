@@ -120,12 +120,9 @@ fn cast(rounds: u16, missed: &mut Vec<String>) -> Result<(), String> {
         let mut expected: Vec<Seen> = vec![None; count];
         for lanes in widths() {
             let mut found: Vec<Seen> = vec![None; count];
-            let [one, tiles] = fastest(
-                rounds,
-                [&mut || one_by_one(&caster, &rays, black_box(&mut expected)), &mut || {
-                    by_tiles(&caster, &rays, lanes, black_box(&mut found))
-                }],
-            );
+            let mut singly = || one_by_one(&caster, &rays, black_box(&mut expected));
+            let mut together = || by_tiles(&caster, &rays, lanes, black_box(&mut found));
+            let [one, tiles] = fastest(rounds, [&mut singly, &mut together]);
             let differing = expected.iter().zip(&found).filter(|(a, b)| a != b).count();
             let times = one / tiles;
             if differing > 0 || AIMS.iter().any(|(width, aim)| *width == lanes && times < *aim) {

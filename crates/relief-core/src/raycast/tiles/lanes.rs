@@ -25,8 +25,8 @@ impl WithSimd for Casting<'_, '_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         let Self { tiles, view, entries, hits } = self;
-        let rays = Rays::new(&tiles.rays, hits.first, hits.offset);
-        let Some(sheared) = Sheared::new(simd, rays) else { return };
+        let rays = Rays::new(&tiles.rays, view.is_parallel(), hits.first, hits.offset);
+        let Some(sheared) = Sheared::new(simd, &rays) else { return };
         hits.one_by_one = false;
         hits.count = [0.0; TILE_POINTS];
         hits.t = [[f64::INFINITY; TILE_POINTS]; KEPT];
@@ -43,6 +43,8 @@ impl WithSimd for Casting<'_, '_> {
 
 /// The rays of a tile, axis by axis.
 struct Rays {
+    /// Where the first one begins, and where each does if they are parallel.
+    eye: DVec3,
     origin: [Each; 3],
     direction: [Each; 3],
 }
@@ -50,7 +52,7 @@ struct Rays {
 impl Rays {
     /// As [`PictureRays::ray`] makes them.
     #[inline(always)]
-    fn new(rays: &PictureRays, first: [u32; 2], offset: [f32; 2]) -> Self {
+    fn new(rays: &PictureRays, is_parallel: bool, first: [u32; 2], offset: [f32; 2]) -> Self {
         let mut points = [[0.0f32; TILE]; 2];
         for (number, step) in (0..TILE as u32).enumerate() {
             let point = PictureRays::point([first[0] + step, first[1] + step], offset);
@@ -69,27 +71,26 @@ impl Rays {
             }
             along
         };
-        Self { origin: along(rays.origin), direction: along(rays.direction) }
+        let eye = rays.ray([points[0][0], points[1][0]]).origin;
+        let origin = if is_parallel { along(rays.origin) } else { [[0.0; TILE_POINTS]; 3] };
+        Self { eye, origin, direction: along(rays.direction) }
     }
 }
 
 /// Rays that share the axis along which they are longest, and the way in which they go along it.
-struct Sheared {
+struct Sheared<'a> {
     /// As in [`super::super::Query`].
     axes: [usize; 3],
-    /// Where the rays begin, by those axes.
-    origin: [Each; 3],
-    /// That of the first ray, by the world's axes.
-    eye: DVec3,
+    rays: &'a Rays,
     shear: [Each; 2],
     inverse_z: Each,
 }
 
-impl Sheared {
+impl<'a> Sheared<'a> {
     /// Nothing for rays that differ, and for such as are none.
     #[inline(always)]
-    fn new<S: Simd>(simd: S, rays: Rays) -> Option<Self> {
-        let Rays { origin, direction } = rays;
+    fn new<S: Simd>(simd: S, rays: &'a Rays) -> Option<Self> {
+        let Rays { origin, direction, .. } = rays;
         let first = DVec3::from_array(direction.map(|along| along[0]));
         let z = first.abs().max_position();
         let (mut x, mut y) = ((z + 1) % 3, (z + 2) % 3);
@@ -98,13 +99,7 @@ impl Sheared {
             std::mem::swap(&mut x, &mut y);
         }
         let axes = [x, y, z];
-        let mut made = Self {
-            axes,
-            origin: axes.map(|axis| origin[axis]),
-            eye: DVec3::from_array(origin.map(|along| along[0])),
-            shear: [[0.0; TILE_POINTS]; 2],
-            inverse_z: [0.0; TILE_POINTS],
-        };
+        let mut made = Self { axes, rays, shear: [[0.0; TILE_POINTS]; 2], inverse_z: [0.0; TILE_POINTS] };
         let (one, zero) = (simd.splat_f64s(1.0), simd.splat_f64s(0.0));
         let infinity = simd.splat_f64s(f64::INFINITY);
         let mut proper = simd.less_than_f64s(zero, one);
@@ -116,7 +111,7 @@ impl Sheared {
                 proper = simd.and_m64s(proper, simd.less_than_f64s(simd.abs_f64s(other), longest));
             }
             proper = simd.and_m64s(proper, simd.less_than_f64s(longest, infinity));
-            for along in &made.origin {
+            for along in origin {
                 let along = simd.abs_f64s(S::as_simd_f64s(along).0[part]);
                 proper = simd.and_m64s(proper, simd.less_than_f64s(along, infinity));
             }
@@ -142,7 +137,7 @@ impl Sheared {
         let [x, y, z] = self.axes;
         for entry in entries {
             // Parallel rays begin in different places.
-            let from = if PARALLEL { DVec3::ZERO } else { self.eye };
+            let from = if PARALLEL { DVec3::ZERO } else { self.rays.eye };
             let corners = corners[entry.triangle as usize].map(|corner| {
                 let corner = corner - from;
                 [corner[x], corner[y], corner[z]].map(|along| simd.splat_f64s(along))
@@ -172,8 +167,8 @@ impl Sheared {
         for corner in 0..3 {
             let mut p = corners[corner];
             if PARALLEL {
-                for axis in 0..3 {
-                    p[axis] = simd.sub_f64s(p[axis], of(&self.origin[axis]));
+                for (along, axis) in p.iter_mut().zip(self.axes) {
+                    *along = simd.sub_f64s(*along, of(&self.rays.origin[axis]));
                 }
             }
             places[corner] = [

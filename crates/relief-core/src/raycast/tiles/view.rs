@@ -228,8 +228,8 @@ impl Planes {
             let from_eye = (*corner - self.eye).to_array();
             for (plane, beyond) in beyond.iter_mut().enumerate() {
                 let [mut along, mut size] = [self.from[plane], self.from[plane].abs()];
-                for axis in 0..3 {
-                    let part = self.normals[axis][plane] * from_eye[axis];
+                for (normals, from_eye) in self.normals.iter().zip(from_eye) {
+                    let part = normals[plane] * from_eye;
                     along += part;
                     size += part.abs();
                 }
