@@ -3064,3 +3064,57 @@ stage! { pub(super) fn trace(r: &Resources<'_>, within: M, path_a0: &Path) -> Hi
     let e_2 = refine_stage(r, ex, path_a0, &e_1);
     return e_2;
 } }
+stage! { pub(super) fn shadow_search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> Found {
+    let mut ex = within;
+    let mut ret: Found = zero_found();
+    match r.surface_settings.choices[7].number {
+        0u32 => {
+            let e_11 = search_none(r, path_a0, r.surface_settings.choices[7].params);
+            return e_11;
+        }
+        1u32 => {
+            let e_17 = search_linear(r, ex, path_a0, r.surface_settings.choices[7].params);
+            return e_17;
+        }
+        2u32 => {
+            let e_23 = search_cells(r, ex, path_a0, r.surface_settings.choices[7].params);
+            return e_23;
+        }
+        3u32 => {
+            let e_29 = search_frustum(r, ex, path_a0, r.surface_settings.choices[7].params);
+            return e_29;
+        }
+        4u32 => {
+            let e_35 = search_cone(r, ex, path_a0, r.surface_settings.choices[7].params);
+            return e_35;
+        }
+        5u32 => {
+            let e_41 = search_pyramid(r, ex, path_a0, r.surface_settings.choices[7].params);
+            return e_41;
+        }
+        6u32 => {
+            let e_47 = search_pyramid_texels(r, ex, path_a0, r.surface_settings.choices[7].params);
+            return e_47;
+        }
+        7u32 => {
+            let e_53 = search_dilation_erosion(r, ex, path_a0, r.surface_settings.choices[7].params);
+            return e_53;
+        }
+        8u32 => {
+            let e_59 = search_sphere(r, ex, path_a0, r.surface_settings.choices[7].params);
+            return e_59;
+        }
+        9u32 => {
+            let e_65 = search_cone_moved(r, ex, path_a0, r.surface_settings.choices[7].params);
+            return e_65;
+        }
+        10u32 => {
+            let e_71 = search_relaxed_cone(r, ex, path_a0, r.surface_settings.choices[7].params);
+            return e_71;
+        }
+        _ => {
+            let e_77 = search_relaxed_cone_resting(r, ex, path_a0, r.surface_settings.choices[7].params);
+            return e_77;
+        }
+    }
+} }

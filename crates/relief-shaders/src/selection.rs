@@ -357,8 +357,21 @@ impl Selection {
 
     /// Whether shadows are those of rays through the exact search without a baked map.
     pub fn has_exact_shadows(&self) -> bool {
-        let [shadow, search] = [SHADOW, SHADOW_SEARCH].map(|stage| self.choices[stage].number as usize);
-        (shadow == RAY || shadow == SOFT) && search == CELLS
+        self.sends_rays_to_lights() && self.choices[SHADOW_SEARCH].number as usize == CELLS
+    }
+
+    /// Whether paths are searched, or what is found of them refined: of bump mapping and of surfaces without a
+    /// relief neither is.
+    pub fn is_traced(&self) -> bool {
+        let chosen = |stage: usize| self.choices[stage].entry.name != "none";
+        self.paths().has_relief && (chosen(SEARCH) || chosen(REFINE))
+    }
+
+    /// Whether shadows are those of rays from the hit to the light, or to points of its disc, through the
+    /// relief of the same surface.
+    pub fn sends_rays_to_lights(&self) -> bool {
+        let shadow = self.choices[SHADOW].number as usize;
+        shadow == RAY || shadow == SOFT
     }
 
     /// To how many points of a light's disc shadows send rays: 0 where they send one to its centre, or none.

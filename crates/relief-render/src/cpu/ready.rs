@@ -7,7 +7,8 @@ use relief_core::exact::FastTracer;
 use relief_core::{BakedMap, Cost, Lanes};
 use relief_shaders::MAX_LIGHTS;
 use relief_shaders::cpu::{
-    Corner, Entered, FirstHit, Frame, Hit, PixelIn, PixelOut, Program, Triangle, Vec3 as ShaderVec3, Vec4,
+    Corner, Entered, FirstHit, Frame, Hit, Path, PixelIn, PixelOut, Program, Triangle, Vec3 as ShaderVec3,
+    Vec4,
 };
 use relief_shaders::surface::FOLDED;
 
@@ -81,8 +82,12 @@ pub struct Ready<'a> {
     sides: Sides,
     /// The exact tracers of all levels of detail.
     pub(super) tracers: Option<Arc<[FastTracer]>>,
-    /// Whether they serve shadows, too, and to how many points of a light these send rays.
+    /// Whether they serve shadows, too.
     traces_shadows: bool,
+    /// Whether anything is searched for, and whether shadows are those of rays, and to how many points of a
+    /// light these go.
+    pub(super) is_traced: bool,
+    sends_rays: bool,
     pub(super) points_of_lights: u32,
     /// The same of shadows by rays through the whole scene.
     rays_through_scene: Option<u32>,
@@ -119,6 +124,8 @@ impl<'a> Ready<'a> {
             sides,
             tracers,
             traces_shadows: surface.selection.has_exact_shadows(),
+            is_traced: surface.selection.is_traced(),
+            sends_rays: surface.selection.sends_rays_to_lights(),
             points_of_lights: surface.selection.points_of_lights(),
             rays_through_scene: surface.selection.rays_through_scene(),
             lights: frame.light_count,
@@ -242,9 +249,20 @@ impl<'a> Ready<'a> {
     /// The first hit of a ray in the relief of a polygon; `ahead` is the hit of its first segment, where that
     /// is known.
     fn first_hit(&self, pixel: PixelIn, at: Entered, ahead: Option<Hit>) -> FirstHit {
-        match &self.tracers {
-            None => self.program.first_hit(pixel, at),
-            Some(tracers) => self.first_exactly(&tracers[at.level as usize], pixel, at, ahead),
+        match (&self.tracers, ahead) {
+            (None, None) => self.program.first_hit(pixel, at),
+            (None, Some(_)) => {
+                let trace = |path| self.program.trace(path);
+                let (mut first, cost) = self.first_of_segments(pixel, at, ahead, trace);
+                first.hit.cost = cost;
+                first
+            }
+            (Some(tracers), _) => {
+                let tracer = &tracers[at.level as usize];
+                let trace = |path: Path| Hit::from(&tracer.trace(&(&path).into()).hit);
+                // What other segments cost is not told.
+                self.first_of_segments(pixel, at, ahead, trace).0
+            }
         }
     }
 
@@ -258,21 +276,23 @@ impl<'a> Ready<'a> {
         self.near / f64::from(key) * (1.0 + slack) - self.near
     }
 
-    /// The first hit by the exact tracer that is in no hole. In a shell that overlaps itself it is the
-    /// nearest of all segments'.
-    fn first_exactly(
+    /// The first hit that is in no hole, as the shaders' function of that name has it, and what all segments
+    /// cost that were traced. In a shell that overlaps itself it is the nearest of all segments'.
+    fn first_of_segments(
         &self,
-        tracer: &FastTracer,
         pixel: PixelIn,
         at: Entered,
         mut ahead: Option<Hit>,
-    ) -> FirstHit {
+        trace: impl Fn(Path) -> Hit,
+    ) -> (FirstHit, ShaderVec3<u32>) {
         let miss = Hit::from(&relief_core::Hit::miss(Cost::default()));
+        let mut cost = miss.cost;
         let mut first = FirstHit { hit: miss, segment: 0, key: 0.0 };
         for number in 0..at.segments {
             let path = self.program.segment(pixel, at, number);
             if path.exit > 0.0 {
-                let hit = ahead.take().unwrap_or_else(|| Hit::from(&tracer.trace(&(&path).into()).hit));
+                let hit = ahead.take().unwrap_or_else(|| trace(path));
+                cost = cost + hit.cost;
                 let hit = if hit.found == 1 { self.program.polish(pixel, at, path, hit) } else { hit };
                 if hit.found == 1 && !self.program.in_hole(hit.uv) {
                     let key = self.program.key(pixel, path, hit);
@@ -285,7 +305,7 @@ impl<'a> Ready<'a> {
                 }
             }
         }
-        first
+        (first, cost)
     }
 
     /// A pixel's colour so far with one more sample.
@@ -304,15 +324,16 @@ impl<'a> Ready<'a> {
     ) {
         let place = |Seen { pixel, at, first, .. }: &Seen| {
             let placed = self.program.place(*pixel, *at, first.segment, first.hit);
-            Placed { at: placed, hit: first.hit, level: at.level }
+            Placed { at: placed, hit: first.hit }
         };
-        let together = self.tracers.as_ref().filter(|_| self.traces_shadows);
+        let tracers = self.tracers.as_deref().filter(|_| self.traces_shadows);
         let through = self.rays_through_scene.zip(scene);
-        if let (Some(tracers), None) = (together, through) {
+        let is_together = tracers.is_some() || self.sends_rays && lanes != Lanes::One;
+        if through.is_none() && is_together {
             let placed = seen.map(|seen| seen.map(place));
             let visible = self.visible_lights(tracers, &placed, lanes);
             for (point, ((seen, placed), visible)) in seen.iter().zip(&placed).zip(visible).enumerate() {
-                if let (Some(seen), Some(Placed { at, hit, .. }), Some(visible)) = (seen, placed, visible) {
+                if let (Some(seen), Some(Placed { at, hit }), Some(visible)) = (seen, placed, visible) {
                     put(point, self.program.shade_hit(seen.pixel, *at, *hit, visible));
                 }
             }
@@ -320,7 +341,7 @@ impl<'a> Ready<'a> {
         }
         for (point, seen) in seen.iter().enumerate() {
             let Some(seen) = seen else { continue };
-            let Placed { at, hit, .. } = place(seen);
+            let Placed { at, hit } = place(seen);
             let visible = match through {
                 Some((count, scene)) => self.visible_through(scene, at, hit, count),
                 None => self.program.visible_lights(at, hit),

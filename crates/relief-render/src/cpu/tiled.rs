@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use relief_core::Lanes;
 
 use super::ready::{Ready, Seen};
-use super::together::{BLOCK, BLOCK_POINTS, Block};
+use super::together::{BLOCK_POINTS, BLOCK_SIDE, Block};
 use crate::raycast::tiles::{Area, Bins, PictureRays, TILE, TileCaster, TileHit, TileHits};
 use crate::samples::Sample;
 
@@ -124,7 +124,7 @@ impl<'a> Tiled<'a> {
                         caster.cast(bins, tile, sample.offset, hits);
                     }
                 }
-                for first in [[0, 0], [BLOCK, 0], [0, BLOCK], [BLOCK, BLOCK]] {
+                for first in [[0, 0], [BLOCK_SIDE, 0], [0, BLOCK_SIDE], [BLOCK_SIDE, BLOCK_SIDE]] {
                     let place = Place { tile, first, sample };
                     self.block(area, &place, hits, &mut seen);
                     show(&place, number, &seen);
@@ -160,7 +160,7 @@ impl<'a> Tiled<'a> {
 impl Place<'_> {
     /// The number in the tile of one of the block's points, and its pixel, where that is in the area.
     fn point(&self, area: Area, number: usize) -> Option<(usize, [u32; 2])> {
-        let [x, y] = [self.first[0] + number % BLOCK, self.first[1] + number / BLOCK];
+        let [x, y] = [self.first[0] + number % BLOCK_SIDE, self.first[1] + number / BLOCK_SIDE];
         let [column, row] = area.pixel(self.tile);
         let pixel = [column + x as u32, row + y as u32];
         let is_inside = (0..2).all(|axis| pixel[axis] < area.first[axis] + area.size[axis]);

@@ -121,6 +121,13 @@ impl<'a> Program<'a> {
         lanes::trace(&self.0, lanes, paths, which, hits);
     }
 
+    /// Of the paths to lights of a block that `which` has bits for, those that are free by the search for
+    /// shadows, over lanes.
+    #[inline]
+    pub fn free_block(&self, paths: &PathBlock, which: u16, lanes: Lanes) -> u16 {
+        lanes::free(&self.0, lanes, paths, which)
+    }
+
     /// A whole pixel: all stages.
     #[inline]
     pub fn shade_pixel(&self, pixel: PixelIn) -> PixelOut {

@@ -57,7 +57,7 @@ const CPU_ROOT: (&str, &[&str]) = (
 );
 
 /// Those of its functions that are written over lanes, too, with all that they reach.
-const LANE_ROOTS: [&str; 1] = ["trace"];
+const LANE_ROOTS: [&str; 2] = ["trace", "shadow_search_stage"];
 
 /// All generated files.
 pub fn files(workspace: &Path) -> Result<Vec<Generated>, String> {

@@ -71,6 +71,33 @@ impl PathBlock {
     }
 }
 
+/// Paths that are traced together: of one use and one level, side by side.
+pub(super) struct Together {
+    /// In which part of the block they are, of as many parts as lanes fit into it.
+    pub part: usize,
+    /// Which of the part's.
+    pub which: u32,
+    /// What the rays are for, and their level of detail.
+    pub use_and_level: [u32; 2],
+}
+
+impl PathBlock {
+    /// Takes those out of `rest` that go together next, in so many lanes.
+    pub(super) fn next_together(&self, lanes: usize, rest: &mut u16) -> Option<Together> {
+        if *rest == 0 {
+            return None;
+        }
+        let first = rest.trailing_zeros() as usize;
+        let part = first / lanes;
+        let use_and_level = [self.ray[first], self.level[first]];
+        let is_same = |at: &usize| [self.ray[*at], self.level[*at]] == use_and_level;
+        let places = (part * lanes..(part + 1) * lanes).filter(is_same);
+        let together = places.fold(0u16, |bits, at| bits | (1 << at)) & *rest;
+        *rest &= !together;
+        Some(Together { part, which: u32::from(together) >> (part * lanes), use_and_level })
+    }
+}
+
 /// Sixteen hits, each number of theirs in a row.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct HitBlock {

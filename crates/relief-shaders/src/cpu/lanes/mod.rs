@@ -3,7 +3,7 @@
 //! The generated text is written in the functions of a width, and included once for each. All of them give
 //! the bits of the translation to single numbers, which serves machines without such vectors.
 
-use relief_core::Lanes;
+use relief_core::{FoundState, Lanes};
 
 use super::generated::Resources;
 
@@ -36,4 +36,27 @@ pub(super) fn trace(r: &Resources<'_>, lanes: Lanes, paths: &PathBlock, which: u
     for at in (0..BLOCK).filter(|at| which >> at & 1 == 1) {
         hits.set(at, &r.trace(paths.get(at)));
     }
+}
+
+/// Of the paths of a block that `which` has bits for, those on which the search for shadows finds nothing.
+pub(super) fn free(r: &Resources<'_>, lanes: Lanes, paths: &PathBlock, which: u16) -> u16 {
+    #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
+    match lanes {
+        Lanes::One => {}
+        Lanes::Eight => {
+            if let Some(eight) = eight::Eight::new() {
+                return eight.free(r, paths, which);
+            }
+        }
+        Lanes::Sixteen => {
+            if let Some(sixteen) = sixteen::Sixteen::new() {
+                return sixteen.free(r, paths, which);
+            }
+        }
+    }
+    #[cfg(not(all(feature = "lanes", target_arch = "x86_64")))]
+    let _ = lanes;
+    let is_free = |at: &usize| r.shadow_search_stage(paths.get(*at)).status == FoundState::Miss as u32;
+    let free = (0..BLOCK).filter(|at| which >> at & 1 == 1).filter(is_free);
+    free.fold(0, |bits, at| bits | (1 << at))
 }
