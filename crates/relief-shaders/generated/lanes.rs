@@ -217,7 +217,7 @@ lanes! { fn texels_around(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, n_a1: Ve
     let mut ret: Around = zero_around();
     let point_7 = Vec2 { x: sub(mul(uv_a0.x, splat((n_a1.x as f32))), splat(0.5f32)), y: sub(mul(uv_a0.y, splat((n_a1.y as f32))), splat(0.5f32)) };
     let cell_8 = cell_of(r, point_7);
-    let i_9 = Vec2 { x: i_of_f(cell_8.x), y: i_of_f(cell_8.y) };
+    let i_9 = Vec2 { x: i_of_small(cell_8.x), y: i_of_small(cell_8.y) };
     let e_12 = wrap_index(r, ex, i_9.x, n_a1.x);
     let e_17 = wrap_index(r, ex, add_i(i_9.x, splat_i(1i32)), n_a1.x);
     let e_21 = wrap_index(r, ex, i_9.y, n_a1.y);
@@ -260,7 +260,7 @@ lanes! { fn height_at(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: u3
     let point_7 = Vec2 { x: sub(mul(uv_a0.x, splat(e_2.x)), splat(0.5f32)), y: sub(mul(uv_a0.y, splat(e_2.y)), splat(0.5f32)) };
     let cell_8 = cell_of(r, point_7);
     let f_9 = Vec2 { x: sub(point_7.x, cell_8.x), y: sub(point_7.y, cell_8.y) };
-    let h_11 = height_cell(r, ex, Vec2 { x: i_of_f(cell_8.x), y: i_of_f(cell_8.y) }, level_a1);
+    let h_11 = height_cell(r, ex, Vec2 { x: i_of_small(cell_8.x), y: i_of_small(cell_8.y) }, level_a1);
     let top_18 = add(h_11.x, mul(sub(h_11.y, h_11.x), f_9.x));
     let bottom_25 = add(h_11.z, mul(sub(h_11.w, h_11.z), f_9.x));
     return add(top_18, mul(sub(bottom_25, top_18), f_9.y));
@@ -413,7 +413,7 @@ lanes! { fn height_and_slope(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level
     let point_7 = Vec2 { x: sub(mul(uv_a0.x, splat(size_2.x)), splat(0.5f32)), y: sub(mul(uv_a0.y, splat(size_2.y)), splat(0.5f32)) };
     let cell_8 = cell_of(r, point_7);
     let f_9 = Vec2 { x: sub(point_7.x, cell_8.x), y: sub(point_7.y, cell_8.y) };
-    let h_11 = height_cell(r, ex, Vec2 { x: i_of_f(cell_8.x), y: i_of_f(cell_8.y) }, level_a1);
+    let h_11 = height_cell(r, ex, Vec2 { x: i_of_small(cell_8.x), y: i_of_small(cell_8.y) }, level_a1);
     let top_18 = add(h_11.x, mul(sub(h_11.y, h_11.x), f_9.x));
     let bottom_25 = add(h_11.z, mul(sub(h_11.w, h_11.z), f_9.x));
     let left_32 = add(h_11.x, mul(sub(h_11.z, h_11.x), f_9.y));
@@ -1870,7 +1870,7 @@ stage! { fn search_pyramid(r: &Resources<'_>, within: M, path_a0: &Path, params_
         level_v1 = sel_u(c2, add_u(e_33, splat_u(1u32)), level_v1);
     }
     let e_37 = cell_of(r, Vec2 { x: grid_2.origin.x, y: grid_2.origin.y });
-    cell_v2 = Vec2 { x: i_of_f(e_37.x), y: i_of_f(e_37.y) };
+    cell_v2 = Vec2 { x: i_of_small(e_37.x), y: i_of_small(e_37.y) };
     let limit_49 = (params_a1.x as u32);
     let b5 = ex;
     let mut live6 = ex;
@@ -1990,7 +1990,7 @@ stage! { fn search_pyramid(r: &Resources<'_>, within: M, path_a0: &Path, params_
                     ex = b24;
                     let e_229 = t_v4;
                     let e_232 = cell_of(r, Vec2 { x: add(grid_2.origin.x, mul(grid_2.step.x, e_229)), y: add(grid_2.origin.y, mul(grid_2.step.y, e_229)) });
-                    let (m26, y27) = (ex, Vec2 { x: min_i(max_i(i_of_f(e_232.x), low_132.x), last_139.x), y: min_i(max_i(i_of_f(e_232.y), low_132.y), last_139.y) });
+                    let (m26, y27) = (ex, Vec2 { x: min_i(max_i(i_of_small(e_232.x), low_132.x), last_139.x), y: min_i(max_i(i_of_small(e_232.y), low_132.y), last_139.y) });
                     cell_v2 = Vec2 { x: sel_i(m26, y27.x, cell_v2.x), y: sel_i(m26, y27.y, cell_v2.y) };
                     let e_235 = level_v1;
                     level_v1 = sel_u(ex, sub_u(e_235, splat_u(1u32)), level_v1);
@@ -2015,7 +2015,7 @@ stage! { fn search_pyramid(r: &Resources<'_>, within: M, path_a0: &Path, params_
             ex = and_not(b30, c31);
             if none(ex) { break 't4; }
             let e_254 = cell_of(r, Vec2 { x: add(grid_2.origin.x, mul(grid_2.step.x, end_125)), y: add(grid_2.origin.y, mul(grid_2.step.y, end_125)) });
-            let (m32, y33) = (ex, Vec2 { x: min_i(max_i(i_of_f(e_254.x), low_132.x), last_139.x), y: min_i(max_i(i_of_f(e_254.y), low_132.y), last_139.y) });
+            let (m32, y33) = (ex, Vec2 { x: min_i(max_i(i_of_small(e_254.x), low_132.x), last_139.x), y: min_i(max_i(i_of_small(e_254.y), low_132.y), last_139.y) });
             cell_v2 = Vec2 { x: sel_i(m32, y33.x, cell_v2.x), y: sel_i(m32, y33.y, cell_v2.y) };
             let c34 = le(leave_u_117, end_125);
             cell_v2.x = sel_i(and(ex, c34), sel_i(gt(grid_2.step.x, splat(0.0f32)), columns_107.y, sub_i(low_132.x, splat_i(1i32))), cell_v2.x);
@@ -2089,7 +2089,7 @@ stage! { fn search_pyramid_texels(r: &Resources<'_>, within: M, path_a0: &Path, 
     }
     ex = b2;
     let e_24 = cell_of(r, origin_7);
-    texel_v1 = Vec2 { x: i_of_f(e_24.x), y: i_of_f(e_24.y) };
+    texel_v1 = Vec2 { x: i_of_small(e_24.x), y: i_of_small(e_24.y) };
     let limit_32 = (params_a1.x as u32);
     let e_35 = level_v0;
     finest_v4 = min_u(splat_u((params_a1.y as u32)), e_35);
@@ -2186,7 +2186,7 @@ stage! { fn search_pyramid_texels(r: &Resources<'_>, within: M, path_a0: &Path, 
             level_v0 = sel_u(ex, sub_u(e_154, splat_u(1u32)), level_v0);
             let e_157 = t_v2;
             let e_160 = cell_of(r, Vec2 { x: add(origin_7.x, mul(step_11.x, e_157)), y: add(origin_7.y, mul(step_11.y, e_157)) });
-            let (m21, y22) = (ex, Vec2 { x: min_i(max_i(i_of_f(e_160.x), low_130.x), last_137.x), y: min_i(max_i(i_of_f(e_160.y), low_130.y), last_137.y) });
+            let (m21, y22) = (ex, Vec2 { x: min_i(max_i(i_of_small(e_160.x), low_130.x), last_137.x), y: min_i(max_i(i_of_small(e_160.y), low_130.y), last_137.y) });
             texel_v1 = Vec2 { x: sel_i(m21, y22.x, texel_v1.x), y: sel_i(m21, y22.y, texel_v1.y) };
         }
         let x23 = ex;
@@ -2203,7 +2203,7 @@ stage! { fn search_pyramid_texels(r: &Resources<'_>, within: M, path_a0: &Path, 
             }
             ex = and_not(b24, c25);
             let e_174 = cell_of(r, Vec2 { x: add(origin_7.x, mul(step_11.x, end_110)), y: add(origin_7.y, mul(step_11.y, end_110)) });
-            let (m26, y27) = (ex, Vec2 { x: min_i(max_i(i_of_f(e_174.x), low_130.x), last_137.x), y: min_i(max_i(i_of_f(e_174.y), low_130.y), last_137.y) });
+            let (m26, y27) = (ex, Vec2 { x: min_i(max_i(i_of_small(e_174.x), low_130.x), last_137.x), y: min_i(max_i(i_of_small(e_174.y), low_130.y), last_137.y) });
             texel_v1 = Vec2 { x: sel_i(m26, y27.x, texel_v1.x), y: sel_i(m26, y27.y, texel_v1.y) };
             let c28 = le(leave_103.x, end_110);
             texel_v1.x = sel_i(and(ex, c28), sel_i(gt(step_11.x, splat(0.0f32)), columns_91.y, sub_i(low_130.x, splat_i(1i32))), texel_v1.x);

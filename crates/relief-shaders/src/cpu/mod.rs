@@ -2,6 +2,7 @@
 //!
 //! * [`MethodTracer`] traces rays through a method.
 //! * [`Program`] is the whole shader over what is [`Bound`], for renderers.
+//! * [`Program::trace_block`] and [`MethodTracer::first_hits`] trace many paths at once, over lanes.
 //! * The other structs are those of the shaders, and [`Shared`] has their bytes in a GPU's buffers.
 
 use crate::SlotMaps;

@@ -70,6 +70,19 @@ impl<'a> MapTexture<'a> {
         Self { texels, width, layers: map.layout().layers as usize, places: map.places() }
     }
 
+    /// Whether the place of each byte, and of each number, fits into a signed number of 32 bits.
+    #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
+    pub(super) fn has_places_of_32_bits(&self) -> bool {
+        let count = match self.texels {
+            Texels::One(texels) => texels.len(),
+            Texels::Two(texels) => 2 * texels.len(),
+            Texels::Four(texels) => 4 * texels.len(),
+            Texels::Half { values, .. } => size_of_val(values),
+            Texels::Codes { values, .. } => values.len(),
+        };
+        i32::try_from(count).is_ok()
+    }
+
     /// The number of a texel among all; of none where there is no such texel.
     #[inline(always)]
     fn place(&self, at: Vec2<i32>, layer: i32, level: i32) -> usize {

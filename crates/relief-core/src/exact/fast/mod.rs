@@ -88,7 +88,13 @@ impl FastTracer {
     /// The first hit of a path. Its clearance is 0 for every miss: it is not looked for.
     pub fn trace(&self, path: &Path) -> ExactHit {
         let mut cost = Cost::default();
-        match self.search(path, &mut cost) {
+        let outcome = self.search(path, &mut cost);
+        self.answer(path, outcome, cost)
+    }
+
+    #[inline(always)]
+    fn answer(&self, path: &Path, outcome: Outcome, cost: Cost) -> ExactHit {
+        match outcome {
             Outcome::Hit { t, column, row, gap, slope } => {
                 ExactHit::at(path, t, [column, row], gap, slope, cost)
             }
@@ -196,12 +202,26 @@ impl FastTracer {
         };
         let shift = [self.extra - tile_x * w, self.extra - tile_y * h];
         ray.start = [begin[0] + shift[0], begin[1] + shift[1]];
-        match traverse::trace(&self.hierarchy, &ray, cost) {
+        self.search_tile(path, &ray, shift, [t0, unit], cost)
+    }
+
+    /// Searches the tile that the whole ray is in. `s` is `t - origin` in that unit, and places were shifted.
+    #[inline(always)]
+    fn search_tile(
+        &self,
+        path: &Path,
+        ray: &TileRay,
+        shift: [f64; 2],
+        [origin, unit]: [f64; 2],
+        cost: &mut Cost,
+    ) -> Outcome {
+        match traverse::trace(&self.hierarchy, ray, cost) {
             None => Outcome::Miss,
             Some(CellHit { s, gap, slope, cell }) => {
                 let [column, row] =
                     [i64::from(cell[0]) - shift[0] as i64, i64::from(cell[1]) - shift[1] as i64];
-                Outcome::Hit { t: lesser(t0 + s * unit, path.exit), column, row, gap, slope: slope / unit }
+                let t = lesser(origin + s * unit, path.exit);
+                Outcome::Hit { t, column, row, gap, slope: slope / unit }
             }
         }
     }

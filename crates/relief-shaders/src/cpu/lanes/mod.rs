@@ -19,6 +19,8 @@ pub use block::{BLOCK, HitBlock, PathBlock};
 pub(super) fn trace(r: &Resources<'_>, lanes: Lanes, paths: &PathBlock, which: u16, hits: &mut HitBlock) {
     #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
     match lanes {
+        // The places of larger maps do not fit into the numbers of a lane.
+        _ if !(r.search_map.has_places_of_32_bits() && r.shadow_search_map.has_places_of_32_bits()) => {}
         Lanes::One => {}
         Lanes::Eight => {
             if let Some(eight) = eight::Eight::new() {

@@ -43,14 +43,14 @@ lanes! {
         let path = path_of(paths, part, use_and_level);
         let which = lanes_of(which);
         let hit = generated::trace(r, which, &path);
-        let mut put = |row: &mut [f32; super::super::BLOCK], values: F| {
+        let put = |row: &mut [f32; super::super::BLOCK], values: F| {
             store(&mut row.as_chunks_mut().0[part], which, values);
         };
         put(&mut hits.uv[0], hit.uv.x);
         put(&mut hits.uv[1], hit.uv.y);
         put(&mut hits.height, hit.height);
         put(&mut hits.t, hit.t);
-        let mut put = |row: &mut [u32; super::super::BLOCK], values: U| {
+        let put = |row: &mut [u32; super::super::BLOCK], values: U| {
             store_u(&mut row.as_chunks_mut().0[part], which, values);
         };
         put(&mut hits.found, hit.found);

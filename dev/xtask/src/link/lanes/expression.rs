@@ -258,7 +258,8 @@ impl Writer<'_> {
                     return self.refuse(handle, "this conversion is");
                 };
                 let operand = self.part(expr, at, is_lanes)?;
-                self.known(handle, operation::convert(from, kind, is_lanes, &operand))
+                let is_small = is_lanes && self.is_small(self.function, expr);
+                self.known(handle, operation::convert(from, kind, is_lanes, is_small, &operand))
             }
             Expression::Math { fun, arg, arg1, arg2, .. } => {
                 self.math(handle, fun, [Some(arg), arg1, arg2], at)
@@ -317,6 +318,27 @@ impl Writer<'_> {
             Expression::Splat { value, .. } => self.is_constant(value, 0),
             Expression::Compose { ref components, .. } => {
                 components.get(at).is_some_and(|component| self.is_constant(*component, 0))
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether each component is a float that has been clamped between numbers that fit into an integer, in
+    /// that function or in one that it calls.
+    fn is_small(&self, function: &naga::Function, handle: Handle<Expression>) -> bool {
+        let fits =
+            |bound: Option<Handle<Expression>>| bound.is_some_and(|bound| is_small_literal(function, bound));
+        match function.expressions[handle] {
+            Expression::Math { fun: MathFunction::Clamp, arg1, arg2, .. } => fits(arg1) && fits(arg2),
+            Expression::CallResult(callee) => {
+                let callee = &self.module.functions[callee];
+                let mut are_small = true;
+                reach::statements(&callee.body, &mut |statement| {
+                    if let naga::Statement::Return { value } = statement {
+                        are_small &= value.is_some_and(|value| self.is_small(callee, value));
+                    }
+                });
+                are_small
             }
             _ => false,
         }
@@ -430,5 +452,17 @@ impl Writer<'_> {
             }
             _ => self.refuse(handle, "a read of this texture is"),
         }
+    }
+}
+
+/// Whether an expression is made of literals well within the range of integers.
+fn is_small_literal(function: &naga::Function, handle: Handle<Expression>) -> bool {
+    match &function.expressions[handle] {
+        Expression::Literal(Literal::F32(value)) => value.abs() <= 1_073_741_824.0,
+        Expression::Splat { value, .. } => is_small_literal(function, *value),
+        Expression::Compose { components, .. } => {
+            components.iter().all(|component| is_small_literal(function, *component))
+        }
+        _ => false,
     }
 }

@@ -66,14 +66,13 @@ pub fn unary(op: UnaryOperator, kind: Kind, is_lanes: bool, operand: &str) -> Op
     match (op, kind, is_lanes) {
         (UnaryOperator::LogicalNot, Kind::Bool, true) => Some(format!("not({operand})")),
         (UnaryOperator::LogicalNot, Kind::Bool, false) => Some(format!("!{operand}")),
-        (UnaryOperator::Negate, Kind::Float, true) => Some(format!("neg({operand})")),
         (UnaryOperator::Negate, Kind::Float, false) => Some(format!("(-{operand})")),
         _ => None,
     }
 }
 
-/// A number as another kind.
-pub fn convert(from: Kind, to: Kind, is_lanes: bool, operand: &str) -> Option<String> {
+/// A number as another kind. A float that is small is no NaN and fits into an integer.
+pub fn convert(from: Kind, to: Kind, is_lanes: bool, is_small: bool, operand: &str) -> Option<String> {
     use Kind::{Bool, Float, Signed, Unsigned};
     if from == to {
         return Some(operand.to_owned());
@@ -85,6 +84,7 @@ pub fn convert(from: Kind, to: Kind, is_lanes: bool, operand: &str) -> Option<St
         };
     }
     let name = match (from, to) {
+        (Float, Signed) if is_small => "i_of_small",
         (Float, Signed) => "i_of_f",
         (Signed, Float) => "f_of_i",
         (Unsigned, Signed) => "i_of_u",

@@ -66,12 +66,7 @@ impl<V: Vector> CellHits<V> {
         let zero = splat(0.0);
         let places = cell.map(f64::from);
         let [x, y] = places.map(splat);
-        let crossings = |k: usize| {
-            let low = (splat(places[k]) - ray.start[k]) * ray.per_cell[k];
-            let high = (splat(places[k] + 1.0) - ray.start[k]) * ray.per_cell[k];
-            (low.lesser(high), low.greater(high))
-        };
-        let ((near_x, far_x), (near_y, far_y)) = (crossings(0), crossings(1));
+        let ((near_x, far_x), (near_y, far_y)) = (crossings(ray, 0, places[0]), crossings(ray, 1, places[1]));
         let enter = near_x.greater(near_y).greater(zero);
         let leave = far_x.lesser(far_y).lesser(ray.length);
         let inside = Mask::of(v, lanes).and(enter.le(leave));
@@ -117,4 +112,13 @@ impl<V: Vector> CellHits<V> {
         self.cell[1][half] = hit.choose(y, self.cell[1][half]);
         hit.bits()
     }
+}
+
+/// Where rays cross a cell's first and last edge on an axis, in their order.
+#[inline(always)]
+fn crossings<V: Vector>(ray: &HalfRays<V>, axis: usize, edge: f64) -> (Double<V>, Double<V>) {
+    let v = ray.length.token();
+    let low = (Double::splat(v, edge) - ray.start[axis]) * ray.per_cell[axis];
+    let high = (Double::splat(v, edge + 1.0) - ray.start[axis]) * ray.per_cell[axis];
+    (low.lesser(high), low.greater(high))
 }

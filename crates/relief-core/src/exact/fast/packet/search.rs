@@ -1,7 +1,8 @@
 //! From the hierarchy's window around the rays of a packet down to the first cell that each of them hits.
 
 use super::cell::{CellHits, Rays};
-use super::vector::{Single, Vector};
+use super::setup::HalfRays;
+use super::vector::{Double, Single, Vector};
 use crate::exact::CELL_BYTES;
 use crate::exact::fast::hierarchy::{BLOCK, Hierarchy, MaximaLevel};
 use crate::exact::fast::traverse::{
@@ -72,27 +73,45 @@ impl<V: Vector> Singles<V> {
     #[inline(always)]
     pub fn new(v: V, rays: &Rays<V>) -> Self {
         let [low, high] = rays;
-        let splat = |x| super::vector::Double::splat(v, x);
-        let origin = |k: usize| [low.start[k].truncate(), high.start[k].truncate()];
-        let origins = [origin(0), origin(1)];
-        let within = |k: usize| Single::narrow([low.start[k] - origins[k][0], high.start[k] - origins[k][1]]);
-        let per_cell = [0, 1].map(|k: usize| Single::narrow([low.per_cell[k], high.per_cell[k]]));
-        let per_height = |slope: super::vector::Double<V>| {
-            let (least, most) = (splat(-MOST_PER_HEIGHT), splat(MOST_PER_HEIGHT));
-            (splat(1.0) / (slope + splat(0.0))).greater(least).lesser(most)
-        };
-        let travel =
-            |half: &super::setup::HalfRays<V>| half.length * half.step[0].abs().greater(half.step[1].abs());
+        let (origin_x, within_x) = cell_and_rest(low.start[0], high.start[0]);
+        let (origin_y, within_y) = cell_and_rest(low.start[1], high.start[1]);
+        let per_cell_x = Single::narrow([low.per_cell[0], high.per_cell[0]]);
+        let per_cell_y = Single::narrow([low.per_cell[1], high.per_cell[1]]);
         Self {
-            origin: [Single::narrow(origins[0]), Single::narrow(origins[1])],
-            per_cell,
-            before: [within(0) * per_cell[0], within(1) * per_cell[1]],
+            origin: [origin_x, origin_y],
+            per_cell: [per_cell_x, per_cell_y],
+            before: [within_x * per_cell_x, within_y * per_cell_y],
             height: Single::narrow([low.height[0], high.height[0]]) - Single::splat(v, RAISE),
             per_height: Single::narrow([per_height(low.height[1]), per_height(high.height[1])]),
             length: Single::narrow([low.length, high.length]) * Single::splat(v, 1.0 + GROWTH),
             travel: Single::narrow([travel(low), travel(high)]),
         }
     }
+}
+
+/// The cell of a place, and where in it.
+#[inline(always)]
+fn cell_and_rest<V: Vector>(low: Double<V>, high: Double<V>) -> (Single<V>, Single<V>) {
+    let cells = [low.truncate(), high.truncate()];
+    (Single::narrow(cells), Single::narrow([low - cells[0], high - cells[1]]))
+}
+
+#[inline(always)]
+fn per_height<V: Vector>(slope: Double<V>) -> Double<V> {
+    let v = slope.token();
+    let (least, most) = (Double::splat(v, -MOST_PER_HEIGHT), Double::splat(v, MOST_PER_HEIGHT));
+    (Double::splat(v, 1.0) / (slope + Double::splat(v, 0.0))).greater(least).lesser(most)
+}
+
+#[inline(always)]
+fn travel<V: Vector>(rays: &HalfRays<V>) -> Double<V> {
+    rays.length * rays.step[0].abs().greater(rays.step[1].abs())
+}
+
+/// The `at`-th of some columns or rows in the order of travel.
+#[inline(always)]
+fn turn(flip: usize, at: u32, [first, last]: [u32; 2]) -> u32 {
+    if flip == 0 { first + at } else { last - at }
 }
 
 impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
@@ -114,32 +133,29 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
     #[inline(always)]
     pub fn run(&mut self) {
         let Some(level) = self.hierarchy.levels().get(self.group.level) else { return };
-        let [[left, right], [top, bottom]] = self.group.window;
-        let (columns, rows) = (right - left + 1, bottom - top + 1);
+        let [wide, high] = self.group.window;
+        let (columns, rows) = (wide[1] - wide[0] + 1, high[1] - high[0] + 1);
         let side = size(self.group.level);
-        let [near, far] = self.near_and_far(side);
-        let (zero, length) = (Single::splat(self.v, 0.0), self.singles.length);
-        let turn =
-            |flip: usize, at: u32, first: u32, last: u32| if flip == 0 { first + at } else { last - at };
-        let mut across = [(zero, zero); MOST_NODES];
+        let [near_x, far_x] = self.near_and_far(0, side);
+        let [near_y, far_y] = self.near_and_far(1, side);
+        let mut across = [[Single::splat(self.v, 0.0); 2]; MOST_NODES];
         for (at, across) in (0..columns).zip(&mut across) {
-            let crossing = self.crossing(0, (turn(self.group.flip[0], at, left, right) as f32) * side);
-            *across = ((crossing + near[0]).max(zero), (crossing + far[0]).min(length));
+            let column = turn(self.group.flip[0], at, wide) as f32 * side;
+            *across = self.column(column, 0, side, near_x, far_x);
         }
         self.hits.count(self.alive, BLOCK_BYTES);
         for at in 0..rows {
-            let row = turn(self.group.flip[1], at, top, bottom);
-            let crossing = self.crossing(1, row as f32 * side);
-            let (enter_y, leave_y) = (crossing + near[1], crossing + far[1]);
+            let row = turn(self.group.flip[1], at, high);
+            let [enter_y, leave_y] = self.row(row as f32 * side, 0, side, near_y, far_y);
             let mut by = [0u32; MOST_NODES];
-            for (at, ((enter, leave), by)) in (0..columns).zip(across.iter().zip(&mut by)) {
-                let column = turn(self.group.flip[0], at, left, right);
+            for (at, ([enter, leave], by)) in (0..columns).zip(across.iter().zip(&mut by)) {
+                let column = turn(self.group.flip[0], at, wide);
                 let maximum = Single::splat(self.v, level.node([column, row]));
                 *by = self.touches(maximum, enter.max(enter_y), leave.min(leave_y));
             }
             for (at, by) in (0..columns).zip(by) {
                 if by & self.alive != 0 {
-                    let node = [turn(self.group.flip[0], at, left, right), row];
+                    let node = [turn(self.group.flip[0], at, wide), row];
                     let by = by & self.alive & self.windows_with(node);
                     if by != 0 {
                         self.below(node, by);
@@ -156,11 +172,9 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
     #[inline(always)]
     fn windows_with(&self, node: [u32; 2]) -> u32 {
         let middle = Single::splat(self.v, (BLOCK - 1) as f32 / 2.0);
-        let within = |k: usize| {
-            let from_corner = Single::splat(self.v, node[k] as f32) - self.group.corner[k];
-            (from_corner - middle).abs().le(middle)
-        };
-        within(0) & within(1)
+        let from_x = Single::splat(self.v, node[0] as f32) - self.group.corner[0];
+        let from_y = Single::splat(self.v, node[1] as f32) - self.group.corner[1];
+        (from_x - middle).abs().le(middle) & (from_y - middle).abs().le(middle)
     }
 
     /// Goes down from a node of the first level.
@@ -241,13 +255,12 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
 
     /// What leads from where a ray crosses a node's first edge to where it enters and leaves the node.
     #[inline(always)]
-    fn near_and_far(&self, size: f32) -> [[Single<V>; 2]; 2] {
-        let (zero, size) = (Single::splat(self.v, 0.0), Single::splat(self.v, size));
-        let rays = self.singles;
-        let across = [size * rays.per_cell[0], size * rays.per_cell[1]];
-        let near = |k: usize| across[k].min(zero) - self.slack[k] - rays.before[k];
-        let far = |k: usize| across[k].max(zero) + self.slack[k] - rays.before[k];
-        [[near(0), near(1)], [far(0), far(1)]]
+    fn near_and_far(&self, axis: usize, size: f32) -> [Single<V>; 2] {
+        let zero = Single::splat(self.v, 0.0);
+        let across = Single::splat(self.v, size) * self.singles.per_cell[axis];
+        let near = across.min(zero) - self.slack[axis] - self.singles.before[axis];
+        let far = across.max(zero) + self.slack[axis] - self.singles.before[axis];
+        [near, far]
     }
 
     /// `s` from a cell's edge to that of the cell where the ray begins.
@@ -266,31 +279,72 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
     /// Which of 4 x 4 nodes the rays touch: `traverse::Search::touched` in lanes, with the same bits.
     #[inline(always)]
     fn touched(&self, maxima: &[f32; NODES], edges: [i32; 2], size: f32, lanes: u32) -> Touched {
-        let [near, far] = self.near_and_far(size);
-        let (zero, length) = (Single::splat(self.v, 0.0), self.singles.length);
         let [flip_x, flip_y] = self.group.flip;
-        let crossing = |axis: usize, at: usize| {
-            self.crossing(axis, edges[axis] as f32 + (at ^ self.group.flip[axis]) as f32 * size)
-        };
-        let column = |at: usize| {
-            let crossing = crossing(0, at);
-            ((crossing + near[0]).max(zero), (crossing + far[0]).min(length))
-        };
-        let row = |at: usize| {
-            let crossing = crossing(1, at);
-            (crossing + near[1], crossing + far[1])
-        };
-        let columns = [column(0), column(1), column(2), column(3)];
-        let rows = [row(0), row(1), row(2), row(3)];
+        let (x, y) = (edges[0] as f32, edges[1] as f32);
+        let [near, far] = self.near_and_far(0, size);
+        let columns = [
+            self.column(x, flip_x, size, near, far),
+            self.column(x, 1 ^ flip_x, size, near, far),
+            self.column(x, 2 ^ flip_x, size, near, far),
+            self.column(x, 3 ^ flip_x, size, near, far),
+        ];
+        let [near, far] = self.near_and_far(1, size);
         let flip = BLOCK * flip_y + flip_x;
         let mut touched = Touched { nodes: 0, by: [0; NODES] };
-        for at in 0..NODES {
-            let ((enter_x, leave_x), (enter_y, leave_y)) = (columns[at % BLOCK], rows[at / BLOCK]);
-            let maximum = Single::splat(self.v, maxima[(at ^ flip) % NODES]);
-            let by = self.touches(maximum, enter_x.max(enter_y), leave_x.min(leave_y)) & lanes;
-            touched.by[at] = by as u16;
-            touched.nodes |= u32::from(by != 0) << at;
-        }
+        let row = |at: usize| self.row(y, at ^ flip_y, size, near, far);
+        self.touched_row(row(0), &columns, maxima, 0, flip, lanes, &mut touched);
+        self.touched_row(row(1), &columns, maxima, BLOCK, flip, lanes, &mut touched);
+        self.touched_row(row(2), &columns, maxima, 2 * BLOCK, flip, lanes, &mut touched);
+        self.touched_row(row(3), &columns, maxima, 3 * BLOCK, flip, lanes, &mut touched);
         touched
+    }
+
+    /// Where rays enter and leave a column of nodes, and as far as they go at all.
+    #[inline(always)]
+    fn column(&self, edge: f32, at: usize, size: f32, near: Single<V>, far: Single<V>) -> [Single<V>; 2] {
+        let crossing = self.crossing(0, edge + at as f32 * size);
+        [(crossing + near).max(Single::splat(self.v, 0.0)), (crossing + far).min(self.singles.length)]
+    }
+
+    /// Where rays enter and leave a row of nodes.
+    #[inline(always)]
+    fn row(&self, edge: f32, at: usize, size: f32, near: Single<V>, far: Single<V>) -> [Single<V>; 2] {
+        let crossing = self.crossing(1, edge + at as f32 * size);
+        [crossing + near, crossing + far]
+    }
+
+    /// The nodes of a row, from the `first` turn on.
+    #[inline(always)]
+    fn touched_row(
+        &self,
+        row: [Single<V>; 2],
+        columns: &[[Single<V>; 2]; BLOCK],
+        maxima: &[f32; NODES],
+        first: usize,
+        flip: usize,
+        lanes: u32,
+        touched: &mut Touched,
+    ) {
+        self.touched_node(row, columns[0], maxima, first, flip, lanes, touched);
+        self.touched_node(row, columns[1], maxima, first + 1, flip, lanes, touched);
+        self.touched_node(row, columns[2], maxima, first + 2, flip, lanes, touched);
+        self.touched_node(row, columns[3], maxima, first + 3, flip, lanes, touched);
+    }
+
+    #[inline(always)]
+    fn touched_node(
+        &self,
+        row: [Single<V>; 2],
+        column: [Single<V>; 2],
+        maxima: &[f32; NODES],
+        at: usize,
+        flip: usize,
+        lanes: u32,
+        touched: &mut Touched,
+    ) {
+        let maximum = Single::splat(self.v, maxima[(at ^ flip) % NODES]);
+        let by = self.touches(maximum, column[0].max(row[0]), column[1].min(row[1])) & lanes;
+        touched.by[at] = by as u16;
+        touched.nodes |= u32::from(by != 0) << at;
     }
 }

@@ -3,7 +3,7 @@
 use super::vector::{Double, Mask, Vector};
 use super::{FastTracer, PathPacket};
 use crate::Wrap;
-use crate::exact::fast::ray::MOST_PER_CELL;
+use crate::exact::fast::ray::{MOST_PER_CELL, TileRay};
 use crate::exact::{MAX_RATE, MAX_START, MAX_TRAVEL};
 
 /// Where rays of packets begin, in heights: one that begins much further off is clipped so roughly that it is
@@ -37,6 +37,29 @@ pub(super) struct HalfRays<V: Vector> {
     pub falls: u32,
     /// Rays that go left, and up.
     pub backward: [u32; 2],
+}
+
+impl<V: Vector> HalfRays<V> {
+    /// The ray of a lane.
+    pub fn lane(&self, lane: usize) -> Placed {
+        let ray = TileRay {
+            start: [self.start[0].lane(lane), self.start[1].lane(lane)],
+            step: [self.step[0].lane(lane), self.step[1].lane(lane)],
+            per_cell: [self.per_cell[0].lane(lane), self.per_cell[1].lane(lane)],
+            height: [self.height[0].lane(lane), self.height[1].lane(lane), self.height[2].lane(lane)],
+            length: self.length.lane(lane),
+        };
+        let shift = [self.shift[0].lane(lane), self.shift[1].lane(lane)];
+        Placed { ray, shift, t0: self.t0.lane(lane), unit: self.unit.lane(lane) }
+    }
+}
+
+/// A ray and what leads back to its path.
+pub(super) struct Placed {
+    pub ray: TileRay,
+    pub shift: [f64; 2],
+    pub t0: f64,
+    pub unit: f64,
 }
 
 /// The rays of `V::F64_LANES` paths of a packet, from a lane on.
@@ -91,9 +114,7 @@ pub(super) fn half_rays<V: Vector>(
     let per_unit = v.sub_u64s(v.splat_u64s(2046 << 52), v.transmute_u64s_f64s(unit.x));
     let per_unit = Double::new(v, v.transmute_f64s_u64s(per_unit));
     let step = [speed[0] * unit, speed[1] * unit];
-    let (most, least) = (splat(MOST_PER_CELL), splat(-MOST_PER_CELL));
-    let per_cell = |k: usize| least.greater((one / (speed[k] + zero) * per_unit).lesser(most));
-    let per_cell = [per_cell(0), per_cell(1)];
+    let per_cell = [units_per_cell(speed[0], per_unit), units_per_cell(speed[1], per_unit)];
     let slope = (h1 + splat(2.0) * h2 * t0) * unit;
     let height = [h0 + t0 * (h1 + t0 * h2), slope, h2 * unit * unit];
     let length = span * per_unit;
@@ -125,6 +146,15 @@ pub(super) fn half_rays<V: Vector>(
         falls: (height[1] + length * height[2]).lt(zero).bits(),
         backward: [per_cell[0].lt(zero).bits(), per_cell[1].lt(zero).bits()],
     }
+}
+
+/// `ray::units_per_cell` in lanes.
+#[inline(always)]
+fn units_per_cell<V: Vector>(speed: Double<V>, per_unit: Double<V>) -> Double<V> {
+    let v = speed.token();
+    let (most, least) = (Double::splat(v, MOST_PER_CELL), Double::splat(v, -MOST_PER_CELL));
+    let per_cell = Double::splat(v, 1.0) / (speed + Double::splat(v, 0.0)) * per_unit;
+    least.greater(per_cell.lesser(most))
 }
 
 /// `FastTracer::common_tile` in lanes: the tile, and the lanes that have one.

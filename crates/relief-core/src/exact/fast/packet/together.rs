@@ -8,12 +8,19 @@ use super::search::{Group, MOST_NODES, Search, Singles};
 use super::setup::{HalfRays, half_rays};
 use super::vector::{Double, Mask, Single, Vector};
 use super::{FastTracer, HitPacket, PathPacket};
-use crate::Lanes;
+use crate::exact::ExactHit;
 use crate::exact::fast::hierarchy::BLOCK;
-use crate::exact::fast::traverse::size;
+use crate::exact::fast::traverse::{self, size};
+use crate::{Cost, Lanes, Path};
 
 /// The fewest rays that go down together. Fewer are faster one by one.
 const FEWEST: u32 = 3;
+
+/// How many of a group's rays must come to a node of its window, on average, for packets to pay.
+const RAYS_OF_NODE: f32 = 2.5;
+
+/// So many groups of a packet that are too small show that its rays are scattered: then no more are looked for.
+const MOST_STRAYS: u32 = 2;
 
 /// By how much of a node the window of a group is larger than the way of its rays: more than nodes are grown
 /// by, so that no node that a ray touches is left out, and little, as every further column costs time.
@@ -70,7 +77,7 @@ impl<V: Vector> NullaryFnOnce for Trace<'_, V> {
         for (paths, answers) in paths.iter().zip(answers) {
             (answers.found, answers.exhausted) = (0, 0);
             for first in (0..PathPacket::LEN).step_by(V::F32_LANES) {
-                let (rays, hits, alone) = search(v, tracer, paths, first);
+                let Found { rays, hits, one_by_one, alone } = search(v, tracer, paths, first);
                 answers.found |= (hits.found << first) as u16;
                 for (half, rays) in rays.iter().enumerate() {
                     let first = first + half * V::F64_LANES;
@@ -78,6 +85,10 @@ impl<V: Vector> NullaryFnOnce for Trace<'_, V> {
                 }
                 store(&mut answers.steps, first, hits.steps, V::as_mut_simd_u32s);
                 store(&mut answers.bytes, first, hits.bytes, V::as_mut_simd_u32s);
+                for lane in lanes_of(one_by_one) {
+                    let path = paths.path(first + lane);
+                    answers.set(first + lane, &search_one(tracer, &rays, lane, &path));
+                }
                 for lane in lanes_of(alone) {
                     answers.set(first + lane, &tracer.trace(&paths.path(first + lane)));
                 }
@@ -95,8 +106,13 @@ impl<V: Vector> NullaryFnOnce for Blocked<'_, V> {
         for (paths, blocked) in paths.iter().zip(blocked) {
             *blocked = 0;
             for first in (0..PathPacket::LEN).step_by(V::F32_LANES) {
-                let (_, hits, alone) = search(v, tracer, paths, first);
+                let Found { rays, hits, one_by_one, alone } = search(v, tracer, paths, first);
                 *blocked |= (hits.found << first) as u16;
+                for lane in lanes_of(one_by_one) {
+                    let ray = rays[lane / V::F64_LANES].lane(lane % V::F64_LANES).ray;
+                    let hit = traverse::trace(&tracer.hierarchy, &ray, &mut Cost::default());
+                    *blocked |= u16::from(hit.is_some()) << (first + lane);
+                }
                 for lane in lanes_of(alone) {
                     *blocked |= u16::from(tracer.is_blocked(&paths.path(first + lane))) << (first + lane);
                 }
@@ -114,15 +130,19 @@ fn lanes_of(mut set: u32) -> impl Iterator<Item = usize> {
     })
 }
 
-/// Searches for the hits of as many paths as a vector has lanes, from a lane on: the rays, their hits, and
-/// the lanes that are left to the search one by one.
+/// What a search knows of as many paths as a vector has lanes.
+struct Found<V: Vector> {
+    rays: [HalfRays<V>; 2],
+    hits: CellHits<V>,
+    /// Rays that nothing goes together with.
+    one_by_one: u32,
+    /// Paths that are no such rays.
+    alone: u32,
+}
+
+/// Searches for the hits of as many paths as a vector has lanes, from a lane on.
 #[inline(always)]
-fn search<V: Vector>(
-    v: V,
-    tracer: &FastTracer,
-    paths: &PathPacket,
-    first: usize,
-) -> ([HalfRays<V>; 2], CellHits<V>, u32) {
+fn search<V: Vector>(v: V, tracer: &FastTracer, paths: &PathPacket, first: usize) -> Found<V> {
     let low = half_rays(v, tracer, paths, first);
     let high = half_rays(v, tracer, paths, first + V::F64_LANES);
     let rays = [low, high];
@@ -131,32 +151,47 @@ fn search<V: Vector>(
         let mask = (1 << V::F64_LANES) - 1;
         low & mask | (high & mask) << V::F64_LANES
     };
-    let mut alone = both(low.alone, high.alone);
+    let alone = both(low.alone, high.alone);
     let mut left = both(low.together, high.together);
     let mut hits = CellHits::new(v);
     if left == 0 {
-        return (rays, hits, alone);
+        return Found { rays, hits, one_by_one: 0, alone };
     }
     let falls = both(low.falls, high.falls);
-    let backward = [0, 1].map(|k: usize| both(low.backward[k], high.backward[k]));
+    let backward = [both(low.backward[0], high.backward[0]), both(low.backward[1], high.backward[1])];
     let singles = Singles::new(v, &rays);
+    let (mut one_by_one, mut strays) = (0, 0);
     while left != 0 {
         let first = left.trailing_zeros();
         // Those on whose side of a choice the first ray is.
         let alike = |set: u32| if set >> first & 1 == 1 { set } else { !set };
         let same = left & alike(falls) & alike(backward[0]) & alike(backward[1]);
         let (level, same) = same_level(v, tracer, &singles, same, first);
-        let group = grouped(v, tracer, &rays, &singles, level, same, first, backward);
+        let (group, pays) = grouped(v, tracer, &rays, level, same, first, backward);
         left &= !group.lanes;
-        if group.lanes.count_ones() < FEWEST {
-            alone |= group.lanes;
+        if !pays {
+            one_by_one |= group.lanes;
+            strays += 1;
+            if strays == MOST_STRAYS {
+                one_by_one |= left;
+                left = 0;
+            }
         } else if falls >> first & 1 == 1 {
             Search::<V, true>::new(v, &tracer.hierarchy, &rays, &singles, &group, &mut hits).run();
         } else {
             Search::<V, false>::new(v, &tracer.hierarchy, &rays, &singles, &group, &mut hits).run();
         }
     }
-    (rays, hits, alone)
+    Found { rays, hits, one_by_one, alone }
+}
+
+/// Traces the ray of a lane by itself.
+#[inline(never)]
+fn search_one<V: Vector>(tracer: &FastTracer, rays: &[HalfRays<V>; 2], lane: usize, path: &Path) -> ExactHit {
+    let mut cost = Cost::default();
+    let placed = rays[lane / V::F64_LANES].lane(lane % V::F64_LANES);
+    let outcome = tracer.search_tile(path, &placed.ray, placed.shift, [placed.t0, placed.unit], &mut cost);
+    tracer.answer(path, outcome, cost)
 }
 
 /// The level at which a ray begins, and those of some others that begin there.
@@ -181,64 +216,110 @@ fn same_level<V: Vector>(
     (level, lanes)
 }
 
-/// The group of a ray and its neighbours among some lanes.
+/// The group of a ray and its neighbours among some lanes, and whether it pays to let them go down together.
 #[inline(always)]
 fn grouped<V: Vector>(
     v: V,
     tracer: &FastTracer,
     rays: &[HalfRays<V>; 2],
-    singles: &Singles<V>,
     level: usize,
     lanes: u32,
     first: u32,
     backward: [u32; 2],
-) -> Group<V> {
-    let _ = singles;
+) -> (Group<V>, bool) {
     let sides = tracer.hierarchy.levels()[level].sides;
-    let splat = |x: f64| Double::splat(v, x);
-    let node = f64::from(size(level));
-    let (per_node, wider, zero) = (splat(1.0 / node), splat(node * WIDENING), splat(0.0));
-    let is_backward = backward.map(|set| set >> first & 1 == 1);
-    let corner = |k: usize, half: usize| {
-        let own = (rays[half].start[k].truncate() * per_node).truncate();
-        let own = if is_backward[k] { (own - splat((BLOCK - 1) as f64)).greater(zero) } else { own };
-        own.lesser(splat(f64::from(sides[k]) - BLOCK as f64))
-    };
-    let reach = |k: usize, half: usize| {
-        let (start, end) = (rays[half].start[k], rays[half].end[k]);
-        let low = (start.lesser(end) - wider).greater(zero) * per_node;
-        let high = (start.greater(end) + wider) * per_node;
-        (low.truncate(), high.lesser(splat(f64::from(sides[k] - 1))).truncate())
-    };
-    let reaches = [0, 1].map(|k| {
-        let (low, high) = (reach(k, 0), reach(k, 1));
-        (Single::narrow([low.0, high.0]), Single::narrow([low.1, high.1]))
-    });
-    let widest = Single::splat(v, f32::MAX);
-    let nothing = Single::splat(v, 0.0);
-    let window = |lanes: u32| {
-        let [x, y] = reaches.map(|(from, to)| {
-            [from.where_or(lanes, widest).least() as u32, to.where_or(lanes, nothing).greatest() as u32]
-        });
-        [x, y]
-    };
+    let is_backward = [backward[0] >> first & 1 == 1, backward[1] >> first & 1 == 1];
+    let across = way(v, rays, 0, level, sides[0], is_backward[0]);
+    let along = way(v, rays, 1, level, sides[1], is_backward[1]);
     let mut group = Group {
         lanes,
         level,
         flip: is_backward.map(|is| if is { BLOCK - 1 } else { 0 }),
-        window: window(lanes),
-        corner: [0, 1].map(|k| Single::narrow([corner(k, 0), corner(k, 1)])),
+        window: [across.window(v, lanes), along.window(v, lanes)],
+        corner: [across.corner, along.corner],
     };
     let is_wide = |[from, to]: [u32; 2]| to - from >= MOST_NODES as u32;
     if group.window.into_iter().any(is_wide) {
-        let [x, y] = reaches.map(|(from, to)| {
-            let begin = Single::splat(v, from.lane(first as usize) - BEFORE);
-            begin.le(from) & to.le(begin + Single::splat(v, (MOST_NODES - 1) as f32))
-        });
-        group.lanes = lanes & x & y | 1 << first;
-        group.window = window(group.lanes);
+        group.lanes = lanes & across.near(v, first) & along.near(v, first) | 1 << first;
+        group.window = [across.window(v, group.lanes), along.window(v, group.lanes)];
     }
-    group
+    let none = Single::splat(v, 0.0);
+    let own = (across.nodes(v) * along.nodes(v)).where_or(group.lanes, none).sum();
+    let [x, y] = group.window.map(|[from, to]| to - from + 1);
+    let pays = group.lanes.count_ones() >= FEWEST && own >= RAYS_OF_NODE * (x * y) as f32;
+    (group, pays)
+}
+
+/// The ways of rays along an axis, in columns or rows of a level's nodes.
+struct Way<V: Vector> {
+    /// The first and the last one that a ray comes to.
+    from: Single<V>,
+    to: Single<V>,
+    /// The first one of the ray's own window: see `traverse::Search::window_corner`.
+    corner: Single<V>,
+}
+
+#[inline(always)]
+fn way<V: Vector>(
+    v: V,
+    [low, high]: &[HalfRays<V>; 2],
+    axis: usize,
+    level: usize,
+    side: u32,
+    is_backward: bool,
+) -> Way<V> {
+    let low = half_way(v, low, axis, level, side, is_backward);
+    let high = half_way(v, high, axis, level, side, is_backward);
+    Way {
+        from: Single::narrow([low[0], high[0]]),
+        to: Single::narrow([low[1], high[1]]),
+        corner: Single::narrow([low[2], high[2]]),
+    }
+}
+
+#[inline(always)]
+fn half_way<V: Vector>(
+    v: V,
+    rays: &HalfRays<V>,
+    axis: usize,
+    level: usize,
+    side: u32,
+    is_backward: bool,
+) -> [Double<V>; 3] {
+    let node = f64::from(size(level));
+    let (per_node, wider) = (Double::splat(v, 1.0 / node), Double::splat(v, node * WIDENING));
+    let (zero, side) = (Double::splat(v, 0.0), f64::from(side));
+    let (start, end) = (rays.start[axis], rays.end[axis]);
+    let from = (start.lesser(end) - wider).greater(zero) * per_node;
+    let to = (start.greater(end) + wider) * per_node;
+    let own = (start.truncate() * per_node).truncate();
+    let own = if is_backward { (own - Double::splat(v, (BLOCK - 1) as f64)).greater(zero) } else { own };
+    let corner = own.lesser(Double::splat(v, side - BLOCK as f64));
+    [from.truncate(), to.lesser(Double::splat(v, side - 1.0)).truncate(), corner]
+}
+
+impl<V: Vector> Way<V> {
+    /// The first and the last column or row that some rays come to.
+    #[inline(always)]
+    fn window(&self, v: V, lanes: u32) -> [u32; 2] {
+        let from = self.from.where_or(lanes, Single::splat(v, f32::MAX)).least();
+        let to = self.to.where_or(lanes, Single::splat(v, 0.0)).greatest();
+        [from as u32, to as u32]
+    }
+
+    /// How many columns or rows each ray comes to.
+    #[inline(always)]
+    fn nodes(&self, v: V) -> Single<V> {
+        self.to - self.from + Single::splat(v, 1.0)
+    }
+
+    /// The rays that are so near to one of them that a window holds them all.
+    #[inline(always)]
+    fn near(&self, v: V, ray: u32) -> u32 {
+        let begin = Single::splat(v, self.from.lane(ray as usize) - BEFORE);
+        let end = begin + Single::splat(v, (MOST_NODES - 1) as f32);
+        begin.le(self.from) & self.to.le(end)
+    }
 }
 
 /// Writes the answers of half a packet: what `ExactHit::at` makes of hits.
@@ -252,30 +333,25 @@ fn write<V: Vector>(
     first: usize,
     answers: &mut HitPacket,
 ) {
-    let load = |numbers: &[f64; PathPacket::LEN]| Double::load(v, numbers, first);
-    let zero = Double::splat(v, 0.0);
+    let (zero, one) = (Double::splat(v, 0.0), Double::splat(v, 1.0));
     let found = Mask::of(v, hits.found >> (half * V::F64_LANES));
-    let t = (rays.t0 + hits.s[half] * rays.unit).lesser(load(&paths.exit));
-    let at = |numbers: &[[f64; PathPacket::LEN]; 2], steps: &[[f64; PathPacket::LEN]; 2], k: usize| {
-        found.choose(load(&numbers[k]) + load(&steps[k]) * t, zero)
-    };
-    let h = load(&paths.h[0]) + t * (load(&paths.h[1]) + t * load(&paths.h[2]));
+    let t = (rays.t0 + hits.s[half] * rays.unit).lesser(Double::load(v, &paths.exit, first));
+    for k in 0..2 {
+        let place = Double::load(v, &paths.uv[k], first) + Double::load(v, &paths.duv[k], first) * t;
+        let cell = (hits.cell[k][half] - rays.shift[k]).to_integer();
+        let cell = v.select_u64s(found.mask(), cell, v.splat_u64s(0));
+        store(&mut answers.uv[k], first, found.choose(place, zero).x, V::as_mut_simd_f64s);
+        store(&mut answers.cell[k], first, v.transmute_i64s_u64s(cell), V::as_mut_simd_i64s);
+    }
+    let [h0, h1, h2] = &paths.h;
+    let (h0, h1, h2) = (Double::load(v, h0, first), Double::load(v, h1, first), Double::load(v, h2, first));
     let gap = hits.gap[half];
-    let height = Double::splat(v, 1.0).lesser(zero.greater(h - gap));
-    let cell = |k: usize| {
-        let whole = hits.cell[k][half] - rays.shift[k];
-        v.select_u64s(found.mask(), whole.to_integer(), v.splat_u64s(0))
-    };
+    let height = one.lesser(zero.greater(h0 + t * (h1 + t * h2) - gap));
     let slope = hits.slope[half] * rays.per_unit;
     store(&mut answers.t, first, found.choose(t, zero).x, V::as_mut_simd_f64s);
-    store(&mut answers.uv[0], first, at(&paths.uv, &paths.duv, 0).x, V::as_mut_simd_f64s);
-    store(&mut answers.uv[1], first, at(&paths.uv, &paths.duv, 1).x, V::as_mut_simd_f64s);
     store(&mut answers.height, first, found.choose(height, zero).x, V::as_mut_simd_f64s);
     store(&mut answers.slope, first, found.choose(slope, zero).x, V::as_mut_simd_f64s);
     store(&mut answers.clearance, first, found.choose(gap, zero).x, V::as_mut_simd_f64s);
-    for k in 0..2 {
-        store(&mut answers.cell[k], first, v.transmute_i64s_u64s(cell(k)), V::as_mut_simd_i64s);
-    }
 }
 
 /// Stores a vector from a lane on.

@@ -1,9 +1,10 @@
 //! What packets ask of vectors, and numbers in lanes that are written like numbers.
 
 use std::ops::{Add, Div, Mul, Sub};
+use std::slice::from_ref;
 
 use pulp::Simd;
-use pulp::bytemuck::cast;
+use pulp::bytemuck::{cast, cast_slice};
 use pulp::x86::{V3, V4};
 
 /// Vectors with what `pulp` has under no common name: lanes of masks as bits, and conversions.
@@ -124,11 +125,6 @@ pub(super) struct Mask<V: Vector> {
 }
 
 impl<V: Vector> Single<V> {
-    #[inline(always)]
-    pub fn new(v: V, x: V::f32s) -> Self {
-        Self { v, x }
-    }
-
     /// One number in every lane.
     #[inline(always)]
     pub fn splat(v: V, x: f32) -> Self {
@@ -172,9 +168,15 @@ impl<V: Vector> Single<V> {
 
     /// The number of a lane.
     #[inline(always)]
-    pub fn lane(self, lane: usize) -> f32 {
-        let numbers: &[f32] = pulp::bytemuck::cast_slice(std::slice::from_ref(&self.x));
+    pub fn lane(&self, lane: usize) -> f32 {
+        let numbers: &[f32] = cast_slice(from_ref(&self.x));
         numbers[lane]
+    }
+
+    /// The sum of all lanes.
+    #[inline(always)]
+    pub fn sum(self) -> f32 {
+        self.v.reduce_sum_f32s(self.x)
     }
 
     /// The least number of all lanes.
@@ -220,6 +222,13 @@ impl<V: Vector> Double<V> {
     #[inline(always)]
     pub fn abs(self) -> Self {
         Self { v: self.v, x: self.v.abs_f64s(self.x) }
+    }
+
+    /// The number of a lane.
+    #[inline(always)]
+    pub fn lane(&self, lane: usize) -> f64 {
+        let numbers: &[f64] = cast_slice(from_ref(&self.x));
+        numbers[lane]
     }
 
     #[inline(always)]

@@ -67,7 +67,7 @@ mod tracing;
 
 pub(super) use memory::Eight;
 
-use memory::{gather, gather_of_8, gather_of_16, load, load_u, numbers_of, store, store_u};
+use memory::{gather, gather_of_8, gather_of_16, load, numbers_of, store, store_u};
 use textures::{height_texel, map_texel, map_texel_of_each};
 
 operations! {
@@ -115,6 +115,8 @@ operations! {
     ne_i(a: I, b: I) -> M = not(eq_i(a, b)).0;
     sel_i(m: M, a: I, b: I) -> I = _mm256_blendv_epi8(b.0, a.0, _mm256_castps_si256(m.0));
     i_of_u(a: U) -> I = a.0;
+    // Of a number that is no NaN and in range.
+    i_of_small(a: F) -> I = _mm256_cvttps_epi32(a.0);
 }
 
 operations! {

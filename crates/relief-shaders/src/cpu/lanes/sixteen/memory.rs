@@ -84,14 +84,6 @@ lanes! {
 }
 
 lanes! {
-    /// A row of numbers.
-    pub(super) fn load_u(row: &[u32; LANES]) -> U {
-        // SAFETY: the row has as many numbers as are read, which need no alignment.
-        U(unsafe { _mm512_loadu_si512(row.as_ptr().cast()) })
-    }
-}
-
-lanes! {
     /// Writes the lanes of a mask to a row.
     pub(super) fn store(row: &mut [f32; LANES], which: M, values: F) {
         // SAFETY: the row has as many numbers as may be written, which need no alignment.

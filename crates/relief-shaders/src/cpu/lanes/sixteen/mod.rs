@@ -67,7 +67,7 @@ mod tracing;
 
 pub(super) use memory::Sixteen;
 
-use memory::{gather, gather_of_8, gather_of_16, load, load_u, numbers_of, store, store_u};
+use memory::{gather, gather_of_8, gather_of_16, load, numbers_of, store, store_u};
 use textures::{height_texel, map_texel, map_texel_of_each};
 
 /// Towards minus infinity, and towards infinity.
@@ -117,6 +117,8 @@ operations! {
     ne_i(a: I, b: I) -> M = _mm512_cmpneq_epi32_mask(a.0, b.0);
     sel_i(m: M, a: I, b: I) -> I = _mm512_mask_blend_epi32(m.0, b.0, a.0);
     i_of_u(a: U) -> I = a.0;
+    // Of a number that is no NaN and in range.
+    i_of_small(a: F) -> I = _mm512_cvttps_epi32(a.0);
 }
 
 operations! {
