@@ -2,6 +2,9 @@
 
 use clap::{Args, ValueEnum};
 
+mod packets;
+mod rays;
+mod stages;
 mod tiles;
 
 /// What is measured.
@@ -19,12 +22,22 @@ pub struct Arguments {
 enum Part {
     /// Camera rays against base meshes, and whole frames that hardly do more
     Tiles,
+    /// The exact tracer
+    Packets,
+    /// Searches and refinements
+    Stages,
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), String> {
     let is_asked = |part| arguments.parts.is_empty() || arguments.parts.contains(&part);
     if is_asked(Part::Tiles) {
         tiles::run(arguments.rounds)?;
+    }
+    if is_asked(Part::Packets) {
+        packets::run(arguments.rounds)?;
+    }
+    if is_asked(Part::Stages) {
+        stages::run(arguments.rounds)?;
     }
     Ok(())
 }

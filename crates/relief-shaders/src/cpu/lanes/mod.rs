@@ -3,6 +3,9 @@
 //! The generated text is written in the functions of a width, and included once for each. All of them give
 //! the bits of the translation to single numbers, which serves machines without such vectors.
 
+// Each width includes the same text.
+#![allow(clippy::duplicate_mod)]
+
 use relief_core::{FoundState, Lanes};
 
 use super::generated::Resources;

@@ -360,22 +360,21 @@ impl Writer<'_> {
         inside.depth += 1;
         inside.is_in_branch = true;
         let ways_out = [self.has_exit(accept), self.has_exit(reject)];
-        let mut left = None;
-        if !accept.is_empty() {
+        let all = Some(format!("and({before}, {wanted})"));
+        let left = if accept.is_empty() {
+            all
+        } else {
             self.line(&format!("ex = and({before}, {wanted});"));
-            let is_dead = self.lanes_only(accept, &inside)?;
-            left = match (is_dead, ways_out[0]) {
+            match (self.lanes_only(accept, &inside)?, ways_out[0]) {
                 (true, _) => None,
                 (false, true) => {
                     let rest = self.fresh("x");
                     self.line(&format!("let {rest} = ex;"));
                     Some(rest)
                 }
-                (false, false) => Some(format!("and({before}, {wanted})")),
-            };
-        } else {
-            left = Some(format!("and({before}, {wanted})"));
-        }
+                (false, false) => all,
+            }
+        };
         if reject.is_empty() && !ways_out[0] {
             self.line(&format!("ex = {before};"));
             return Ok(());
