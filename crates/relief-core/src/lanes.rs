@@ -31,7 +31,10 @@ pub enum LanesError {
     #[error("{0:?} is no number of lanes: 1, 8 and 16 are")]
     Unknown(String),
     /// The machine has no such vectors.
-    #[error("this machine has no vectors of {0} lanes; the widest that it has are of {widest}", widest = Lanes::widest())]
+    #[error(
+        "this machine has no vectors of {0} lanes; the widest that it has are of {widest}",
+        widest = Lanes::widest()
+    )]
     Missing(Lanes),
 }
 

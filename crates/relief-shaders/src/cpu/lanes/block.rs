@@ -72,6 +72,7 @@ impl PathBlock {
 }
 
 /// Paths that are traced together: of one use and one level, side by side.
+#[cfg(all(feature = "lanes", target_arch = "x86_64"))]
 pub(super) struct Together {
     /// In which part of the block they are, of as many parts as lanes fit into it.
     pub part: usize,
@@ -81,6 +82,7 @@ pub(super) struct Together {
     pub use_and_level: [u32; 2],
 }
 
+#[cfg(all(feature = "lanes", target_arch = "x86_64"))]
 impl PathBlock {
     /// Takes those out of `rest` that go together next, in so many lanes.
     pub(super) fn next_together(&self, lanes: usize, rest: &mut u16) -> Option<Together> {

@@ -18,12 +18,17 @@ mod sixteen;
 
 pub use block::{BLOCK, HitBlock, PathBlock};
 
+/// That width, or one where the places of a map do not fit into the numbers of a lane.
+#[cfg(all(feature = "lanes", target_arch = "x86_64"))]
+fn fitting(r: &Resources<'_>, lanes: Lanes) -> Lanes {
+    let fits = r.search_map.has_places_of_32_bits() && r.shadow_search_map.has_places_of_32_bits();
+    if fits { lanes } else { Lanes::One }
+}
+
 /// Traces the paths of a block that `which` has bits for, in lanes of that width where the machine has them.
 pub(super) fn trace(r: &Resources<'_>, lanes: Lanes, paths: &PathBlock, which: u16, hits: &mut HitBlock) {
     #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
-    match lanes {
-        // The places of larger maps do not fit into the numbers of a lane.
-        _ if !(r.search_map.has_places_of_32_bits() && r.shadow_search_map.has_places_of_32_bits()) => {}
+    match fitting(r, lanes) {
         Lanes::One => {}
         Lanes::Eight => {
             if let Some(eight) = eight::Eight::new() {
@@ -46,7 +51,7 @@ pub(super) fn trace(r: &Resources<'_>, lanes: Lanes, paths: &PathBlock, which: u
 /// Of the paths of a block that `which` has bits for, those on which the search for shadows finds nothing.
 pub(super) fn free(r: &Resources<'_>, lanes: Lanes, paths: &PathBlock, which: u16) -> u16 {
     #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
-    match lanes {
+    match fitting(r, lanes) {
         Lanes::One => {}
         Lanes::Eight => {
             if let Some(eight) = eight::Eight::new() {

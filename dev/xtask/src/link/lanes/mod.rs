@@ -1,7 +1,8 @@
 //! A validated module to Rust over lanes: every value is that of several rays at once, control flow goes by
 //! masks, and what the settings alone say stays a single number.
 //!
-//! Functions that give the same in all lanes are those of the translation to single numbers, which are called.
+//! Functions that give the same in all lanes are those of the translation to single numbers, which are
+//! called.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;

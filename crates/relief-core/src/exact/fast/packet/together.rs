@@ -19,7 +19,8 @@ const FEWEST: u32 = 3;
 /// How many of a group's rays must come to a node of its window, on average, for packets to pay.
 const RAYS_OF_NODE: f32 = 2.5;
 
-/// So many groups of a packet that are too small show that its rays are scattered: then no more are looked for.
+/// So many groups of a packet that are too small show that its rays are scattered: then no more are looked
+/// for.
 const MOST_STRAYS: u32 = 2;
 
 /// By how much of a node the window of a group is larger than the way of its rays: more than nodes are grown

@@ -28,7 +28,8 @@ impl Eight {
         unsafe { tracing::trace_block(r, paths, which, hits) }
     }
 
-    /// Of the paths of a block that `which` has bits for, those on which the search for shadows finds nothing.
+    /// Of the paths of a block that `which` has bits for, those on which the search for shadows finds
+    /// nothing.
     pub(in crate::cpu::lanes) fn free(self, r: &Resources<'_>, paths: &PathBlock, which: u16) -> u16 {
         // SAFETY: as above.
         unsafe { tracing::free_block(r, paths, which) }
