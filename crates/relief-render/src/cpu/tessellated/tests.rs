@@ -215,18 +215,17 @@ fn with_less_room_the_grid_is_coarser_and_nothing_is_dropped() {
 
 #[test]
 fn what_is_left_out_is_not_seen() {
-    for (mesh, eye) in [(torus(24, 12), [0.6, 0.1, 0.2]), (square(12), [0.3, 0.15, 0.3])] {
-        let surface = surface_of(mesh.expect("a mesh"), 4.0);
-        let [whole, seen] = [false, true].map(|culls| scene_of(surface.clone(), eye, culls));
-        let [all, few] = [&whole, &seen].map(|scene| made(&job_of(scene)).len());
-        assert!(few * 10 < all * 9 && few > 0, "{few} of {all}");
-        let mut renderer = Renderer::on_cpu();
-        let [whole, seen] = [whole, seen].map(|scene| {
-            renderer.render(&scene, &mut Maps::in_memory(), &|_, _| ()).expect("a picture").rendering
-        });
-        assert!(whole.pixels.iter().any(|pixel| pixel.hit == 1));
-        for (a, b) in whole.pixels.iter().zip(&seen.pixels) {
-            assert_eq!((a.color, a.position, a.depth, a.hit), (b.color, b.position, b.depth, b.hit));
-        }
+    // There is room for all of it: with less, the whole would be coarser than what is left of it.
+    let surface = surface_of(torus(24, 12).expect("a mesh"), 4.0);
+    let [whole, seen] = [false, true].map(|culls| scene_of(surface.clone(), [0.6, 0.1, 0.2], culls));
+    let [all, few] = [&whole, &seen].map(|scene| made(&job_of(scene)).len());
+    assert!(few * 4 < all * 3 && few > 0, "{few} of {all}");
+    let mut renderer = Renderer::on_cpu();
+    let [whole, seen] = [whole, seen].map(|scene| {
+        renderer.render(&scene, &mut Maps::in_memory(), &|_, _| ()).expect("a picture").rendering
+    });
+    assert!(whole.pixels.iter().any(|pixel| pixel.hit == 1));
+    for (a, b) in whole.pixels.iter().zip(&seen.pixels) {
+        assert_eq!((a.color, a.position, a.depth, a.hit), (b.color, b.position, b.depth, b.hit));
     }
 }
