@@ -4,7 +4,7 @@ use naga::{Block, Expression, Handle, Statement};
 
 use super::super::function::{Refusal, Writer};
 use super::super::reach;
-use super::{Done, LoopAround, Place, own_exit};
+use super::{Done, Place, own_exit};
 
 /// The most operations of a branch that all lanes go through, so that there is no jump.
 const SHORT_OPERATIONS: usize = 8;
