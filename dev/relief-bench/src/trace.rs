@@ -10,7 +10,7 @@ pub mod measure;
 mod picture;
 mod povray;
 mod tracers;
-mod view;
+pub mod view;
 
 use std::path::PathBuf;
 use std::thread::available_parallelism;

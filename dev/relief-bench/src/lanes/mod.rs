@@ -2,6 +2,7 @@
 
 use clap::{Args, ValueEnum};
 
+mod embree;
 mod packets;
 mod rays;
 mod stages;
@@ -24,6 +25,8 @@ enum Part {
     Tiles,
     /// The exact tracer
     Packets,
+    /// The exact tracer beside Embree's packets, where Embree 3 and a C++ compiler are installed
+    Embree,
     /// Searches and refinements
     Stages,
 }
@@ -35,6 +38,9 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
     }
     if is_asked(Part::Packets) {
         packets::run(arguments.rounds)?;
+    }
+    if is_asked(Part::Embree) {
+        embree::run(arguments.rounds)?;
     }
     if is_asked(Part::Stages) {
         stages::run(arguments.rounds)?;

@@ -1,0 +1,238 @@
+// Times Embree 3 on packets of rays over a triangle mesh.
+//
+// Arguments: a folder, runs, an instruction set as Embree's option `isa` names it or `best`, and the names of sets of
+// rays. The folder holds vertices.raw (f32, x y z), triangles.raw (u32, three corners), and for each set NAME.rays (f32:
+// origin, direction and length). Prints a line for the scene, `build SECONDS BYTES`, and for each set and width of
+// packets `set NAME WIDTH INTERSECT OCCLUDED HITS`: rays a second of the best run, and how many rays hit.
+//
+// Everything runs on one thread, and seconds are those of its processor time.
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <string>
+#include <vector>
+
+template <typename T> static std::vector<T> read(const std::string &path) {
+    std::vector<T> items;
+    FILE *file = std::fopen(path.c_str(), "rb");
+    if (!file) {
+        std::fprintf(stderr, "cannot read %s\n", path.c_str());
+        std::exit(1);
+    }
+    std::fseek(file, 0, SEEK_END);
+    items.resize(std::ftell(file) / sizeof(T));
+    std::fseek(file, 0, SEEK_SET);
+    if (std::fread(items.data(), sizeof(T), items.size(), file) != items.size()) {
+        std::exit(1);
+    }
+    std::fclose(file);
+    return items;
+}
+
+static double seconds() {
+    timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return now.tv_sec + 1e-9 * now.tv_nsec;
+}
+
+static long long held;
+
+static bool count_bytes(void *, ssize_t bytes, bool) {
+    held += bytes;
+    return true;
+}
+
+struct Rays {
+    size_t count;
+    std::vector<float> numbers;
+};
+
+template <int N> struct Width;
+template <> struct Width<8> {
+    using Hit = RTCRayHit8;
+    using Ray = RTCRay8;
+    static void intersect(const int *valid, RTCScene scene, RTCIntersectContext *context, Hit *rays) {
+        rtcIntersect8(valid, scene, context, rays);
+    }
+    static void occluded(const int *valid, RTCScene scene, RTCIntersectContext *context, Ray *rays) {
+        rtcOccluded8(valid, scene, context, rays);
+    }
+};
+template <> struct Width<16> {
+    using Hit = RTCRayHit16;
+    using Ray = RTCRay16;
+    static void intersect(const int *valid, RTCScene scene, RTCIntersectContext *context, Hit *rays) {
+        rtcIntersect16(valid, scene, context, rays);
+    }
+    static void occluded(const int *valid, RTCScene scene, RTCIntersectContext *context, Ray *rays) {
+        rtcOccluded16(valid, scene, context, rays);
+    }
+};
+
+template <int N, typename R> static void fill(R &ray, const float *numbers, size_t count, int *valid) {
+    for (size_t k = 0; k < N; ++k) {
+        const float *from = numbers + 7 * std::min(k, count - 1);
+        valid[k] = k < count ? -1 : 0;
+        ray.org_x[k] = from[0];
+        ray.org_y[k] = from[1];
+        ray.org_z[k] = from[2];
+        ray.dir_x[k] = from[3];
+        ray.dir_y[k] = from[4];
+        ray.dir_z[k] = from[5];
+        ray.tnear[k] = 0.0f;
+        ray.tfar[k] = from[6];
+        ray.time[k] = 0.0f;
+        ray.mask[k] = ~0u;
+        ray.id[k] = 0;
+        ray.flags[k] = 0;
+    }
+}
+
+template <int N> static size_t intersect(RTCScene scene, RTCIntersectContext *context, const Rays &rays) {
+    size_t hits = 0;
+    alignas(64) typename Width<N>::Hit packet;
+    alignas(64) int valid[N];
+    for (size_t first = 0; first < rays.count; first += N) {
+        size_t count = std::min<size_t>(N, rays.count - first);
+        fill<N>(packet.ray, &rays.numbers[7 * first], count, valid);
+        for (int k = 0; k < N; ++k) {
+            packet.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+            packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+        }
+        Width<N>::intersect(valid, scene, context, &packet);
+        for (size_t k = 0; k < N; ++k) {
+            hits += k < count && packet.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
+        }
+    }
+    return hits;
+}
+
+template <int N> static size_t occluded(RTCScene scene, RTCIntersectContext *context, const Rays &rays) {
+    size_t hits = 0;
+    alignas(64) typename Width<N>::Ray packet;
+    alignas(64) int valid[N];
+    for (size_t first = 0; first < rays.count; first += N) {
+        size_t count = std::min<size_t>(N, rays.count - first);
+        fill<N>(packet, &rays.numbers[7 * first], count, valid);
+        Width<N>::occluded(valid, scene, context, &packet);
+        for (size_t k = 0; k < N; ++k) {
+            hits += k < count && packet.tfar[k] < 0.0f;
+        }
+    }
+    return hits;
+}
+
+static RTCRayHit single(const float *from) {
+    RTCRayHit rayhit;
+    std::memset(&rayhit, 0, sizeof rayhit);
+    rayhit.ray.org_x = from[0];
+    rayhit.ray.org_y = from[1];
+    rayhit.ray.org_z = from[2];
+    rayhit.ray.dir_x = from[3];
+    rayhit.ray.dir_y = from[4];
+    rayhit.ray.dir_z = from[5];
+    rayhit.ray.tfar = from[6];
+    rayhit.ray.mask = ~0u;
+    rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    return rayhit;
+}
+
+static size_t intersect_each(RTCScene scene, RTCIntersectContext *context, const Rays &rays) {
+    size_t hits = 0;
+    for (size_t k = 0; k < rays.count; ++k) {
+        RTCRayHit rayhit = single(&rays.numbers[7 * k]);
+        rtcIntersect1(scene, context, &rayhit);
+        hits += rayhit.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    }
+    return hits;
+}
+
+static size_t occluded_each(RTCScene scene, RTCIntersectContext *context, const Rays &rays) {
+    size_t hits = 0;
+    for (size_t k = 0; k < rays.count; ++k) {
+        RTCRay ray = single(&rays.numbers[7 * k]).ray;
+        rtcOccluded1(scene, context, &ray);
+        hits += ray.tfar < 0.0f;
+    }
+    return hits;
+}
+
+template <typename F> static double rate(size_t count, int runs, F trace) {
+    double best = 1e30;
+    for (int run = 0; run < runs; ++run) {
+        double start = seconds();
+        trace();
+        best = std::min(best, seconds() - start);
+    }
+    return count / best;
+}
+
+int main(int argc, char **argv) {
+    if (argc < 4) {
+        return 1;
+    }
+    std::string folder = std::string(argv[1]) + "/", isa = argv[3];
+    int runs = std::atoi(argv[2]);
+    auto vertices = read<float>(folder + "vertices.raw");
+    auto triangles = read<unsigned>(folder + "triangles.raw");
+    std::string config = "threads=1,frequency_level=simd512";
+    if (isa != "best") {
+        config += ",isa=" + isa;
+    }
+    RTCDevice device = rtcNewDevice(config.c_str());
+    if (!device) {
+        return 1;
+    }
+    rtcSetDeviceMemoryMonitorFunction(device, count_bytes, nullptr);
+    RTCScene scene = nullptr;
+    double best = 1e30;
+    for (int run = 0; run < runs; ++run) {
+        if (scene) {
+            rtcReleaseScene(scene);
+        }
+        held = 0;
+        double start = seconds();
+        scene = rtcNewScene(device);
+        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+        void *points =
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, vertices.size() / 3);
+        std::memcpy(points, vertices.data(), vertices.size() * sizeof(float));
+        void *corners =
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, triangles.size() / 3);
+        std::memcpy(corners, triangles.data(), triangles.size() * sizeof(unsigned));
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene, geometry);
+        rtcReleaseGeometry(geometry);
+        rtcCommitScene(scene);
+        best = std::min(best, seconds() - start);
+    }
+    std::printf("build %g %lld\n", best, held);
+    for (int at = 4; at < argc; ++at) {
+        std::string name = argv[at];
+        Rays rays;
+        rays.numbers = read<float>(folder + name + ".rays");
+        rays.count = rays.numbers.size() / 7;
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        size_t hits = 0;
+        auto print = [&](int width, double intersected, double occluded) {
+            std::printf("set %s %d %g %g %zu\n", name.c_str(), width, intersected, occluded, hits);
+        };
+        double first = rate(rays.count, runs, [&] { hits = intersect_each(scene, &context, rays); });
+        print(1, first, rate(rays.count, runs, [&] { hits = occluded_each(scene, &context, rays); }));
+        first = rate(rays.count, runs, [&] { hits = intersect<8>(scene, &context, rays); });
+        print(8, first, rate(rays.count, runs, [&] { hits = occluded<8>(scene, &context, rays); }));
+        first = rate(rays.count, runs, [&] { hits = intersect<16>(scene, &context, rays); });
+        print(16, first, rate(rays.count, runs, [&] { hits = occluded<16>(scene, &context, rays); }));
+    }
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+}
