@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use pulp::{Simd, WithSimd};
+use pulp::WithSimd;
 
 /// How many 32-bit numbers the CPU works on at once. All of them give the same bits.
 ///
@@ -74,12 +74,12 @@ impl Lanes {
             Self::One => {}
             Self::Eight => {
                 if let Some(simd) = pulp::x86::V3::try_new() {
-                    return Simd::vectorize(simd, op);
+                    return pulp::Simd::vectorize(simd, op);
                 }
             }
             Self::Sixteen => {
                 if let Some(simd) = pulp::x86::V4::try_new() {
-                    return Simd::vectorize(simd, op);
+                    return pulp::Simd::vectorize(simd, op);
                 }
             }
         }
@@ -125,6 +125,7 @@ impl FromStr for Lanes {
 
 #[cfg(test)]
 mod tests {
+    use pulp::Simd;
 
     use super::*;
 
