@@ -4,6 +4,7 @@ use clap::{Args, ValueEnum};
 
 mod embree;
 mod packets;
+mod pictures;
 mod rays;
 mod stages;
 mod tiles;
@@ -29,6 +30,8 @@ enum Part {
     Embree,
     /// Searches and refinements
     Stages,
+    /// Whole pictures, beside the machine's adapter
+    Pictures,
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), String> {
@@ -44,6 +47,9 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
     }
     if is_asked(Part::Stages) {
         stages::run(arguments.rounds)?;
+    }
+    if is_asked(Part::Pictures) {
+        pictures::run(arguments.rounds)?;
     }
     Ok(())
 }
