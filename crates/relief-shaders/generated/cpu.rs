@@ -1,7 +1,7 @@
 // The stages' translation. Written by `cargo xtask link`; do not edit.
 
 use crate::cpu::runtime as rt;
-use crate::cpu::runtime::SquareRoot as _;
+use crate::cpu::runtime::{Convert as _, SquareRoot as _};
 
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
@@ -1757,9 +1757,9 @@ impl<'g> Resources<'g> {
         uv: rt::Vec2<f32>,
         n_2: rt::Vec2<i32>,
     ) -> Around {
-        let point_9 = ((uv * n_2.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let point_9 = ((uv * n_2.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_9);
-        let i_1 = _e8.cast_elem_as_i32();
+        let i_1 = _e8.to_i32();
         let _e12 = self.v_wrap_index(i_1.x(), n_2.x());
         let _e17 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_2.x());
         let _e21 = self.v_wrap_index(i_1.y(), n_2.y());
@@ -1780,7 +1780,7 @@ impl<'g> Resources<'g> {
         finest: rt::Vec2<u32>,
         level: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        return <rt::Vec2<i32>>::from_scalars((finest.x() >> level).cast_elem_as_i32().max(rt::Scalar(1i32)), (finest.y() >> level).cast_elem_as_i32().max(rt::Scalar(1i32)));
+        return <rt::Vec2<i32>>::from_scalars((finest.x() >> level).to_i32().max(rt::Scalar(1i32)), (finest.y() >> level).to_i32().max(rt::Scalar(1i32)));
     }
     pub(crate) fn height_texels(&self, level_1: impl rt::Into<rt::Scalar<u32>>) -> rt::Vec2<i32> {
         rt::into(self.v_height_texels(rt::into(level_1)))
@@ -1872,7 +1872,7 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_3);
         let _e3 = self.v_texels_around(uv_1, _e2);
-        let k_26 = level_3.cast_elem_as_i32();
+        let k_26 = level_3.to_i32();
         let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_26);
         let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_26);
         let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_26);
@@ -2083,12 +2083,12 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_face_place(direction_2);
         let _e5 = rt::Scalar(self.surface_settings.environment_side);
-        let last_2 = ((_e5 >> level_6).cast_elem_as_i32().max(rt::Scalar(1i32)) - rt::Scalar(1i32));
-        let point_10 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.cast_elem_as_f32()));
-        let most_2 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).cast_elem_as_f32();
+        let last_2 = ((_e5 >> level_6).to_i32().max(rt::Scalar(1i32)) - rt::Scalar(1i32));
+        let point_10 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
+        let most_2 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).to_f32();
         let corner_3 = point_10.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
-        let texel_5 = corner_3.cast_elem_as_i32();
-        let k_27 = level_6.cast_elem_as_i32();
+        let texel_5 = corner_3.to_i32();
+        let k_27 = level_6.to_i32();
         let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_27);
         let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_27);
         let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_27);
@@ -2111,7 +2111,7 @@ impl<'g> Resources<'g> {
         deviation: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let _e5 = rt::Scalar(self.surface_settings.environment_levels);
-        let width = (deviation * (rt::Scalar(1.2247449f32) * (rt::Scalar(1u32) << (_e5 - rt::Scalar(1u32))).cast_elem_as_f32()));
+        let width = (deviation * (rt::Scalar(1.2247449f32) * (rt::Scalar(1u32) << (_e5 - rt::Scalar(1u32))).to_f32()));
         let _e15 = rt::Scalar(self.surface_settings.environment_levels);
         let _e16 = self.v_levels_of(width, _e15);
         let _e18 = self.v_environment_of_level(direction_3, rt::Scalar(_e16.fine));
@@ -2165,7 +2165,7 @@ impl<'g> Resources<'g> {
         let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_16);
         let reflected = (rt::Scalar(0.5f32) * waves.dot(waves));
         let _e47 = rt::Scalar(self.surface_settings.shininess);
-        let lean = ((rt::Scalar(2f32) / (_e47.cast_elem_as_f32() + rt::Scalar(2f32))) + (rt::Scalar(2f32) * (rt::Scalar(1f32) - mean_2).max(rt::Scalar(0f32)))).sqrt();
+        let lean = ((rt::Scalar(2f32) / (_e47.to_f32() + rt::Scalar(2f32))) + (rt::Scalar(2f32) * (rt::Scalar(1f32) - mean_2).max(rt::Scalar(0f32)))).sqrt();
         let mirrored = ((n_9 * (rt::Scalar(2f32) * cosine_3)) - view_3);
         let _e67 = self.v_environment_in_lobe(mirrored, (rt::Scalar(2f32) * lean));
         light = (_e67 * reflected);
@@ -2476,7 +2476,7 @@ impl<'g> Resources<'g> {
     #[inline(always)]
     fn v_height_size(&self, level_7: rt::Scalar<u32>) -> rt::Vec2<f32> {
         let _e1 = self.v_height_texels(level_7);
-        return _e1.cast_elem_as_f32();
+        return _e1.to_f32();
     }
     pub(crate) fn beside_chord(
         &self,
@@ -2598,7 +2598,7 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_28 = level_8.cast_elem_as_i32();
+        let k_28 = level_8.to_i32();
         let _e6 = self.v_wrap_index(cell.x(), _e2.x());
         let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
         let _e14 = self.v_wrap_index(cell.y(), _e2.y());
@@ -2627,7 +2627,7 @@ impl<'g> Resources<'g> {
         let point_11 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_11);
         let f = (point_11 - _e8);
-        let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_9);
+        let _e11 = self.v_height_cell(_e8.to_i32(), level_9);
         let top_2 = (_e11.x() + ((_e11.y() - _e11.x()) * f.x()));
         let bottom_1 = (_e11.z() + ((_e11.w() - _e11.z()) * f.x()));
         return (top_2 + ((bottom_1 - top_2) * f.y()));
@@ -2771,7 +2771,7 @@ impl<'g> Resources<'g> {
         cell_3: rt::Vec2<f32>,
         t_9: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let _e6 = self.v_height_cell(cell_3.cast_elem_as_i32(), rt::Scalar(path_5.level));
+        let _e6 = self.v_height_cell(cell_3.to_i32(), rt::Scalar(path_5.level));
         let _e7 = self.v_gap_to(path_5, grid_2, cell_3, _e6, t_9);
         return _e7;
     }
@@ -2865,7 +2865,7 @@ impl<'g> Resources<'g> {
         at_12: Entered,
         k: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        return (at_12.span.x() + ((at_12.span.y() - at_12.span.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * (k.cast_elem_as_f32() / rt::Scalar(at_12.segments).cast_elem_as_f32())));
+        return (at_12.span.x() + ((at_12.span.y() - at_12.span.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * (k.to_f32() / rt::Scalar(at_12.segments).to_f32())));
     }
     pub(crate) fn shell_slack(
         &self,
@@ -2996,7 +2996,7 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let _e4 = self.v_height_size(rt::Scalar(path_8.level));
         let _e11 = self.v_cell_of(((path_8.uv * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e14 = self.v_height_cell(_e11.cast_elem_as_i32(), rt::Scalar(path_8.level));
+        let _e14 = self.v_height_cell(_e11.to_i32(), rt::Scalar(path_8.level));
         let range = (_e14.x().max(_e14.y()).max(_e14.z().max(_e14.w())) - _e14.x().min(_e14.y()).min(_e14.z().min(_e14.w())));
         let change_1 = (path_8.duv.abs() * _e4);
         let places = ((path_8.uv.abs() * _e4) * rt::Scalar(0.0000009536743f32));
@@ -3152,7 +3152,7 @@ impl<'g> Resources<'g> {
             inside = _e69;
         }
         let _e76 = inside.y();
-        path_10 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_4.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_13.metric, RAY_VIEW, rt::Scalar(at_13.level), (middle_1 + first_5), (rt::Scalar(1f32) / rt::Scalar(at_13.segments).cast_elem_as_f32()));
+        path_10 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_4.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_13.metric, RAY_VIEW, rt::Scalar(at_13.level), (middle_1 + first_5), (rt::Scalar(1f32) / rt::Scalar(at_13.segments).to_f32()));
         let _e89 = inside.y();
         let _e91 = inside.x();
         if rt::Scalar::into_branch_condition((!_e89.elementwise_gt(_e91))) {
@@ -3328,7 +3328,7 @@ impl<'g> Resources<'g> {
         let quarters = _e99.max(_e100);
         let _e102 = self.v_beside_way(pixel_7, _e12, _e29, _e98, _e22);
         let most_3 = _e102.max(quarters);
-        return (most_3 / tolerance).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(16f32)).cast_elem_as_u32();
+        return (most_3 / tolerance).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(16f32)).to_u32();
     }
     pub(crate) fn color_at(
         &self,
@@ -3347,7 +3347,7 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_10);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_29 = level_10.cast_elem_as_i32();
+        let k_29 = level_10.to_i32();
         let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_29));
         let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_29));
         let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_29));
@@ -3456,11 +3456,11 @@ impl<'g> Resources<'g> {
         texel_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let _e3 = self.v_height_texels(rt::Scalar(path_12.level));
-        let place_19 = texel_1.cast_elem_as_i32();
+        let place_19 = texel_1.to_i32();
         let _e7 = self.v_wrap_index(place_19.x(), _e3.x());
         let _e10 = self.v_wrap_index(place_19.y(), _e3.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e7, _e10);
-        let _e15 = self.v_search_texel(path_12, wrapped, rt::Scalar(0i32), rt::Scalar(path_12.level).cast_elem_as_i32());
+        let _e15 = self.v_search_texel(path_12, wrapped, rt::Scalar(0i32), rt::Scalar(path_12.level).to_i32());
         let _e17 = self.v_slope_of(_e15.x());
         return _e17;
     }
@@ -3546,7 +3546,7 @@ impl<'g> Resources<'g> {
         let along_17 = (normal_8.dot(aside_3) / normal_8.dot(pixel_11.direction));
         let _e15 = self.v_climb(at_16, (aside_3 - (pixel_11.direction * along_17)));
         let _e19 = self.surface_settings.height_size;
-        return (_e15.xy() * _e19.cast_elem_as_f32());
+        return (_e15.xy() * _e19.to_f32());
     }
     pub(crate) fn footprint_of(
         &self,
@@ -3708,7 +3708,7 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_13);
         let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_30 = (level_13 - SEEN_FIRST_LEVEL).cast_elem_as_i32();
+        let k_30 = (level_13 - SEEN_FIRST_LEVEL).to_i32();
         let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_30);
         let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_30);
         let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_30);
@@ -3774,8 +3774,8 @@ impl<'g> Resources<'g> {
         before: rt::Scalar<u32>,
         all: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let part_10 = ((before.cast_elem_as_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).cast_elem_as_f32()).sqrt();
-        return (part_10 * rt::Scalar(rows_1.count).cast_elem_as_f32()).cast_elem_as_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_1.count) - rt::Scalar(1u32)));
+        let part_10 = ((before.to_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).to_f32()).sqrt();
+        return (part_10 * rt::Scalar(rows_1.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_1.count) - rt::Scalar(1u32)));
     }
     pub(crate) fn sum_of_quotients(
         &self,
@@ -4014,8 +4014,8 @@ impl<'g> Resources<'g> {
             let _e32 = self.v_dice_border(rows_9, rt::Scalar(2u32), _e23);
             return _e32;
         }
-        let on_short = (((_e15 - rt::Scalar(place_7.at)).cast_elem_as_f32() / _e15.cast_elem_as_f32()) * (_e19.cast_elem_as_f32() / rows_9.parts.x().cast_elem_as_f32()));
-        let on_other = ((rt::Scalar(place_7.at).cast_elem_as_f32() / _e15.cast_elem_as_f32()) * (_e23.cast_elem_as_f32() / rows_9.parts.z().cast_elem_as_f32()));
+        let on_short = (((_e15 - rt::Scalar(place_7.at)).to_f32() / _e15.to_f32()) * (_e19.to_f32() / rows_9.parts.x().to_f32()));
+        let on_other = ((rt::Scalar(place_7.at).to_f32() / _e15.to_f32()) * (_e23.to_f32() / rows_9.parts.z().to_f32()));
         let on_corner = ((rt::Scalar(1f32) - on_short) - on_other);
         let x_1 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(0u32)));
         let y = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(1u32)));
@@ -4307,7 +4307,7 @@ impl<'g> Resources<'g> {
         }
         let texels_4 = ((rt::Scalar(site.texels_per_m) * rt::Scalar(site.depth)) / rt::Scalar(grid_5.per_m)).max(rt::Scalar(1f32));
         let _e13 = self.v_log2_of(texels_4);
-        return _e13.min((rt::Scalar(grid_5.levels) - rt::Scalar(1u32)).cast_elem_as_f32());
+        return _e13.min((rt::Scalar(grid_5.levels) - rt::Scalar(1u32)).to_f32());
     }
     pub(crate) fn height_and_slope(
         &self,
@@ -4327,7 +4327,7 @@ impl<'g> Resources<'g> {
         let point_12 = ((uv_6 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_12);
         let f_1 = (point_12 - _e8);
-        let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_14);
+        let _e11 = self.v_height_cell(_e8.to_i32(), level_14);
         let top_4 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_2 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
         let left_2 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
@@ -4348,8 +4348,8 @@ impl<'g> Resources<'g> {
         uv_7: rt::Vec2<f32>,
         level_15: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let finer = level_15.cast_elem_as_u32();
-        let part_12 = (level_15 - finer.cast_elem_as_f32());
+        let finer = level_15.to_u32();
+        let part_12 = (level_15 - finer.to_f32());
         let _e5 = self.v_height_and_slope(uv_7, finer);
         if rt::Scalar::into_branch_condition(part_12.elementwise_eq(rt::Scalar(0f32))) {
             return _e5;
@@ -4419,7 +4419,7 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e4 = self.v_height_texels(rt::Scalar(path_14.level));
         let _e5 = self.v_texels_around(uv_8, _e4);
-        let level_28 = rt::Scalar(path_14.level).cast_elem_as_i32();
+        let level_28 = rt::Scalar(path_14.level).to_i32();
         let _e13 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_28);
         let _e19 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_28);
         let _e25 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_28);
@@ -4447,9 +4447,9 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let place_20 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
         let below_5 = place_20.floor();
-        let _e13 = self.v_search_texel_between(path_15, uv_9, below_5.cast_elem_as_i32());
+        let _e13 = self.v_search_texel_between(path_15, uv_9, below_5.to_i32());
         let lower = _e13.x();
-        let _e21 = self.v_search_texel_between(path_15, uv_9, (below_5 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
+        let _e21 = self.v_search_texel_between(path_15, uv_9, (below_5 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
         let upper = _e21.x();
         return (lower + ((upper - lower) * (place_20 - below_5)));
     }
@@ -4935,9 +4935,9 @@ impl<'g> Resources<'g> {
                             let _e63 = begin;
                             let long_2 = (end_3 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
                             let _e67 = count_3;
-                            let part_13 = ((number_5 - _e67).cast_elem_as_f32() / _e53.cast_elem_as_f32());
+                            let part_13 = ((number_5 - _e67).to_f32() / _e53.to_f32());
                             let _e72 = count_3;
-                            let next_8 = (((number_5 - _e72) + rt::Scalar(1u32)).cast_elem_as_f32() / _e53.cast_elem_as_f32());
+                            let next_8 = (((number_5 - _e72) + rt::Scalar(1u32)).to_f32() / _e53.to_f32());
                             let _e79 = begin;
                             let _e82 = begin;
                             chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_13)), (_e82 + (long_2 * next_8)));
@@ -5251,7 +5251,7 @@ impl<'g> Resources<'g> {
         let quarters_1 = _e79.max(_e81);
         let _e84 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e59, rt::Scalar(0.5f32));
         let most_7 = _e84.max(quarters_1);
-        rt::Scalar(at_25.segments) = (most_7 / params_14.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).cast_elem_as_u32();
+        rt::Scalar(at_25.segments) = (most_7 / params_14.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
         let _e95 = at_25;
         return _e95;
     }
@@ -5384,7 +5384,7 @@ impl<'g> Resources<'g> {
         let _e22 = rt::Scalar(at_27.segments);
         let _e28 = at_27.span.y();
         let _e31 = at_27.span.x();
-        rt::Scalar(at_27.segments) = rt::Scalar(0u32).select((_e22 * params_16.z().cast_elem_as_u32()), _e28.elementwise_gt(_e31));
+        rt::Scalar(at_27.segments) = rt::Scalar(0u32).select((_e22 * params_16.z().to_u32()), _e28.elementwise_gt(_e31));
         let _e34 = at_27;
         return _e34;
     }
@@ -5844,7 +5844,7 @@ impl<'g> Resources<'g> {
         let _e5 = self.surface_settings.normal_size;
         let _e6 = self.v_level_texels(_e5, level_16);
         let _e7 = self.v_texels_around(uv_12, _e6);
-        let k_31 = level_16.cast_elem_as_i32();
+        let k_31 = level_16.to_i32();
         let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_31));
         let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_31));
         let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_31));
@@ -5898,7 +5898,7 @@ impl<'g> Resources<'g> {
         let point_16 = ((uv_13 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e9 = self.v_cell_of(point_16);
         let part_15 = (point_16 - _e9);
-        let i_3 = _e9.cast_elem_as_i32();
+        let i_3 = _e9.to_i32();
         let _e13 = self.v_height_cell(i_3, rt::Scalar(0u32));
         let _e14 = self.v_cell_slopes(_e13, part_15);
         let _e20 = self.v_height_cell((i_3 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(0u32));
@@ -6218,8 +6218,8 @@ impl<'g> Resources<'g> {
         let _e12 = self.v_plane_distance(pixel_44, _e11);
         let distance_1 = (_e12 * along_27);
         let whole = (at_37.span.y() - at_37.span.x());
-        let first_7 = (at_37.span.x() + (whole * (k_4.cast_elem_as_f32() / params_22.z())));
-        let last_4 = (at_37.span.x() + (whole * ((k_4 + rt::Scalar(1u32)).cast_elem_as_f32() / params_22.z())));
+        let first_7 = (at_37.span.x() + (whole * (k_4.to_f32() / params_22.z())));
+        let last_4 = (at_37.span.x() + (whole * ((k_4 + rt::Scalar(1u32)).to_f32() / params_22.z())));
         let long_4 = (last_4 - first_7);
         let _e38 = self.v_across_depth(_e9, first_7);
         begin_1 = (at_37.quadric.w() - (_e38 / _e10));
@@ -6231,7 +6231,7 @@ impl<'g> Resources<'g> {
         let middle_12 = (at_37.quadric.w() - (_e52 / _e10));
         let _e57 = self.v_across_depth(_e9, last_4);
         end_1 = (at_37.quadric.w() - (_e57 / _e10));
-        if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_22.z().cast_elem_as_u32())) {
+        if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_22.z().to_u32())) {
             let _e68 = end_1;
             local_37 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
@@ -7241,7 +7241,7 @@ impl<'g> Resources<'g> {
         cell_7 = _e30;
         cost_8 = found_10.cost;
         let _e35 = cost_8.x();
-        let limit = (_e35 + params_34.x().cast_elem_as_u32());
+        let limit = (_e35 + params_34.x().to_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_8.x();
@@ -7565,7 +7565,7 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_grid_of(path_40);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_8 = _e4;
-        let limit_1 = params_38.x().cast_elem_as_u32();
+        let limit_1 = params_38.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = cost_11.x();
@@ -7681,7 +7681,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
-        let _e29 = self.v_search_texel(path_41, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_41.level).cast_elem_as_i32());
+        let _e29 = self.v_search_texel(path_41, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_41.level).to_i32());
         let right_1 = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
         let down = forward_1.y().elementwise_eq(_e10.y().elementwise_eq(rt::Scalar(0i32)));
         return _e29.w().select(_e29.z(), right_1).select(_e29.y().select(_e29.x(), right_1), down);
@@ -7765,7 +7765,7 @@ impl<'g> Resources<'g> {
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_11 = _e9;
-        let limit_2 = params_39.x().cast_elem_as_u32();
+        let limit_2 = params_39.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_12.x();
@@ -7779,7 +7779,7 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_12.x();
                     let first_8 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_11;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_43.level));
+                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_43.level));
                     let _e31 = cost_12;
                     cost_12 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_11;
@@ -7810,7 +7810,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e90) {
                         if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_43.exit))) {
                             let _e93 = cell_11;
-                            let _e95 = self.v_frustum_slope(path_43, _e93.cast_elem_as_i32(), forward_3);
+                            let _e95 = self.v_frustum_slope(path_43, _e93.to_i32(), forward_3);
                             slope_3 = _e95;
                             let _e96 = slope_3;
                             if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
@@ -7985,7 +7985,7 @@ impl<'g> Resources<'g> {
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_12 = _e9;
-        let limit_3 = params_40.x().cast_elem_as_u32();
+        let limit_3 = params_40.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_13.x();
@@ -7999,7 +7999,7 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_13.x();
                     let first_9 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_12;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_45.level));
+                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_45.level));
                     let _e31 = cost_13;
                     cost_13 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_12;
@@ -8121,10 +8121,10 @@ impl<'g> Resources<'g> {
         extent: rt::Vec2<i32>,
     ) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(step_2.elementwise_gt(rt::Scalar(0f32))) {
-            return ((extent.y().cast_elem_as_f32() - origin_1) / step_2);
+            return ((extent.y().to_f32() - origin_1) / step_2);
         }
         if rt::Scalar::into_branch_condition(step_2.elementwise_lt(rt::Scalar(0f32))) {
-            return ((extent.x().cast_elem_as_f32() - origin_1) / step_2);
+            return ((extent.x().to_f32() - origin_1) / step_2);
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
@@ -8166,7 +8166,7 @@ impl<'g> Resources<'g> {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
                     let _e28 = level_18;
-                    if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).cast_elem_as_f32().elementwise_lt(long_5)) {
+                    if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).to_f32().elementwise_lt(long_5)) {
                         let _e33 = level_18;
                         level_18 = (_e33 + rt::Scalar(1u32));
                     }
@@ -8174,8 +8174,8 @@ impl<'g> Resources<'g> {
             }
         }
         let _e37 = self.v_cell_of(_e2.origin);
-        cell_14 = _e37.cast_elem_as_i32();
-        let limit_4 = params_41.x().cast_elem_as_u32();
+        cell_14 = _e37.to_i32();
+        let limit_4 = params_41.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e51 = cost_14.x();
@@ -8241,7 +8241,7 @@ impl<'g> Resources<'g> {
                         let _e148 = cell_14;
                         let _e150 = self.v_height_cell(_e148, rt::Scalar(path_46.level));
                         let _e151 = t_25;
-                        let _e152 = self.v_gap_to(path_46, _e2, _e146.cast_elem_as_f32(), _e150, _e151);
+                        let _e152 = self.v_gap_to(path_46, _e2, _e146.to_f32(), _e150, _e151);
                         let _e153 = t_25;
                         let _e154 = t_25;
                         let _e157 = cost_14;
@@ -8257,7 +8257,7 @@ impl<'g> Resources<'g> {
                         let _e170 = level_18;
                         let node = <rt::Vec2<i32>>::from_scalars((place_21.x() >> _e167), (place_21.y() >> _e170));
                         let _e174 = level_18;
-                        let _e180 = self.v_search_texel(path_46, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_46.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let _e180 = self.v_search_texel(path_46, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_46.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
                         let _e182 = t_25;
                         let furthest = (_e182 + span_10);
@@ -8283,7 +8283,7 @@ impl<'g> Resources<'g> {
                             }
                             let _e229 = t_25;
                             let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
-                            cell_14 = _e232.cast_elem_as_i32().clamp(low_3, last_5);
+                            cell_14 = _e232.to_i32().clamp(low_3, last_5);
                             let _e235 = level_18;
                             level_18 = (_e235 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
@@ -8296,7 +8296,7 @@ impl<'g> Resources<'g> {
                         return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
                     }
                     let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_9)));
-                    cell_14 = _e254.cast_elem_as_i32().clamp(low_3, last_5);
+                    cell_14 = _e254.to_i32().clamp(low_3, last_5);
                     if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_9)) {
                         cell_14.set_x((low_3.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
@@ -8396,10 +8396,10 @@ impl<'g> Resources<'g> {
             }
         }
         let _e24 = self.v_cell_of(origin_5);
-        texel_3 = _e24.cast_elem_as_i32();
-        let limit_5 = params_42.x().cast_elem_as_u32();
+        texel_3 = _e24.to_i32();
+        let limit_5 = params_42.x().to_u32();
         let _e35 = level_20;
-        finest_1 = params_42.y().cast_elem_as_u32().min(_e35);
+        finest_1 = params_42.y().to_u32().min(_e35);
         if rt::Scalar::into_branch_condition(rt::Scalar(path_47.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
@@ -8433,7 +8433,7 @@ impl<'g> Resources<'g> {
                         let _e78 = self.v_map_read(path_47, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
                         let _e81 = level_20;
-                        let _e85 = self.v_search_texel(path_47, node_1, rt::Scalar(0i32), (_e81.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let _e85 = self.v_search_texel(path_47, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
@@ -8477,7 +8477,7 @@ impl<'g> Resources<'g> {
                         level_20 = (_e154 - rt::Scalar(1u32));
                         let _e157 = t_26;
                         let _e160 = self.v_cell_of((origin_5 + (step_5 * _e157)));
-                        texel_3 = _e160.cast_elem_as_i32().clamp(low_4, last_7);
+                        texel_3 = _e160.to_i32().clamp(low_4, last_7);
                     } else {
                         if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_47.exit))) {
                             let _e166 = t_26;
@@ -8485,7 +8485,7 @@ impl<'g> Resources<'g> {
                             return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
                         let _e174 = self.v_cell_of((origin_5 + (step_5 * end_10)));
-                        texel_3 = _e174.cast_elem_as_i32().clamp(low_4, last_7);
+                        texel_3 = _e174.to_i32().clamp(low_4, last_7);
                         if rt::Scalar::into_branch_condition(leave_7.x().elementwise_le(end_10)) {
                             texel_3.set_x((low_4.x() - rt::Scalar(1i32)).select(_e91.y(), step_5.x().elementwise_gt(rt::Scalar(0f32))));
                         }
@@ -8552,7 +8552,7 @@ impl<'g> Resources<'g> {
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_16 = _e11;
-        let limit_6 = params_43.x().cast_elem_as_u32();
+        let limit_6 = params_43.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_16.x();
@@ -8572,9 +8572,9 @@ impl<'g> Resources<'g> {
                     next_3 = _e38;
                     looks = params_43.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e45 = cell_16.x();
-                    let _e48 = self.v_image_of(_e45.cast_elem_as_i32(), _e4.x());
+                    let _e48 = self.v_image_of(_e45.to_i32(), _e4.x());
                     let _e50 = cell_16.y();
-                    let _e53 = self.v_image_of(_e50.cast_elem_as_i32(), _e4.y());
+                    let _e53 = self.v_image_of(_e50.to_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
                         local_59 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
@@ -8584,7 +8584,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e72 = self.v_search_texel(path_48, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_48.level).cast_elem_as_i32());
+                        let _e72 = self.v_search_texel(path_48, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_48.level).to_i32());
                         let _e73 = cost_16;
                         let _e75 = self.v_map_read(path_48, rt::Scalar(1u32));
                         cost_16 = (_e73 + _e75);
@@ -8649,7 +8649,7 @@ impl<'g> Resources<'g> {
                             let _e156 = cost_16;
                             cost_16 = (_e156 + HEIGHTS_READ);
                             let _e159 = cell_16;
-                            let _e162 = self.v_height_cell(_e159.cast_elem_as_i32(), rt::Scalar(path_48.level));
+                            let _e162 = self.v_height_cell(_e159.to_i32(), rt::Scalar(path_48.level));
                             let _e163 = cell_16;
                             let _e164 = t_27;
                             let _e165 = self.v_gap_to(path_48, _e2, _e163, _e162, _e164);
@@ -8714,7 +8714,7 @@ impl<'g> Resources<'g> {
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_7.x() + far_7.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_17 = _e52;
-        let limit_7 = params_44.x().cast_elem_as_u32();
+        let limit_7 = params_44.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e61 = cost_17.x();
@@ -8768,7 +8768,7 @@ impl<'g> Resources<'g> {
                             cost_17 = (_e126 + HEIGHTS_READ);
                             let _e129 = cell_17;
                             let _e130 = cell_17;
-                            let _e133 = self.v_height_cell(_e130.cast_elem_as_i32(), rt::Scalar(path_49.level));
+                            let _e133 = self.v_height_cell(_e130.to_i32(), rt::Scalar(path_49.level));
                             let _e134 = t_28;
                             let _e135 = self.v_gap_to(path_49, _e2, _e129, _e133, _e134);
                             let _e136 = t_28;
@@ -8934,7 +8934,7 @@ impl<'g> Resources<'g> {
         let far_9 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_51.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_18 = _e36;
-        let limit_8 = params_46.x().cast_elem_as_u32();
+        let limit_8 = params_46.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e49 = cost_19.x();
@@ -8952,7 +8952,7 @@ impl<'g> Resources<'g> {
                     let span_13 = (end_13 - _e61).max(rt::Scalar(0f32));
                     let _e65 = cell_18;
                     let _e66 = cell_18;
-                    let _e69 = self.v_height_cell(_e66.cast_elem_as_i32(), rt::Scalar(path_51.level));
+                    let _e69 = self.v_height_cell(_e66.to_i32(), rt::Scalar(path_51.level));
                     let _e70 = t_30;
                     let _e71 = self.v_gap_to(path_51, _e2, _e65, _e69, _e70);
                     let _e72 = cost_19;
@@ -9095,7 +9095,7 @@ impl<'g> Resources<'g> {
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_19 = _e9;
-        let limit_9 = params_47.x().cast_elem_as_u32();
+        let limit_9 = params_47.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_20.x();
@@ -9107,7 +9107,7 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_20;
                     cost_20 = (_e24 + STEP);
                     let _e27 = cell_19;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_52.level));
+                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_52.level));
                     let _e31 = cost_20;
                     cost_20 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_19;
@@ -9627,7 +9627,7 @@ impl<'g> Resources<'g> {
         let _e8 = self.v_height_texels(rt::Scalar(0u32));
         let _e10 = self.v_height_size(rt::Scalar(0u32));
         let _e16 = self.v_cell_of(((uv_16 * _e10) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let cell_20 = _e16.cast_elem_as_i32();
+        let cell_20 = _e16.to_i32();
         let _e20 = self.v_wrap_index(cell_20.x(), _e8.x());
         let _e25 = self.v_wrap_index((cell_20.x() + rt::Scalar(1i32)), _e8.x());
         let _e28 = self.v_wrap_index(cell_20.y(), _e8.y());
@@ -9802,7 +9802,7 @@ impl<'g> Resources<'g> {
         let _e19 = self.v_cell_of(_e17.origin);
         let _e20 = self.v_cell_leave(_e17, _e19);
         let end_15 = _e20.x().min(_e20.y()).min(_e11).max(rt::Scalar(0f32));
-        let _e29 = self.v_height_cell(_e19.cast_elem_as_i32(), rt::Scalar(_e3.level));
+        let _e29 = self.v_height_cell(_e19.to_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
             local_71 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
@@ -9943,7 +9943,7 @@ impl<'g> Resources<'g> {
         }
         let _e19 = local_72;
         if rt::Scalar::into_branch_condition(_e19) {
-            local_73 = most_10.elementwise_le(rt::Scalar(view_6.size).cast_elem_as_f32());
+            local_73 = most_10.elementwise_le(rt::Scalar(view_6.size).to_f32());
         } else {
             local_73 = rt::Scalar(false);
         }
@@ -10165,7 +10165,7 @@ impl<'g> Resources<'g> {
                     let _e35 = self.v_plane_depth(view_16, at_58.point, at_58.normal, (place_24 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
                     let depth_8 = _e35.clamp(rt::Scalar(at_58.least_depth), rt::Scalar(at_58.most_depth));
                     let key = (rt::Scalar(view_16.near) / (rt::Scalar(view_16.near) + depth_8.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_24.cast_elem_as_i32(), rt::Scalar(at_58.number).cast_elem_as_i32());
+                    let _e48 = self.v_light_texel(place_24.to_i32(), rt::Scalar(at_58.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -10209,7 +10209,7 @@ impl<'g> Resources<'g> {
         let reach_1 = (rt::Scalar(16f32) * texel_m);
         let low_7 = (place_16.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_2 = (low_7 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
-        let last_8 = high_2.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_17.size).cast_elem_as_f32(), rt::Scalar(view_17.size).cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
+        let last_8 = high_2.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_17.size).to_f32(), rt::Scalar(view_17.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
         let in_view = <InView>::new(number_8, point_17, normal_14, low_7, high_2, (place_16.z() - reach_1), (place_16.z() + reach_1));
         row_7 = low_7.y().floor();
         'naga_break: loop {
@@ -10613,9 +10613,9 @@ impl<'g> Resources<'g> {
         let elevation_3 = ((up_2 * rt::Scalar(4f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(3f32));
         let _e29 = self.v_turn_of(toward_5.xy());
         let azimuth_3 = (_e29 * rt::Scalar(8f32));
-        let a0_ = (azimuth_3.floor().cast_elem_as_i32() % rt::Scalar(8i32));
+        let a0_ = (azimuth_3.floor().to_i32() % rt::Scalar(8i32));
         let a1_ = ((a0_ + rt::Scalar(1i32)) % rt::Scalar(8i32));
-        let e0_ = elevation_3.floor().cast_elem_as_i32();
+        let e0_ = elevation_3.floor().to_i32();
         let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
         let across_8 = (azimuth_3 - azimuth_3.floor());
         let _e48 = self.v_seen_in_levels(uv_23, a0_, e0_, levels_2);
@@ -10808,7 +10808,7 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seed_of(&self, hit_23: Hit) -> rt::Scalar<u32> {
-        let place_25 = ((hit_23.uv - hit_23.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
+        let place_25 = ((hit_23.uv - hit_23.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
         let _e10 = self.v_mixed(place_25.y());
         let _e12 = self.v_mixed((place_25.x() ^ _e10));
         return _e12;
@@ -10819,7 +10819,7 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_unit_of(&self, bits: rt::Scalar<u32>) -> rt::Scalar<f32> {
-        return ((bits >> rt::Scalar(8u32)).cast_elem_as_f32() / rt::Scalar(16777216f32));
+        return ((bits >> rt::Scalar(8u32)).to_f32() / rt::Scalar(16777216f32));
     }
     pub(crate) fn quarter_sine(&self, turn_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_quarter_sine(rt::into(turn_1)))
@@ -10872,9 +10872,9 @@ impl<'g> Resources<'g> {
     ) -> Toward {
         let _e8 = self.v_mixed(((seed_1 + k_19) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_19.cast_elem_as_f32() + _e9) / count_4.cast_elem_as_f32());
+        let ring = ((k_19.to_f32() + _e9) / count_4.to_f32());
         let _e16 = self.v_unit_of(seed_1);
-        let _e18 = self.v_turned_1(((k_19.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let _e18 = self.v_turned_1(((k_19.to_f32() * rt::Scalar(0.618034f32)) + _e16));
         let place_26 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
@@ -10903,7 +10903,7 @@ impl<'g> Resources<'g> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_20: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_7 = params_57.x().cast_elem_as_u32();
+        let count_7 = params_57.x().to_u32();
         let _e6 = self.v_seed_of(hit_24);
         'naga_break: loop {
             'naga_continue: {
@@ -10924,7 +10924,7 @@ impl<'g> Resources<'g> {
             }
         }
         let _e21 = free;
-        return (_e21 / count_7.cast_elem_as_f32());
+        return (_e21 / count_7.to_f32());
     }
     pub(crate) fn shadow_heuristic(
         &self,
@@ -11011,7 +11011,7 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_24);
         let _e4 = self.v_texels_around(uv_25, _e3);
-        let k_32 = level_24.cast_elem_as_i32();
+        let k_32 = level_24.to_i32();
         let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_32);
         let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_32);
         let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_32);
@@ -11035,7 +11035,7 @@ impl<'g> Resources<'g> {
         level_25.h = <rt::Vec3<f32>>::from_scalars(way_7.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
         rt::Scalar(level_25.exit) = end_16;
         let _e18 = level_25;
-        let _e21 = self.v_height_cell(_e3.cast_elem_as_i32(), rt::Scalar(way_7.level));
+        let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_7.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_16))));
     }
@@ -11072,8 +11072,8 @@ impl<'g> Resources<'g> {
         let _e13 = self.v_turn_of(along_33);
         let azimuth_4 = (_e13 * params_59.x());
         let first_13 = azimuth_4.floor();
-        let count_8 = params_59.x().cast_elem_as_i32();
-        let before_5 = (first_13.cast_elem_as_i32() % count_8);
+        let count_8 = params_59.x().to_i32();
+        let before_5 = (first_13.to_i32() % count_8);
         let part_19 = (azimuth_4 - first_13);
         let _e24 = self.v_shadow_texel_between(hit_26.uv, before_5, rt::Scalar(at_73.level));
         let low_8 = _e24.x();
@@ -11147,19 +11147,19 @@ impl<'g> Resources<'g> {
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_15 = (_e5.z() * _e21);
         let squared_5 = ((height_15 * height_15) / (along_34.dot(along_34) + (height_15 * height_15)));
-        let azimuths = params_60.x().cast_elem_as_i32();
-        let elevations_1 = params_60.y().cast_elem_as_i32();
+        let azimuths = params_60.x().to_i32();
+        let elevations_1 = params_60.y().to_i32();
         let _e32 = self.v_turn_of(along_34);
         let azimuth_5 = (_e32 * params_60.x());
         let elevation_4 = ((squared_5 * params_60.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_60.y() - rt::Scalar(1f32)));
         if rt::Scalar::into_branch_condition(params_60.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_27 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
-            let _e56 = self.v_open_part(at_75, hit_28, a_27, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
+            let a_27 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
+            let _e56 = self.v_open_part(at_75, hit_28, a_27, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
-        let a0_1 = (azimuth_5.floor().cast_elem_as_i32() % azimuths);
+        let a0_1 = (azimuth_5.floor().to_i32() % azimuths);
         let a1_1 = ((a0_1 + rt::Scalar(1i32)) % azimuths);
-        let e0_1 = elevation_4.floor().cast_elem_as_i32();
+        let e0_1 = elevation_4.floor().to_i32();
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
@@ -11297,7 +11297,7 @@ impl<'g> Resources<'g> {
         b_12: Voxel,
         level_26: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let apart_5 = (b_12.at - a_12.at).abs().cast_elem_as_u32();
+        let apart_5 = (b_12.at - a_12.at).abs().to_u32();
         let farthest = apart_5.x().max(apart_5.y()).max(apart_5.z());
         let parts_5 = (((farthest + (rt::Scalar(1u32) << level_26)) - rt::Scalar(1u32)) >> level_26);
         return parts_5.clamp(rt::Scalar(1u32), DICE_PARTS).select(rt::Scalar(1u32), level_26.elementwise_eq(COARSEST));
@@ -11925,9 +11925,9 @@ impl<'g> Resources<'g> {
             exponent_2 = _e11;
             if rt::Scalar::into_branch_condition(mean.elementwise_lt(rt::Scalar(1f32))) {
                 let _e19 = rt::Scalar(self.surface_settings.shininess);
-                let sharp = _e19.cast_elem_as_f32();
+                let sharp = _e19.to_f32();
                 let wide_3 = ((sharp * mean) / (mean + (sharp * (rt::Scalar(1f32) - mean)))).floor().max(rt::Scalar(1f32));
-                exponent_2 = wide_3.cast_elem_as_u32();
+                exponent_2 = wide_3.to_u32();
                 dimmed = ((wide_3 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
             let lobe = normal_16.dot((toward_3 + view_13).normalize()).max(rt::Scalar(0f32));
@@ -12061,7 +12061,7 @@ impl<'g> Resources<'g> {
         let _e71 = self.v_cell_of(((hit_44.uv * _e65) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
         let _e91 = self.v_z_of(rt::Scalar(at_94.depth));
         let _e94 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e54, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_44.exhausted), hit_44.uv, _e44, at_94.point, _e50.normal, depth_9, rt::Scalar(hit_44.t), _e71.cast_elem_as_i32(), hit_44.cost.x(), hit_44.cost.y(), hit_44.cost.z(), visible_1[0usize].x(), rt::Scalar(at_94.level), _e91, _e94);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e54, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_44.exhausted), hit_44.uv, _e44, at_94.point, _e50.normal, depth_9, rt::Scalar(hit_44.t), _e71.to_i32(), hit_44.cost.x(), hit_44.cost.y(), hit_44.cost.z(), visible_1[0usize].x(), rt::Scalar(at_94.level), _e91, _e94);
     }
     pub(crate) fn visible_lights(&self, at_95: Entered, hit_45: Hit) -> [rt::Vec4<f32>; 8] {
         rt::into(self.v_visible_lights(at_95, hit_45))
@@ -12150,8 +12150,8 @@ impl<'g> Resources<'g> {
         at_96: rt::Scalar<u32>,
         parts_2: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_2 - at_96).cast_elem_as_f32() * shares.x());
-        let of_b = (at_96.cast_elem_as_f32() * shares.y());
+        let of_a = ((parts_2 - at_96).to_f32() * shares.x());
+        let of_b = (at_96.to_f32() * shares.y());
         let sum_6 = (of_a + of_b);
         let _e17 = self.v_weighted_site(a_15, b_15, b_15, <rt::Vec3<f32>>::from_scalars((of_a / sum_6), (of_b / sum_6), rt::Scalar(0f32)));
         return _e17;
@@ -12222,7 +12222,7 @@ impl<'g> Resources<'g> {
         let _e49 = away;
         let at_101 = <rt::Vec3<f32>>::from_scalars(right_3, down_3, _e49).clamp((-far_11), far_11);
         let _e60 = share;
-        return <Voxel>::new((at_101 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().cast_elem_as_i32(), _e60);
+        return <Voxel>::new((at_101 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
     }
 }
 

@@ -1,5 +1,5 @@
-//! What the translated shaders need at run time: the translator's library, the textures, and a function that
-//! it lacks.
+//! What the translated shaders need at run time: the translator's library, the textures, a function that it
+//! lacks, and conversions that are compiled into their callers.
 
 pub use naga_rust_rt::*;
 
@@ -244,3 +244,70 @@ impl SquareRoot for Scalar<f32> {
         Scalar(self.0.sqrt())
     }
 }
+
+/// A number that becomes one of another type as `as` has it.
+pub(crate) trait Number: Copy {
+    fn as_f32(self) -> f32;
+    fn as_i32(self) -> i32;
+    fn as_u32(self) -> u32;
+}
+
+macro_rules! number {
+    ($own:ty $(, $by:ty)?) => {
+        impl Number for $own {
+            #[inline(always)]
+            fn as_f32(self) -> f32 {
+                self $(as $by)? as f32
+            }
+
+            #[inline(always)]
+            fn as_i32(self) -> i32 {
+                self $(as $by)? as i32
+            }
+
+            #[inline(always)]
+            fn as_u32(self) -> u32 {
+                self $(as $by)? as u32
+            }
+        }
+    };
+}
+
+number!(f32);
+number!(i32);
+number!(u32);
+number!(bool, u8);
+
+/// Numbers as those of another type. The library's own conversions are calls each time.
+pub(crate) trait Convert {
+    type With<T>;
+
+    fn to_f32(self) -> Self::With<f32>;
+    fn to_i32(self) -> Self::With<i32>;
+    fn to_u32(self) -> Self::With<u32>;
+}
+
+macro_rules! convert {
+    ($($numbers:ident),+) => {
+        $(impl<N: Number> Convert for $numbers<N> {
+            type With<T> = $numbers<T>;
+
+            #[inline(always)]
+            fn to_f32(self) -> $numbers<f32> {
+                self.map(N::as_f32)
+            }
+
+            #[inline(always)]
+            fn to_i32(self) -> $numbers<i32> {
+                self.map(N::as_i32)
+            }
+
+            #[inline(always)]
+            fn to_u32(self) -> $numbers<u32> {
+                self.map(N::as_u32)
+            }
+        })+
+    };
+}
+
+convert!(Scalar, Vec2, Vec3, Vec4);

@@ -21,12 +21,14 @@ pub fn translate(module: &Module, info: &ModuleInfo) -> Result<String, String> {
     Writer::new(config)
         .write(&mut text, module, info)
         .map_err(|error| format!("translating to Rust: {error}"))?;
-    let text = concrete_textures(module, &text.replace(&format!("{RUNTIME}::"), "rt::"))?;
+    // The library's conversions are not compiled into their callers, the run time's own are.
+    let text = text.replace(&format!("{RUNTIME}::"), "rt::").replace(".cast_elem_as_", ".to_");
+    let text = concrete_textures(module, &text)?;
     let text = short_ones_inlined(&crate_alone(&text)?)?;
     let bound = bound(module);
     Ok(format!(
         "// The stages' translation. Written by `cargo xtask link`; do not edit.\n\n\
-         use {RUNTIME} as rt;\nuse {RUNTIME}::SquareRoot as _;\n\n{text}\n{bound}"
+         use {RUNTIME} as rt;\nuse {RUNTIME}::{{Convert as _, SquareRoot as _}};\n\n{text}\n{bound}"
     ))
 }
 
