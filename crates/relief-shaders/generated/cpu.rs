@@ -1722,18 +1722,18 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<i32> {
         let mut local_4: rt::Scalar<bool>;
 
+        let _e4 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e4.elementwise_eq(WRAP_CLAMP)) {
+            return i.clamp(rt::Scalar(0i32), (n_1 - rt::Scalar(1i32)));
+        }
         if rt::Scalar::into_branch_condition(i.elementwise_ge(rt::Scalar(0i32))) {
             local_4 = i.elementwise_lt(n_1);
         } else {
             local_4 = rt::Scalar(false);
         }
-        let _e8 = local_4;
-        if rt::Scalar::into_branch_condition(_e8) {
+        let _e17 = local_4;
+        if rt::Scalar::into_branch_condition(_e17) {
             return i;
-        }
-        let _e11 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e11.elementwise_eq(WRAP_CLAMP)) {
-            return i.clamp(rt::Scalar(0i32), (n_1 - rt::Scalar(1i32)));
         }
         let _e20 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e20.elementwise_eq(WRAP_REPEAT)) {

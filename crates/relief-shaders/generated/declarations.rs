@@ -2616,11 +2616,11 @@ const CELL_LIMIT = 1073741824.0;"#,
         uses: &["WRAP_CLAMP", "WRAP_REPEAT", "surface_settings"],
         text: r#"// The texel that stands for index i in a row of n.
 fn wrap_index(i: i32, n: i32) -> i32 {
-    if (i >= 0 && i < n) {
-        return i;
-    }
     if (surface_settings.wrap == WRAP_CLAMP) {
         return clamp(i, 0, n - 1);
+    }
+    if (i >= 0 && i < n) {
+        return i;
     }
     if (surface_settings.wrap == WRAP_REPEAT) {
         return ((i % n) + n) % n;

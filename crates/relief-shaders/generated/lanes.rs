@@ -195,14 +195,14 @@ lanes! { fn wrap_index(r: &Resources<'_>, within: M, i_a0: I, n_a1: i32) -> I {
     let mut ex = within;
     let mut ret: I = splat_i(0i32);
     let mut both_v0: M = splat_m(false);
+    if (r.surface_settings.wrap == 1u32) {
+        return min_i(max_i(i_a0, splat_i(0i32)), splat_i(n_a1.wrapping_sub(1i32)));
+    }
     both_v0 = and(ge_i(i_a0, splat_i(0i32)), lt_i(i_a0, splat_i(n_a1)));
-    let e_8 = both_v0;
-    let c1 = e_8;
+    let e_17 = both_v0;
+    let c1 = e_17;
     ret = i_a0;
     ex = and_not(ex, c1);
-    if (r.surface_settings.wrap == 1u32) {
-        return sel_i(ex, min_i(max_i(i_a0, splat_i(0i32)), splat_i(n_a1.wrapping_sub(1i32))), ret);
-    }
     if (r.surface_settings.wrap == 0u32) {
         if none(ex) { return ret; }
         return sel_i(ex, rem_i(add_i(rem_i(i_a0, splat_i(n_a1)), splat_i(n_a1)), splat_i(n_a1)), ret);
