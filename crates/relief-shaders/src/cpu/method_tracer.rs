@@ -83,11 +83,19 @@ impl<'a> MethodTracer<'a> {
                 block.set(at, &path.into());
             }
             let which = u16::MAX >> (BLOCK - paths.len());
-            self.program.trace_block(&block, which, lanes, &mut found);
+            self.trace_block(&block, which, lanes, &mut found);
             for (at, hit) in hits.iter_mut().enumerate() {
                 *hit = Hit::from(&found.get(at));
             }
         }
+    }
+
+    /// Where those paths of a block end that `which` has bits for, as [`first_hits`](Self::first_hits) has it.
+    /// Programs that keep their paths in blocks save that they are put there, which takes a quarter of the
+    /// time of a plain search over sixteen lanes.
+    #[inline]
+    pub fn trace_block(&self, paths: &PathBlock, which: u16, lanes: Lanes, hits: &mut HitBlock) {
+        self.program.trace_block(paths, which, lanes, hits);
     }
 
     /// Where a path ends in a [level](HeightMap::level) of the height map. Beyond the coarsest level that one

@@ -2,7 +2,7 @@
 
 use relief_core::{Cost, Hit, Lanes, MapFormat, Path, Wrap};
 use relief_shaders::Selection;
-use relief_shaders::cpu::MethodTracer;
+use relief_shaders::cpu::{BLOCK, HitBlock, MethodTracer, PathBlock};
 use relief_tests::baked::{maps_in, slots};
 
 use super::rays::{fastest, ground, rays};
@@ -55,17 +55,40 @@ pub fn run(rounds: u16) -> Result<(), String> {
     Ok(())
 }
 
+/// Nanoseconds a ray one by one and over lanes, of blocks that are there before.
 fn measured(tracer: &MethodTracer, paths: &[Path], rounds: u16) -> Result<[f64; 3], String> {
-    let mut hits = Lanes::ALL.map(|_| vec![Hit::miss(Cost::default()); paths.len()]);
-    let [one, eight, sixteen] = &mut hits;
-    let mut of_one = || tracer.first_hits(paths, Lanes::One, one);
-    let mut of_eight = || tracer.first_hits(paths, Lanes::Eight, eight);
-    let mut of_sixteen = || tracer.first_hits(paths, Lanes::Sixteen, sixteen);
-    let least = fastest(rounds, paths.len(), &mut [&mut of_one, &mut of_eight, &mut of_sixteen]);
+    let blocks: Vec<(PathBlock, u16)> = paths.chunks(BLOCK).map(block_of).collect();
+    let mut hits = Lanes::ALL.map(|_| vec![HitBlock::default(); blocks.len()]);
+    let mut ways = Lanes::ALL.into_iter().zip(&mut hits).map(|(lanes, hits)| {
+        let blocks = &blocks;
+        move || {
+            for ((block, which), hits) in blocks.iter().zip(&mut *hits) {
+                tracer.trace_block(block, *which, lanes, hits);
+            }
+        }
+    });
+    let (Some(mut one), Some(mut eight), Some(mut sixteen)) = (ways.next(), ways.next(), ways.next()) else {
+        return Err("there are other widths than three".to_owned());
+    };
+    let least = fastest(rounds, paths.len(), &mut [&mut one, &mut eight, &mut sixteen]);
     let [one, eight, sixteen] = &hits;
-    if one == eight && one == sixteen {
+    let mut singly = vec![Hit::miss(Cost::default()); paths.len()];
+    tracer.first_hits(paths, Lanes::One, &mut singly);
+    let is_same = |blocks: &[HitBlock]| {
+        (0..paths.len()).all(|at| singly[at] == Hit::from(&blocks[at / BLOCK].get(at % BLOCK)))
+    };
+    if [one, eight, sixteen].into_iter().all(|blocks| is_same(blocks)) {
         Ok([least[0], least[1], least[2]])
     } else {
         Err("lanes give other hits than single rays".to_owned())
     }
+}
+
+/// At most sixteen paths as a block, and which places they have.
+fn block_of(paths: &[Path]) -> (PathBlock, u16) {
+    let mut block = PathBlock::default();
+    for (at, path) in paths.iter().enumerate() {
+        block.set(at, &path.into());
+    }
+    (block, u16::MAX >> (BLOCK - paths.len()))
 }
