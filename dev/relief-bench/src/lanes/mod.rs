@@ -2,7 +2,6 @@
 
 use clap::{Args, ValueEnum};
 
-mod embree;
 mod packets;
 mod pictures;
 mod rays;
@@ -24,10 +23,8 @@ pub struct Arguments {
 enum Part {
     /// Camera rays against base meshes, and whole frames that hardly do more
     Tiles,
-    /// The exact tracer
+    /// The exact tracer, beside Embree's packets where Embree 3 and a C++ compiler are installed
     Packets,
-    /// The exact tracer beside Embree's packets, where Embree 3 and a C++ compiler are installed
-    Embree,
     /// Searches and refinements
     Stages,
     /// Whole pictures, beside the machine's adapter
@@ -41,9 +38,6 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
     }
     if is_asked(Part::Packets) {
         packets::run(arguments.rounds)?;
-    }
-    if is_asked(Part::Embree) {
-        embree::run(arguments.rounds)?;
     }
     if is_asked(Part::Stages) {
         stages::run(arguments.rounds)?;

@@ -1,64 +1,60 @@
-//! The rays that searches and tracers are measured with, and how.
+//! The rays that searches and the exact tracer are measured with, and how.
 
 use std::time::Instant;
 
-use relief_core::camera::Camera;
+use relief_core::exact::FastTracer;
 use relief_core::{HeightMap, Path, Wrap};
 use relief_tests::maps::fractal;
 use relief_tests::rng::Rng;
 
-/// Pixels of the view.
-const SIZE: [u32; 2] = [1000, 750];
+use crate::trace::view::{Ground, SIZE, camera, sun};
+
+/// How much higher an octave of the ground is than the one before.
+const ROUGHNESS: f32 = 0.55;
 
 /// Rays from anywhere to anywhere.
 const SCATTERED: usize = 200_000;
 
-/// How deep the relief is, in tiles.
-const SCALE: f64 = 0.08;
-
-/// Natural ground of so many texels in both directions.
+/// Fractal ground of so many texels a side, in 65536 levels.
 pub fn ground(side: u32, wrap: Wrap) -> Result<HeightMap, String> {
-    HeightMap::new(side, side, fractal(3, side, side, 0.55), wrap).map_err(|error| error.to_string())
+    let levels = f32::from(u16::MAX);
+    let texels = fractal(11, side, side, ROUGHNESS).iter().map(|x| (x * levels).round() / levels).collect();
+    HeightMap::new(side, side, texels, wrap).map_err(|error| error.to_string())
 }
 
-/// The rays of a view over a tile, by blocks of 4 x 4 pixels, and rays scattered over it: from where they
-/// enter the relief to its bottom, or to the tile's edge.
-pub fn rays() -> Result<[Vec<Path>; 2], String> {
-    let camera = Camera::new([0.24, 0.72, 0.96].into(), [0.0; 3].into(), 45.0);
-    let camera = camera.map_err(|error| error.to_string())?;
-    let mut view = Vec::new();
-    for block in (0..SIZE[1] / 4).flat_map(|row| (0..SIZE[0] / 4).map(move |column| [column, row])) {
-        for place in 0..16 {
-            let [x, y] = [4 * block[0] + place % 4, 4 * block[1] + place / 4];
-            let ray = camera.ray(x, y, SIZE[0], SIZE[1]);
-            let at = |height: f64| ray.at((height - ray.origin.y) / ray.direction.y);
-            let (from, to) = (at(SCALE), at(0.0));
-            view.extend(within([from.x + 0.5, from.z + 0.5], [to.x + 0.5, to.z + 0.5]));
-        }
-    }
-    let mut rng = Rng::new(9);
-    let mut place = || [rng.unit(), rng.unit()];
-    let scattered = std::iter::repeat_with(|| {
-        let (from, way) = (place(), place());
-        within(from, [from[0] + 0.4 * (way[0] - 0.5), from[1] + 0.4 * (way[1] - 0.5)])
-    });
-    Ok([view, scattered.flatten().take(SCATTERED).collect()])
+/// The paths of the camera's rays, in blocks of 4 x 4 pixels.
+pub fn view(map: &HeightMap) -> Result<Vec<Path>, String> {
+    let (camera, ground) = (camera().map_err(|error| error.to_string())?, Ground::of(map));
+    let [width, height] = SIZE;
+    let blocks =
+        (0..height.div_ceil(4)).flat_map(|row| (0..width.div_ceil(4)).map(move |column| (column, row)));
+    let pixels = blocks.flat_map(|(column, row)| (0..16).map(move |k| (4 * column + k % 4, 4 * row + k / 4)));
+    let inside = pixels.filter(|(x, y)| *x < width && *y < height);
+    Ok(inside
+        .filter_map(|(x, y)| {
+            let ray = camera.ray(x, y, width, height);
+            ground.path(ray.origin, ray.direction)
+        })
+        .collect())
 }
 
-/// A path from the top of the relief to its bottom, cut off where it leaves the tile.
-fn within(from: [f64; 2], to: [f64; 2]) -> Option<Path> {
-    let is_inside = |[u, v]: [f64; 2]| (0.0..=1.0).contains(&u) && (0.0..=1.0).contains(&v);
-    is_inside(from).then(|| {
-        let mut path = Path::between([from[0], from[1], 1.0], [to[0], to[1], 0.0]);
-        for axis in 0..2 {
-            let (at, speed) = (path.uv[axis], path.duv[axis]);
-            let edge = if speed > 0.0 { 1.0 } else { 0.0 };
-            if speed != 0.0 {
-                path.exit = path.exit.min((edge - at) / speed);
-            }
-        }
-        path
-    })
+/// The paths from the view's hits to the sun, in the view's order.
+pub fn shadows(map: &HeightMap, tracer: &FastTracer, view: &[Path]) -> Vec<Path> {
+    let (ground, sun) = (Ground::of(map), sun());
+    let hits = view.iter().map(|path| tracer.trace(path).hit).filter(|hit| hit.found);
+    hits.filter_map(|hit| ground.path_to_sun(Ground::point(hit.uv, hit.height), sun)).collect()
+}
+
+/// Paths from anywhere on top of the relief down to its bottom, in any direction.
+pub fn scattered() -> Vec<Path> {
+    let mut rng = Rng::new(3);
+    let path = |_| {
+        let (angle, reach) = (rng.unit() * std::f64::consts::TAU, rng.between(0.05, 0.3));
+        let from = [rng.between(0.31, 0.69), rng.between(0.31, 0.69)];
+        let to = [from[0] + angle.cos() * reach, from[1] + angle.sin() * reach];
+        Path::between([from[0], from[1], 1.0], [to[0], to[1], 0.0])
+    };
+    (0..SCATTERED).map(path).collect()
 }
 
 /// The least nanoseconds a ray of so many rounds, of some things that are done in turn.

@@ -5,7 +5,7 @@ use relief_shaders::Selection;
 use relief_shaders::cpu::{BLOCK, HitBlock, MethodTracer, PathBlock};
 use relief_tests::baked::{maps_in, slots};
 
-use super::rays::{fastest, ground, rays};
+use super::rays::{fastest, ground, scattered, view};
 use crate::table::table;
 
 /// Texels along a side of the map.
@@ -26,7 +26,7 @@ const SCATTERED: [f64; 2] = [1.7, 2.7];
 pub fn run(rounds: u16) -> Result<(), String> {
     let mut rows =
         table(&["rays", "wrap", "method", "ns one by one", "ns, 8 lanes", "ns, 16", "times", "aim"]);
-    let [view, scattered] = rays()?;
+    let (view, scattered) = (view(&ground(SIDE, Wrap::Clamp)?)?, scattered());
     for wrap in [Wrap::Clamp, Wrap::Repeat] {
         let map = ground(SIDE, wrap)?;
         for (name, aims) in METHODS {
