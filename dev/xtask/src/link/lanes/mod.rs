@@ -67,3 +67,52 @@ pub fn translate(
     out.push_str(&functions);
     Ok(out)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::naga_check::validate;
+    use super::*;
+
+    /// What a module that holds just this function is in lanes.
+    fn translated(source: &str) -> Result<String, String> {
+        let modules = Modules::from_sources([("search/trial", source)]);
+        let (module, info) = validate(source).expect("valid WGSL");
+        translate(&module, &info, &["trial"], source, &modules)
+    }
+
+    /// What is said of a function of a number with that body.
+    fn refused(body: &str) -> Option<String> {
+        translated(&format!("// A trial.\n\nfn trial(x: f32) -> f32 {{\n{body}\n}}\n")).err()
+    }
+
+    #[test]
+    fn branches_loops_and_returns_are_written() {
+        let body = "var sum = 0.0;\nvar k = 0.0;\nwhile (k < x) {\nif (sum > 9.0) {\nreturn sum;\n}\nsum = sum + sqrt(k);\n\
+                    k = k + 1.0;\n}\nreturn clamp(sum, 0.0, 1.0);";
+        assert_eq!(refused(body), None);
+    }
+
+    #[test]
+    fn what_lanes_do_not_know_is_refused_with_file_and_line() {
+        let bodies = [
+            "let k = i32(x);\nswitch (k) {\ncase 1: { return 1.0; }\ndefault: { return 2.0; }\n}",
+            "let y = x;\nreturn atan2(y, x);",
+            "let k = i32(x);\nvar all = array<f32, 3>(x, x, x);\nreturn all[k];",
+            "let y = x;\nreturn pow(x, y);",
+        ];
+        for body in bodies {
+            let said = refused(body).unwrap_or_else(|| panic!("{body} was not refused"));
+            let line = said.strip_prefix("search/trial.wesl:").and_then(|rest| rest.split(':').next());
+            let line: Option<usize> = line.and_then(|line| line.parse().ok());
+            // A variable of a type that is not known is where its function begins.
+            assert!(line.is_some_and(|line| (3..=6).contains(&line)), "{body}: {said}");
+        }
+    }
+
+    #[test]
+    fn a_function_that_is_not_there_is_named() {
+        let said = translated("fn other(x: f32) -> f32 {\n    return x;\n}\n")
+            .expect_err("there is no such function");
+        assert!(said.contains("trial"), "{said}");
+    }
+}
