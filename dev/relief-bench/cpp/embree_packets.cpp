@@ -1,9 +1,10 @@
 // Times Embree 3 on packets of rays over a triangle mesh.
 //
-// Arguments: a folder, runs, an instruction set as Embree's option `isa` names it or `best`, and the names of sets of
-// rays. The folder holds vertices.raw (f32, x y z), triangles.raw (u32, three corners), and for each set NAME.rays (f32:
-// origin, direction and length). Prints a line for the scene, `build SECONDS BYTES`, and for each set and width of
-// packets `set NAME WIDTH INTERSECT OCCLUDED HITS`: rays a second of the best run, and how many rays hit.
+// Arguments: a folder, runs, an instruction set as Embree's option `isa` names it or `best`, and the names of
+// sets of rays. The folder holds vertices.raw (f32, x y z), triangles.raw (u32, three corners), and for each
+// set NAME.rays (f32: origin, direction and length). Prints a line for the scene, `build SECONDS BYTES`, and
+// for each set and width of packets `set NAME WIDTH INTERSECT OCCLUDED HITS`: rays a second of the best run,
+// and how many rays hit.
 //
 // Everything runs on one thread, and seconds are those of its processor time.
 
@@ -202,10 +203,12 @@ int main(int argc, char **argv) {
         scene = rtcNewScene(device);
         RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
         void *points =
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, vertices.size() / 3);
+            rtcSetNewGeometryBuffer(
+                geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, vertices.size() / 3);
         std::memcpy(points, vertices.data(), vertices.size() * sizeof(float));
         void *corners =
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, triangles.size() / 3);
+            rtcSetNewGeometryBuffer(
+                geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, triangles.size() / 3);
         std::memcpy(corners, triangles.data(), triangles.size() * sizeof(unsigned));
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(scene, geometry);

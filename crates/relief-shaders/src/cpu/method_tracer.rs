@@ -90,9 +90,9 @@ impl<'a> MethodTracer<'a> {
         }
     }
 
-    /// Where those paths of a block end that `which` has bits for, as [`first_hits`](Self::first_hits) has it.
-    /// Programs that keep their paths in blocks save that they are put there, which takes a quarter of the
-    /// time of a plain search over sixteen lanes.
+    /// Where those paths of a block end that `which` has bits for: the answers of
+    /// [`first_hits`](Self::first_hits), which puts its paths into such blocks. That takes up to a quarter
+    /// of the time of a plain search over sixteen lanes, and a program with blocks of its own saves it.
     #[inline]
     pub fn trace_block(&self, paths: &PathBlock, which: u16, lanes: Lanes, hits: &mut HitBlock) {
         self.program.trace_block(paths, which, lanes, hits);

@@ -2,6 +2,7 @@
 
 use clap::{Args, ValueEnum};
 
+mod frames;
 mod packets;
 mod pictures;
 mod rays;

@@ -3,16 +3,14 @@
 
 use std::time::Instant;
 
-use glam::Vec3;
-use relief_core::camera::Camera;
 use relief_core::mesh::{rectangle, torus};
 use relief_core::{Lanes, Wrap};
 use relief_maps::Maps;
 use relief_render::Renderer;
-use relief_render::light::Light;
 use relief_render::scene::{BackendChoice, Sampling, Scene, Surface};
 use relief_shaders::Selection;
 
+use super::frames::scene;
 use super::rays::ground;
 use crate::samples::Samples;
 use crate::table::table;
@@ -86,16 +84,14 @@ pub fn run(rounds: u16) -> Result<(), String> {
     for (mesh_name, mesh) in [("plane", rectangle([1.0, 1.0], 1)), ("torus", torus(96, 48))] {
         let mesh = mesh.map_err(|error| error.to_string())?;
         for method in METHODS {
-            for shadow in ["none", "ray"] {
+            // Without relief nothing throws a shadow.
+            let shadows: &[&str] = if method == "bump" { &["none"] } else { &["none", "ray"] };
+            for &shadow in shadows {
                 let mut selection = Selection::method(method).map_err(|error| error.to_string())?;
-                if shadow == "none" || method != "bump" {
-                    selection.choose("shadow", shadow).map_err(|error| error.to_string())?;
-                } else {
-                    continue;
-                }
+                selection.choose("shadow", shadow).map_err(|error| error.to_string())?;
                 let map = ground(SIDE, Wrap::Repeat)?.with_displacement(SCALE_M, -SCALE_M);
                 let map = map.map_err(|error| error.to_string())?;
-                let scene = scene(Surface::new(mesh.clone(), map).with_selection(selection))?;
+                let scene = scene(Surface::new(mesh.clone(), map).with_selection(selection), SIZE)?;
                 let mut ways = [
                     Timed::on_cpu(Lanes::One, None),
                     Timed::on_cpu(Lanes::default(), None),
@@ -128,8 +124,8 @@ pub fn run(rounds: u16) -> Result<(), String> {
         }
     }
     println!(
-        "Second pictures of {}x{} pixels, one sample each, of a map of {SIDE} texels: medians of {rounds} rounds \
-         with the least and the greatest, all ways in turn; {} threads, {} lanes. On {}.\n\n{rows}\n",
+        "Second pictures of {}x{} pixels, one sample each, of a map of {SIDE} texels: medians of {rounds} \
+         rounds with the least and the greatest, all ways in turn; {} threads, {} lanes. On {}.\n\n{rows}\n",
         SIZE[0],
         SIZE[1],
         rayon::current_num_threads(),
@@ -146,12 +142,4 @@ pub fn run(rounds: u16) -> Result<(), String> {
         }
     );
     Ok(())
-}
-
-fn scene(surface: Surface) -> Result<Scene, String> {
-    let camera = Camera::new([0.24, 0.72, 0.96].into(), [0.0; 3].into(), 45.0);
-    let light = Light::directional([0.4, 1.0, 0.3].into(), Vec3::ONE).map_err(|error| error.to_string())?;
-    let scene = Scene::builder(surface).camera(camera.map_err(|error| error.to_string())?);
-    let scene = scene.size(SIZE[0], SIZE[1]).samples(1).lights(vec![light]);
-    scene.build().map_err(|error| error.to_string())
 }

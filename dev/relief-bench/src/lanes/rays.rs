@@ -1,6 +1,4 @@
-//! The rays that searches and the exact tracer are measured with, and how.
-
-use std::time::Instant;
+//! The rays that searches and the exact tracer are measured with.
 
 use relief_core::exact::FastTracer;
 use relief_core::{HeightMap, Path, Wrap};
@@ -55,17 +53,4 @@ pub fn scattered() -> Vec<Path> {
         Path::between([from[0], from[1], 1.0], [to[0], to[1], 0.0])
     };
     (0..SCATTERED).map(path).collect()
-}
-
-/// The least nanoseconds a ray of so many rounds, of some things that are done in turn.
-pub fn fastest(rounds: u16, rays: usize, things: &mut [&mut dyn FnMut()]) -> Vec<f64> {
-    let mut least = vec![f64::INFINITY; things.len()];
-    for _ in 0..rounds {
-        for (thing, least) in things.iter_mut().zip(&mut least) {
-            let started = Instant::now();
-            thing();
-            *least = least.min(started.elapsed().as_secs_f64() * 1e9 / rays as f64);
-        }
-    }
-    least
 }

@@ -5,7 +5,8 @@ use relief_shaders::Selection;
 use relief_shaders::cpu::{BLOCK, HitBlock, MethodTracer, PathBlock};
 use relief_tests::baked::{maps_in, slots};
 
-use super::rays::{fastest, ground, scattered, view};
+use super::frames::fastest;
+use super::rays::{ground, scattered, view};
 use crate::table::table;
 
 /// Texels along a side of the map.
@@ -70,7 +71,7 @@ fn measured(tracer: &MethodTracer, paths: &[Path], rounds: u16) -> Result<[f64; 
     let (Some(mut one), Some(mut eight), Some(mut sixteen)) = (ways.next(), ways.next(), ways.next()) else {
         return Err("there are other widths than three".to_owned());
     };
-    let least = fastest(rounds, paths.len(), &mut [&mut one, &mut eight, &mut sixteen]);
+    let least = fastest(rounds, [&mut one, &mut eight, &mut sixteen]);
     let [one, eight, sixteen] = &hits;
     let mut singly = vec![Hit::miss(Cost::default()); paths.len()];
     tracer.first_hits(paths, Lanes::One, &mut singly);
@@ -78,7 +79,7 @@ fn measured(tracer: &MethodTracer, paths: &[Path], rounds: u16) -> Result<[f64; 
         (0..paths.len()).all(|at| singly[at] == Hit::from(&blocks[at / BLOCK].get(at % BLOCK)))
     };
     if [one, eight, sixteen].into_iter().all(|blocks| is_same(blocks)) {
-        Ok([least[0], least[1], least[2]])
+        Ok(least.map(|seconds| seconds * 1e9 / paths.len() as f64))
     } else {
         Err("lanes give other hits than single rays".to_owned())
     }

@@ -2,7 +2,6 @@
 
 use std::hint::black_box;
 use std::sync::Arc;
-use std::time::Instant;
 
 use glam::Vec3;
 use relief_core::Lanes;
@@ -12,11 +11,11 @@ use relief_core::raycast::tiles::{Area, Bins, PictureRays, TILE, TILE_POINTS, Ti
 use relief_core::raycast::{RayCaster, Sides};
 use relief_maps::Maps;
 use relief_render::Renderer;
-use relief_render::light::Light;
 use relief_render::scene::{Scene, Surface};
 use relief_shaders::Selection;
 use relief_tests::maps;
 
+use super::frames::{camera, fastest, scene};
 use crate::table::table;
 
 const SIZE: [u32; 2] = [1000, 750];
@@ -54,24 +53,6 @@ fn meshes() -> Result<Vec<(&'static str, Mesh)>, String> {
         ("sphere 1024x512", sphere(1024, 512)),
     ];
     made.into_iter().map(|(name, mesh)| Ok((name, mesh.map_err(|error| error.to_string())?))).collect()
-}
-
-fn camera() -> Result<Camera, String> {
-    let camera = Camera::new([0.24, 0.72, 0.96].into(), [0.0; 3].into(), 45.0);
-    camera.map_err(|error| error.to_string())
-}
-
-/// The fastest of some rounds of several ways, one after the other in each round, in seconds.
-fn fastest<const N: usize>(rounds: u16, mut ways: [&mut dyn FnMut(); N]) -> [f64; N] {
-    let mut best = [f64::INFINITY; N];
-    for _ in 0..rounds {
-        for (way, best) in ways.iter_mut().zip(&mut best) {
-            let start = Instant::now();
-            way();
-            *best = best.min(start.elapsed().as_secs_f64());
-        }
-    }
-    best
 }
 
 /// The first hit of every pixel: its parameter's bits, the triangle, and whether it is a front.
@@ -142,8 +123,8 @@ fn cast(rounds: u16, missed: &mut Vec<String>) -> Result<(), String> {
         }
     }
     println!(
-        "The first hits of {}x{} camera rays, on one thread, the fastest of {rounds} rounds, a pixel; tiles with \
-         what sorts triangles into them.\n\n{table}\n",
+        "The first hits of {}x{} camera rays, on one thread, the fastest of {rounds} rounds, a pixel; tiles \
+         with what sorts triangles into them.\n\n{table}\n",
         SIZE[0], SIZE[1]
     );
     Ok(())
@@ -192,8 +173,8 @@ fn frames(rounds: u16, missed: &mut Vec<String>) -> Result<(), String> {
         }
     }
     println!(
-        "Second frames of `bump` without shadows, {}x{} pixels, one sample each, on one thread, the fastest of \
-         {rounds} rounds, whose pictures have the same bits.\n\n{table}\n",
+        "Second frames of `bump` without shadows, {}x{} pixels, one sample each, on one thread, the fastest \
+         of {rounds} rounds, whose pictures have the same bits.\n\n{table}\n",
         SIZE[0], SIZE[1]
     );
     Ok(())
@@ -204,8 +185,5 @@ fn bump(mesh: Arc<Mesh>) -> Result<Scene, String> {
     let map = named.build(relief_core::Wrap::Repeat).with_displacement(0.03, -0.03);
     let mut selection = Selection::method("bump").map_err(|error| error.to_string())?;
     selection.choose("shadow", "none").map_err(|error| error.to_string())?;
-    let surface = Surface::new(mesh, map.map_err(|error| error.to_string())?).with_selection(selection);
-    let light = Light::directional([0.4, 1.0, 0.3].into(), Vec3::ONE).map_err(|error| error.to_string())?;
-    let scene = Scene::builder(surface).camera(camera()?).size(SIZE[0], SIZE[1]).samples(1);
-    scene.lights(vec![light]).build().map_err(|error| error.to_string())
+    scene(Surface::new(mesh, map.map_err(|error| error.to_string())?).with_selection(selection), SIZE)
 }

@@ -197,9 +197,9 @@ impl FastTracer {
     ///
     /// Sixteen paths in a row make a packet, so order them by neighbours: pixels by blocks of 4 x 4. In
     /// vectors of sixteen lanes such paths are traced about two and a half times as fast as one by one, and
-    /// scattered ones no faster. Paths that cannot go together are traced one by one: where directions or places are far apart, where a path is
-    /// bent, begins below the map, or leaves the tile of the texture, and where it is longer than
-    /// [`MAX_TRAVEL`](crate::exact::MAX_TRAVEL).
+    /// scattered ones no faster. Paths that cannot go together are traced one by one: where directions or
+    /// places are far apart, where a path is bent, begins below the map, or leaves the tile of the texture,
+    /// and where it is longer than [`MAX_TRAVEL`](crate::exact::MAX_TRAVEL).
     ///
     /// ```
     /// use relief_core::exact::{ExactHit, FastTracer};

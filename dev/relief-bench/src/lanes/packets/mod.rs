@@ -103,7 +103,8 @@ pub fn run(rounds: u16) -> Result<(), String> {
     }
     println!(
         "First hits, million rays a second of processor time on one thread, the best of {rounds} rounds; all \
-         answers of packets have the bits of those one by one. The picture is {}x{}, in blocks of 4 x 4 pixels.\n\n\
+         answers of packets have the bits of those one by one. The picture is {}x{}, in blocks of 4 x 4 \
+         pixels.\n\n\
          {hits}\n\nWhether anything is in the way:\n\n{blocked}\n\nSet-up:\n\n{setup}\n",
         SIZE[0], SIZE[1]
     );

@@ -87,7 +87,8 @@ mod tests {
 
     #[test]
     fn branches_loops_and_returns_are_written() {
-        let body = "var sum = 0.0;\nvar k = 0.0;\nwhile (k < x) {\nif (sum > 9.0) {\nreturn sum;\n}\nsum = sum + sqrt(k);\n\
+        let body = "var sum = 0.0;\nvar k = 0.0;\nwhile (k < x) {\nif (sum > 9.0) {\nreturn sum;\n}\n\
+                    sum = sum + sqrt(k);\n\
                     k = k + 1.0;\n}\nreturn clamp(sum, 0.0, 1.0);";
         assert_eq!(refused(body), None);
     }
