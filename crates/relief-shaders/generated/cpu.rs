@@ -1559,9 +1559,9 @@ impl<'g> Resources<'g> {
             b = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
             let _e49 = a;
             let _e50 = b;
-            let first_4 = _e49.min(_e50);
-            if rt::Scalar::into_branch_condition(first_4.elementwise_le(span)) {
-                return first_4;
+            let first_5 = _e49.min(_e50);
+            if rt::Scalar::into_branch_condition(first_5.elementwise_le(span)) {
+                return first_5;
             }
         }
         let _e53 = self.v_quadratic(c_1, span);
@@ -1872,11 +1872,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_3);
         let _e3 = self.v_texels_around(uv_1, _e2);
-        let k_26 = level_3.to_i32();
-        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_26);
-        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_26);
-        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_26);
-        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_26);
+        let k_27 = level_3.to_i32();
+        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_27);
+        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_27);
+        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_27);
+        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_27);
         let _e34 = self.v_bilinear(_e11, _e18, _e25, _e32, _e3.part);
         return _e34;
     }
@@ -2088,11 +2088,11 @@ impl<'g> Resources<'g> {
         let most_2 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).to_f32();
         let corner_3 = point_10.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
         let texel_5 = corner_3.to_i32();
-        let k_27 = level_6.to_i32();
-        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_27);
-        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_27);
-        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_27);
-        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_27);
+        let k_28 = level_6.to_i32();
+        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_28);
+        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_28);
+        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_28);
+        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_28);
         let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_10 - corner_3));
         return _e55.xyz();
     }
@@ -2598,15 +2598,15 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_28 = level_8.to_i32();
+        let k_29 = level_8.to_i32();
         let _e6 = self.v_wrap_index(cell.x(), _e2.x());
         let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
         let _e14 = self.v_wrap_index(cell.y(), _e2.y());
         let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_28));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_28));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_28));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_28));
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_29));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_29));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_29));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_29));
         return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
     }
     pub(crate) fn height_at(
@@ -2748,10 +2748,10 @@ impl<'g> Resources<'g> {
         let bx = (h_1.y() - h_1.x());
         let by_1 = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_97 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
+        let at_100 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
         let z = (path_4.h.x() + (t_8 * (path_4.h.y() + (t_8 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_8) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_97.x())) + (by_1 * at_97.y())) + ((twist * at_97.x()) * at_97.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_97.x() * grid_1.step.y()) + (at_97.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_100.x())) + (by_1 * at_100.y())) + ((twist * at_100.x()) * at_100.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_100.x() * grid_1.step.y()) + (at_100.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -2881,8 +2881,8 @@ impl<'g> Resources<'g> {
         pixel_4: PixelIn,
         middle: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let origin_2 = pixel_4.origin.abs();
-        return (rt::Scalar(0.0000009536743f32) * (origin_2.x().max(origin_2.y()).max(origin_2.z()) + middle.abs()));
+        let origin_3 = pixel_4.origin.abs();
+        return (rt::Scalar(0.0000009536743f32) * (origin_3.x().max(origin_3.y()).max(origin_3.z()) + middle.abs()));
     }
     pub(crate) fn where_positive(
         &self,
@@ -3124,7 +3124,7 @@ impl<'g> Resources<'g> {
         let mut path_10: Path;
 
         let heights_1 = pixel_5.shell.heights;
-        let first_5 = ends.x();
+        let first_6 = ends.x();
         let long = (ends.y() - ends.x());
         let _e16 = self.v_uv_of(pixel_5, a_4.weights);
         let _e18 = self.v_uv_of(pixel_5, b_4.weights);
@@ -3132,7 +3132,7 @@ impl<'g> Resources<'g> {
         let slope_7 = ((rt::Scalar(b_4.height) - rt::Scalar(a_4.height)) - bend_2);
         let _e26 = self.v_shell_slack(pixel_5, middle_1);
         let change_2 = ((b_4.weights - a_4.weights) / rt::Vec3::splat_from_scalar(long));
-        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_5)), long);
+        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_6)), long);
         let _e39 = inside;
         let _e44 = self.v_where_positive(_e39, a_4.weights.x(), change_2.x(), beyond.x());
         inside = _e44;
@@ -3152,7 +3152,7 @@ impl<'g> Resources<'g> {
             inside = _e69;
         }
         let _e76 = inside.y();
-        path_10 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_4.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_13.metric, RAY_VIEW, rt::Scalar(at_13.level), (middle_1 + first_5), (rt::Scalar(1f32) / rt::Scalar(at_13.segments).to_f32()));
+        path_10 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_4.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_13.metric, RAY_VIEW, rt::Scalar(at_13.level), (middle_1 + first_6), (rt::Scalar(1f32) / rt::Scalar(at_13.segments).to_f32()));
         let _e89 = inside.y();
         let _e91 = inside.x();
         if rt::Scalar::into_branch_condition((!_e89.elementwise_gt(_e91))) {
@@ -3347,11 +3347,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_10);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_29 = level_10.to_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_29));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_29));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_29));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_29));
+        let k_30 = level_10.to_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_30));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_30));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_30));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_30));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -3708,11 +3708,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_13);
         let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_30 = (level_13 - SEEN_FIRST_LEVEL).to_i32();
-        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_30);
-        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_30);
-        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_30);
-        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_30);
+        let k_31 = (level_13 - SEEN_FIRST_LEVEL).to_i32();
+        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_31);
+        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_31);
+        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_31);
+        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_31);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e4.part);
         return _e33;
     }
@@ -4021,8 +4021,8 @@ impl<'g> Resources<'g> {
         let y = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(1u32)));
         let z_1 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(2u32)));
         let _e88 = self.v_dice_points_before(rows_9, rt::Scalar(place_7.row));
-        let number_14 = ((_e88 + rt::Scalar(place_7.at)) - rt::Scalar(1u32));
-        return <DicePoint>::new(DICE_INSIDE, number_14, <rt::Vec3<f32>>::from_scalars(x_1, y, z_1));
+        let number_15 = ((_e88 + rt::Scalar(place_7.at)) - rt::Scalar(1u32));
+        return <DicePoint>::new(DICE_INSIDE, number_15, <rt::Vec3<f32>>::from_scalars(x_1, y, z_1));
     }
     pub(crate) fn dice_triangles_before(
         &self,
@@ -4517,7 +4517,7 @@ impl<'g> Resources<'g> {
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_27 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
+        let uv_28 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
         let tangent_1 = (((pixel_19.a.tangent * wa) + (pixel_19.b.tangent * wb_1)) + (pixel_19.c.tangent * wc_1));
         let bitangent = (((pixel_19.a.bitangent * wa) + (pixel_19.b.bitangent * wb_1)) + (pixel_19.c.bitangent * wc_1));
         let normal_20 = ((((pixel_19.a.normal * wa) + (pixel_19.b.normal * wb_1)) + (pixel_19.c.normal * wc_1)).normalize() * rt::Scalar(pixel_19.side));
@@ -4535,7 +4535,7 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_25;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_13, uv_27, tangent_1, bitangent, normal_20, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_13, uv_28, tangent_1, bitangent, normal_20, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -4572,11 +4572,11 @@ impl<'g> Resources<'g> {
         middle_3: rt::Scalar<f32>,
         params_11: rt::Vec4<f32>,
     ) -> Prism {
-        let origin_3 = (pixel_21.origin + (along_5 * middle_3));
+        let origin_4 = (pixel_21.origin + (along_5 * middle_3));
         let _e8 = self.v_ordered(pixel_21, rt::Scalar(0u32));
         let _e10 = self.v_ordered(pixel_21, rt::Scalar(1u32));
         let _e12 = self.v_ordered(pixel_21, rt::Scalar(2u32));
-        return <Prism>::new((_e8.position - origin_3), (_e10.position - origin_3), (_e12.position - origin_3), (_e8.normal * rt::Scalar(pixel_21.side)), (_e10.normal * rt::Scalar(pixel_21.side)), (_e12.normal * rt::Scalar(pixel_21.side)), (pixel_21.shell.lift * (params_11.y() * rt::Scalar(pixel_21.side))));
+        return <Prism>::new((_e8.position - origin_4), (_e10.position - origin_4), (_e12.position - origin_4), (_e8.normal * rt::Scalar(pixel_21.side)), (_e10.normal * rt::Scalar(pixel_21.side)), (_e12.normal * rt::Scalar(pixel_21.side)), (pixel_21.shell.lift * (params_11.y() * rt::Scalar(pixel_21.side))));
     }
     pub(crate) fn frame_at(
         &self,
@@ -4645,11 +4645,11 @@ impl<'g> Resources<'g> {
         let mut at_23: Entered;
 
         let third_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_28 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
+        let uv_29 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_24, along_7);
         let point_14 = (pixel_24.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_24, along_7);
-        let _e21 = self.v_frame_at(pixel_24, third_1, point_14, uv_28, _e20);
+        let _e21 = self.v_frame_at(pixel_24, third_1, point_14, uv_29, _e20);
         at_23 = _e21;
         rt::Scalar(at_23.segments) = rt::Scalar(0u32);
         let _e25 = at_23;
@@ -4695,9 +4695,9 @@ impl<'g> Resources<'g> {
         prism_3: Prism,
         along_9: rt::Vec3<f32>,
     ) -> Way {
-        let first_6 = (rt::Scalar(pixel_25.shell.order) & rt::Scalar(3u32));
+        let first_7 = (rt::Scalar(pixel_25.shell.order) & rt::Scalar(3u32));
         let second_2 = ((rt::Scalar(pixel_25.shell.order) >> rt::Scalar(2u32)) & rt::Scalar(3u32));
-        let is_turned = (((second_2 + rt::Scalar(3u32)) - first_6) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
+        let is_turned = (((second_2 + rt::Scalar(3u32)) - first_7) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
         let _e24 = self.v_way_weight(along_9, prism_3.p1_, prism_3.n1_, prism_3.p2_, prism_3.n2_);
         let _e29 = self.v_way_weight(along_9, prism_3.p2_, prism_3.n2_, prism_3.p0_, prism_3.n0_);
         let _e34 = self.v_way_weight(along_9, prism_3.p0_, prism_3.n0_, prism_3.p1_, prism_3.n1_);
@@ -5092,8 +5092,8 @@ impl<'g> Resources<'g> {
     fn v_passed_by(&self) -> Entered {
         let zero_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let zeros = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let uv_29 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_29, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_29, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let uv_30 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_30, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_30, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shell_point_from(
         &self,
@@ -5446,21 +5446,21 @@ impl<'g> Resources<'g> {
         let mut inside_1: rt::Vec2<f32>;
         let mut local_30: rt::Scalar<bool>;
 
-        let origin_4 = (pixel_34.origin + (along_13 * middle_5));
+        let origin_5 = (pixel_34.origin + (along_13 * middle_5));
         let is_first_1 = number_6.elementwise_eq(rt::Scalar(0u32));
         let is_last_1 = number_6.elementwise_eq(rt::Scalar(2u32));
         let _e12 = self.v_ordered(pixel_34, rt::Scalar(0u32));
         let _e15 = self.v_raised(_e12, rt::Scalar(pixel_34.side), rt::Scalar(0f32));
-        let q0_ = (_e15 - origin_4);
+        let q0_ = (_e15 - origin_5);
         let _e20 = self.v_ordered(pixel_34, rt::Scalar(1u32).select(rt::Scalar(0u32), is_last_1));
         let _e25 = self.v_raised(_e20, rt::Scalar(pixel_34.side), rt::Scalar(0f32).select(rt::Scalar(1f32), is_last_1));
-        let q1_ = (_e25 - origin_4);
+        let q1_ = (_e25 - origin_5);
         let _e30 = self.v_ordered(pixel_34, rt::Scalar(1u32).select(rt::Scalar(2u32), is_first_1));
         let _e35 = self.v_raised(_e30, rt::Scalar(pixel_34.side), rt::Scalar(1f32).select(rt::Scalar(0f32), is_first_1));
-        let q2_ = (_e35 - origin_4);
+        let q2_ = (_e35 - origin_5);
         let _e38 = self.v_ordered(pixel_34, rt::Scalar(2u32));
         let _e41 = self.v_raised(_e38, rt::Scalar(pixel_34.side), rt::Scalar(1f32));
-        let q3_ = (_e41 - origin_4);
+        let q3_ = (_e41 - origin_5);
         let e1_ = (q1_ - q0_);
         let e2_ = (q2_ - q0_);
         let e3_ = (q3_ - q0_);
@@ -5646,7 +5646,7 @@ impl<'g> Resources<'g> {
         let _e8 = self.v_plane_weights(pixel_38, _e2, point_15);
         let inside_6 = _e8.max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
         let w_4 = (inside_6 / rt::Vec3::splat_from_scalar(((inside_6.x() + inside_6.y()) + inside_6.z())));
-        let uv_30 = (((pixel_38.a.uv * w_4.x()) + (pixel_38.b.uv * w_4.y())) + (pixel_38.c.uv * w_4.z()));
+        let uv_31 = (((pixel_38.a.uv * w_4.x()) + (pixel_38.b.uv * w_4.y())) + (pixel_38.c.uv * w_4.z()));
         let tangent_3 = (((pixel_38.a.tangent * w_4.x()) + (pixel_38.b.tangent * w_4.y())) + (pixel_38.c.tangent * w_4.z()));
         let bitangent_2 = (((pixel_38.a.bitangent * w_4.x()) + (pixel_38.b.bitangent * w_4.y())) + (pixel_38.c.bitangent * w_4.z()));
         let sum_5 = ((((pixel_38.a.normal * w_4.x()) + (pixel_38.b.normal * w_4.y())) + (pixel_38.c.normal * w_4.z())) * rt::Scalar(pixel_38.side));
@@ -5654,14 +5654,14 @@ impl<'g> Resources<'g> {
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            let _e89 = self.v_is_on_map(uv_30);
+            let _e89 = self.v_is_on_map(uv_31);
             local_34 = _e89;
         } else {
             local_34 = rt::Scalar(false);
         }
         let _e91 = local_34;
         let _e96 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e91), point_15, uv_30, tangent_3, bitangent_2, sum_5.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e96), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e91), point_15, uv_31, tangent_3, bitangent_2, sum_5.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e96), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_enter_stage(&self, pixel_39: PixelIn) -> Entered {
         rt::into(self.v_surface_enter_stage(pixel_39))
@@ -5844,11 +5844,11 @@ impl<'g> Resources<'g> {
         let _e5 = self.surface_settings.normal_size;
         let _e6 = self.v_level_texels(_e5, level_16);
         let _e7 = self.v_texels_around(uv_12, _e6);
-        let k_31 = level_16.to_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_31));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_31));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_31));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_31));
+        let k_32 = level_16.to_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_32));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_32));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_32));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_32));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
@@ -6218,16 +6218,16 @@ impl<'g> Resources<'g> {
         let _e12 = self.v_plane_distance(pixel_44, _e11);
         let distance_1 = (_e12 * along_27);
         let whole = (at_37.span.y() - at_37.span.x());
-        let first_7 = (at_37.span.x() + (whole * (k_4.to_f32() / params_22.z())));
+        let first_8 = (at_37.span.x() + (whole * (k_4.to_f32() / params_22.z())));
         let last_4 = (at_37.span.x() + (whole * ((k_4 + rt::Scalar(1u32)).to_f32() / params_22.z())));
-        let long_4 = (last_4 - first_7);
-        let _e38 = self.v_across_depth(_e9, first_7);
+        let long_4 = (last_4 - first_8);
+        let _e38 = self.v_across_depth(_e9, first_8);
         begin_1 = (at_37.quadric.w() - (_e38 / _e10));
         if rt::Scalar::into_branch_condition(k_4.elementwise_eq(rt::Scalar(0u32))) {
             let _e44 = begin_1;
             begin_1 = _e44.min(rt::Scalar(1f32));
         }
-        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_7 + last_4)));
+        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_8 + last_4)));
         let middle_12 = (at_37.quadric.w() - (_e52 / _e10));
         let _e57 = self.v_across_depth(_e9, last_4);
         end_1 = (at_37.quadric.w() - (_e57 / _e10));
@@ -6248,9 +6248,9 @@ impl<'g> Resources<'g> {
         let _e84 = end_1;
         let _e85 = begin_1;
         let slope_9 = ((_e84 - _e85) - bend_5);
-        let base_3 = (rt::Scalar(0f32) - first_7).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let base_3 = (rt::Scalar(0f32) - first_8).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e98 = begin_1;
-        path_18 = <Path>::new((at_37.uv + (_e9.duv * first_7)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_37.metric, RAY_VIEW, rt::Scalar(at_37.level), (distance_1 + first_7), (rt::Scalar(1f32) / params_22.z()));
+        path_18 = <Path>::new((at_37.uv + (_e9.duv * first_8)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_37.metric, RAY_VIEW, rt::Scalar(at_37.level), (distance_1 + first_8), (rt::Scalar(1f32) / params_22.z()));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
         let _e117 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e117.elementwise_eq(WRAP_CLAMP)) {
@@ -6423,7 +6423,7 @@ impl<'g> Resources<'g> {
         let _e34 = self.v_ordered(pixel_46, rt::Scalar(2u32));
         let w_5 = chosen_1.weights;
         let g = chosen_1.change;
-        let uv_31 = (((_e30.uv * w_5.x()) + (_e32.uv * w_5.y())) + (_e34.uv * w_5.z()));
+        let uv_32 = (((_e30.uv * w_5.x()) + (_e32.uv * w_5.y())) + (_e34.uv * w_5.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
         let _e61 = self.v_shell_slack(pixel_46, _e6);
         let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
@@ -6438,10 +6438,10 @@ impl<'g> Resources<'g> {
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_3;
-            let _e96 = self.v_inside_unit(uv_31.x(), duv_7.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_32.x(), duv_7.x(), _e95);
             inside_3 = _e96;
             let _e99 = inside_3;
-            let _e100 = self.v_inside_unit(uv_31.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_32.y(), duv_7.y(), _e99);
             inside_3 = _e100;
         }
         let whole_1 = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -6452,7 +6452,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_20 = <Path>::new((uv_31 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_5.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_39.metric, RAY_VIEW, rt::Scalar(at_39.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
+        path_20 = <Path>::new((uv_32 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_5.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_39.metric, RAY_VIEW, rt::Scalar(at_39.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
         let _e158 = rt::Scalar(path_20.exit);
         if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
             let _e161 = path_20;
@@ -7777,7 +7777,7 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_12;
                     cost_12 = (_e20 + STEP);
                     let _e24 = cost_12.x();
-                    let first_8 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_9 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_11;
                     let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_43.level));
                     let _e31 = cost_12;
@@ -7825,7 +7825,7 @@ impl<'g> Resources<'g> {
                         let _e105 = self.v_gap_to(path_43, _e2, _e103, _e30, _e104);
                         let _e106 = t_22;
                         let _e107 = cost_12;
-                        let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_8, _e107);
+                        let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_9, _e107);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e108;
                         }
@@ -7834,8 +7834,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_11;
                         let _e119 = t_22;
-                        let at_98 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_3 = at_98.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_98), forward_3);
+                        let at_101 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_3 = at_101.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_101), forward_3);
                         let _e131 = t_22;
                         let far_5 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_3;
@@ -7997,7 +7997,7 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_13;
                     cost_13 = (_e20 + STEP);
                     let _e24 = cost_13.x();
-                    let first_9 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_10 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_12;
                     let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_45.level));
                     let _e31 = cost_13;
@@ -8009,8 +8009,8 @@ impl<'g> Resources<'g> {
                     let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_12;
                     let _e49 = t_24;
-                    let at_99 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_99);
+                    let at_102 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_102);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_24;
                     next_2 = _e54;
@@ -8037,7 +8037,7 @@ impl<'g> Resources<'g> {
                         let _e76 = self.v_gap_to(path_45, _e2, _e74, _e30, _e75);
                         let _e77 = t_24;
                         let _e78 = cost_13;
-                        let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_9, _e78);
+                        let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_10, _e78);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e79.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e79;
                         }
@@ -8082,15 +8082,15 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec2<i32> {
         let mut local_53: rt::Scalar<bool>;
 
-        let first_10 = ((image.x() >> level_17) << level_17);
+        let first_11 = ((image.x() >> level_17) << level_17);
         let side_4 = (rt::Scalar(1i32) << level_17);
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low_2 = (cell_13 - (image.x() - first_10));
-            return <rt::Vec2<i32>>::from_scalars(low_2, (low_2 + side_4.min((n_6 - first_10))));
+            let low_2 = (cell_13 - (image.x() - first_11));
+            return <rt::Vec2<i32>>::from_scalars(low_2, (low_2 + side_4.min((n_6 - first_11))));
         }
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high = ((cell_13 + (image.x() - first_10)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high - side_4.min(((n_6 - rt::Scalar(1i32)) - first_10))), high);
+            let high = ((cell_13 + (image.x() - first_11)) + rt::Scalar(1i32));
+            return <rt::Vec2<i32>>::from_scalars((high - side_4.min(((n_6 - rt::Scalar(1i32)) - first_11))), high);
         }
         if rt::Scalar::into_branch_condition(level_17.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
@@ -8333,8 +8333,8 @@ impl<'g> Resources<'g> {
         let mut local_58: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_7);
-        let first_11 = ((_e3 >> level_19) << level_19);
-        let last_6 = (first_11 + (rt::Scalar(1i32) << level_19)).min(n_7);
+        let first_12 = ((_e3 >> level_19) << level_19);
+        let last_6 = (first_12 + (rt::Scalar(1i32) << level_19)).min(n_7);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
             local_58 = _e16.elementwise_eq(WRAP_REPEAT);
@@ -8343,16 +8343,16 @@ impl<'g> Resources<'g> {
         }
         let _e20 = local_58;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_11), ((texel_2 - _e3) + last_6));
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_12), ((texel_2 - _e3) + last_6));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
             let period_2 = (rt::Scalar(2i32) * n_7);
             let folded_2 = (((texel_2 % period_2) + period_2) % period_2);
             if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_7)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_11), ((texel_2 - _e3) + last_6));
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_12), ((texel_2 - _e3) + last_6));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_6) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_11) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_6) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_12) + rt::Scalar(1i32)));
         }
         return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
     }
@@ -8379,7 +8379,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_height_texels(rt::Scalar(path_47.level));
         let _e6 = self.v_height_size(rt::Scalar(path_47.level));
-        let origin_5 = (path_47.uv * _e6);
+        let origin_6 = (path_47.uv * _e6);
         let _e10 = self.v_height_size(rt::Scalar(path_47.level));
         let step_5 = (path_47.duv * _e10);
         'naga_break: loop {
@@ -8395,7 +8395,7 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e24 = self.v_cell_of(origin_5);
+        let _e24 = self.v_cell_of(origin_6);
         texel_3 = _e24.to_i32();
         let limit_5 = params_42.x().to_u32();
         let _e35 = level_20;
@@ -8442,8 +8442,8 @@ impl<'g> Resources<'g> {
                     let _e93 = texel_3.y();
                     let _e95 = level_20;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
-                    let _e99 = self.v_leaves_extent(origin_5.x(), step_5.x(), _e91);
-                    let _e102 = self.v_leaves_extent(origin_5.y(), step_5.y(), _e96);
+                    let _e99 = self.v_leaves_extent(origin_6.x(), step_5.x(), _e91);
+                    let _e102 = self.v_leaves_extent(origin_6.y(), step_5.y(), _e96);
                     let leave_7 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
                     let _e109 = t_26;
                     let end_10 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_47.exit)).max(_e109);
@@ -8476,7 +8476,7 @@ impl<'g> Resources<'g> {
                         let _e154 = level_20;
                         level_20 = (_e154 - rt::Scalar(1u32));
                         let _e157 = t_26;
-                        let _e160 = self.v_cell_of((origin_5 + (step_5 * _e157)));
+                        let _e160 = self.v_cell_of((origin_6 + (step_5 * _e157)));
                         texel_3 = _e160.to_i32().clamp(low_4, last_7);
                     } else {
                         if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_47.exit))) {
@@ -8484,7 +8484,7 @@ impl<'g> Resources<'g> {
                             let _e168 = cost_15;
                             return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
-                        let _e174 = self.v_cell_of((origin_5 + (step_5 * end_10)));
+                        let _e174 = self.v_cell_of((origin_6 + (step_5 * end_10)));
                         texel_3 = _e174.to_i32().clamp(low_4, last_7);
                         if rt::Scalar::into_branch_condition(leave_7.x().elementwise_le(end_10)) {
                             texel_3.set_x((low_4.x() - rt::Scalar(1i32)).select(_e91.y(), step_5.x().elementwise_gt(rt::Scalar(0f32))));
@@ -9615,167 +9615,184 @@ impl<'g> Resources<'g> {
         let _e6 = rt::Scalar(self.frame.near);
         return (_e3 / (_e6 + depth_5.max(rt::Scalar(0f32))));
     }
-    pub(crate) fn in_hole(&self, uv_16: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_in_hole(rt::into(uv_16)))
+    pub(crate) fn is_in_hole(&self, uv_16: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_is_in_hole(rt::into(uv_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_in_hole(&self, uv_16: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    fn v_is_in_hole(&self, uv_16: rt::Vec2<f32>) -> rt::Scalar<bool> {
+        let _e2 = self.v_height_texels(rt::Scalar(0u32));
+        let _e4 = self.v_height_size(rt::Scalar(0u32));
+        let _e10 = self.v_cell_of(((uv_16 * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let cell_20 = _e10.to_i32();
+        let _e14 = self.v_wrap_index(cell_20.x(), _e2.x());
+        let _e19 = self.v_wrap_index((cell_20.x() + rt::Scalar(1i32)), _e2.x());
+        let _e22 = self.v_wrap_index(cell_20.y(), _e2.y());
+        let _e27 = self.v_wrap_index((cell_20.y() + rt::Scalar(1i32)), _e2.y());
+        let _e31 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e14, _e22), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e36 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e19, _e22), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let above_8 = _e31.x().max(_e36.x());
+        let _e42 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e14, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e47 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e19, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let below_6 = _e42.x().max(_e47.x());
+        return above_8.max(below_6).elementwise_gt(rt::Scalar(0f32));
+    }
+    pub(crate) fn in_hole(&self, uv_17: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_in_hole(rt::into(uv_17)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_in_hole(&self, uv_17: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e3 = rt::Scalar(self.surface_settings.has_holes);
         if rt::Scalar::into_branch_condition(_e3.elementwise_ne(rt::Scalar(1u32))) {
             return rt::Scalar(false);
         }
-        let _e8 = self.v_height_texels(rt::Scalar(0u32));
-        let _e10 = self.v_height_size(rt::Scalar(0u32));
-        let _e16 = self.v_cell_of(((uv_16 * _e10) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let cell_20 = _e16.to_i32();
-        let _e20 = self.v_wrap_index(cell_20.x(), _e8.x());
-        let _e25 = self.v_wrap_index((cell_20.x() + rt::Scalar(1i32)), _e8.x());
-        let _e28 = self.v_wrap_index(cell_20.y(), _e8.y());
-        let _e33 = self.v_wrap_index((cell_20.y() + rt::Scalar(1i32)), _e8.y());
-        let _e37 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e20, _e28), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e42 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e25, _e28), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let above_8 = _e37.x().max(_e42.x());
-        let _e48 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e20, _e33), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e53 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e25, _e33), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let below_6 = _e48.x().max(_e53.x());
-        return above_8.max(below_6).elementwise_gt(rt::Scalar(0f32));
+        let _e7 = self.v_is_in_hole(uv_17);
+        return _e7;
     }
-    pub(crate) fn first_hit(&self, pixel_59: PixelIn, at_52: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_59, at_52))
+    pub(crate) fn hit_on_segment(
+        &self,
+        pixel_59: PixelIn,
+        at_52: Entered,
+        path_63: Path,
+        found_13: Hit,
+        k_16: impl rt::Into<rt::Scalar<u32>>,
+    ) -> FirstHit {
+        rt::into(self.v_hit_on_segment(pixel_59, at_52, path_63, found_13, rt::into(k_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_hit(&self, pixel_59: PixelIn, at_52: Entered) -> FirstHit {
-        let mut cost_21: rt::Vec3<u32> = NO_COST;
+    fn v_hit_on_segment(
+        &self,
+        pixel_59: PixelIn,
+        at_52: Entered,
+        path_63: Path,
+        found_13: Hit,
+        k_16: rt::Scalar<u32>,
+    ) -> FirstHit {
         let mut first_2: FirstHit;
-        let mut k_16: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut hit_16: Hit;
+
+        first_2 = <FirstHit>::new(found_13, k_16, rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_13.found).elementwise_eq(rt::Scalar(1u32))) {
+            let _e11 = self.v_polish_hit(pixel_59, at_52, path_63, found_13);
+            let _e12 = self.v_depth_on_ray(pixel_59, path_63, _e11);
+            let _e13 = self.v_key_of(_e12);
+            first_2 = <FirstHit>::new(_e11, k_16, _e13);
+            let _e16 = self.v_in_hole(_e11.uv);
+            if rt::Scalar::into_branch_condition(_e16) {
+                rt::Scalar(first_2.hit.found) = rt::Scalar(0u32);
+            }
+        }
+        let _e20 = first_2;
+        return _e20;
+    }
+    pub(crate) fn first_hit(&self, pixel_60: PixelIn, at_53: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_60, at_53))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_first_hit(&self, pixel_60: PixelIn, at_53: Entered) -> FirstHit {
+        let mut cost_21: rt::Vec3<u32> = NO_COST;
+        let mut first_3: FirstHit;
+        let mut k_17: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_68: rt::Scalar<bool>;
-        let mut local_69: rt::Scalar<bool>;
-        let mut local_70: rt::Scalar<bool>;
 
         let _e4 = cost_21;
         let _e5 = self.v_miss(_e4);
-        first_2 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
+        first_3 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e12 = k_16;
-                if rt::Scalar::into_branch_condition(_e12.elementwise_lt(rt::Scalar(at_52.segments))) {
+                let _e12 = k_17;
+                if rt::Scalar::into_branch_condition(_e12.elementwise_lt(rt::Scalar(at_53.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_16;
-                    let _e16 = self.v_segment_of(pixel_59, at_52, _e15);
+                    let _e15 = k_17;
+                    let _e16 = self.v_segment_of(pixel_60, at_53, _e15);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e16.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e20 = self.v_trace(_e16);
-                        hit_16 = _e20;
-                        let _e22 = cost_21;
-                        let _e24 = hit_16.cost;
-                        cost_21 = (_e22 + _e24);
-                        let _e27 = rt::Scalar(hit_16.found);
-                        if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(1u32))) {
-                            let _e30 = hit_16;
-                            let _e31 = self.v_polish_hit(pixel_59, at_52, _e16, _e30);
-                            hit_16 = _e31;
-                            let _e32 = hit_16;
-                            let _e33 = self.v_depth_on_ray(pixel_59, _e16, _e32);
-                            let _e34 = self.v_key_of(_e33);
-                            let _e36 = hit_16.uv;
-                            let _e37 = self.v_in_hole(_e36);
-                            let is_open = (!_e37);
-                            if rt::Scalar::into_branch_condition(is_open) {
-                                let _e43 = rt::Scalar(first_2.hit.found);
-                                if rt::Scalar::into_branch_condition((!_e43.elementwise_eq(rt::Scalar(0u32)))) {
-                                    let _e50 = rt::Scalar(first_2.key);
-                                    local_69 = _e34.elementwise_gt(_e50);
-                                } else {
-                                    local_69 = rt::Scalar(true);
-                                }
-                                let _e53 = local_69;
-                                local_68 = _e53;
+                        let _e21 = cost_21;
+                        cost_21 = (_e21 + _e20.cost);
+                        let _e24 = k_17;
+                        let _e25 = self.v_hit_on_segment(pixel_60, at_53, _e16, _e20, _e24);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e25.hit.found).elementwise_eq(rt::Scalar(1u32))) {
+                            let _e32 = rt::Scalar(first_3.hit.found);
+                            if rt::Scalar::into_branch_condition((!_e32.elementwise_eq(rt::Scalar(0u32)))) {
+                                let _e40 = rt::Scalar(first_3.key);
+                                local_68 = rt::Scalar(_e25.key).elementwise_gt(_e40);
                             } else {
-                                local_68 = rt::Scalar(false);
+                                local_68 = rt::Scalar(true);
                             }
-                            let _e55 = local_68;
-                            if rt::Scalar::into_branch_condition(_e55) {
-                                let _e56 = hit_16;
-                                let _e57 = k_16;
-                                first_2 = <FirstHit>::new(_e56, _e57, _e34);
+                            let _e43 = local_68;
+                            if rt::Scalar::into_branch_condition(_e43) {
+                                first_3 = _e25;
                             }
-                            if rt::Scalar::into_branch_condition(is_open) {
-                                local_70 = rt::Scalar(pixel_59.shell.order).elementwise_lt(SHELL_FOLDED);
-                            } else {
-                                local_70 = rt::Scalar(false);
-                            }
-                            let _e66 = local_70;
-                            if rt::Scalar::into_branch_condition(_e66) {
+                            if rt::Scalar::into_branch_condition(rt::Scalar(pixel_60.shell.order).elementwise_lt(SHELL_FOLDED)) {
                                 break 'naga_break;
                             }
                         }
                     }
-                    let _e67 = k_16;
-                    k_16 = (_e67 + rt::Scalar(1u32));
+                    let _e48 = k_17;
+                    k_17 = (_e48 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e72 = cost_21;
-        first_2.hit.cost = _e72;
-        let _e73 = first_2;
-        return _e73;
+        let _e53 = cost_21;
+        first_3.hit.cost = _e53;
+        let _e54 = first_3;
+        return _e54;
     }
-    pub(crate) fn footprint_m(&self, at_53: Entered) -> f32 {
-        rt::into(self.v_footprint_m(at_53))
+    pub(crate) fn footprint_m(&self, at_54: Entered) -> f32 {
+        rt::into(self.v_footprint_m(at_54))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_footprint_m(&self, at_53: Entered) -> rt::Scalar<f32> {
+    fn v_footprint_m(&self, at_54: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        return ((rt::Scalar(at_53.footprint) * at_53.metric.x().sqrt()) / _e7.x());
+        return ((rt::Scalar(at_54.footprint) * at_54.metric.x().sqrt()) / _e7.x());
     }
-    pub(crate) fn near_uv(&self, uv_17: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_17)))
+    pub(crate) fn near_uv(&self, uv_18: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_near_uv(&self, uv_17: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_near_uv(&self, uv_18: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_17 - uv_17.floor());
+            return (uv_18 - uv_18.floor());
         }
         let _e10 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_17 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_17).floor()));
+            return (uv_18 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_18).floor()));
         }
-        return uv_17;
+        return uv_18;
     }
-    pub(crate) fn from_hit(&self, at_54: Entered, hit_17: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_54, hit_17, light_1))
+    pub(crate) fn from_hit(&self, at_55: Entered, hit_16: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_55, hit_16, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_from_hit(&self, at_54: Entered, hit_17: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_54, light_1.direction);
-        let _e6 = self.v_near_uv(hit_17.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_54.level));
+    fn v_from_hit(&self, at_55: Entered, hit_16: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_55, light_1.direction);
+        let _e6 = self.v_near_uv(hit_16.uv);
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_55.level));
         let h_5 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_5, rt::Scalar(0f32), rt::Scalar(0f32), at_54.metric, RAY_SHADOW, rt::Scalar(at_54.level), rt::Scalar(0f32), rt::Scalar(1f32));
+        return <Path>::new(_e6, _e4.xy(), h_5, rt::Scalar(0f32), rt::Scalar(0f32), at_55.metric, RAY_SHADOW, rt::Scalar(at_55.level), rt::Scalar(0f32), rt::Scalar(1f32));
     }
-    pub(crate) fn way_out(&self, path_63: Path, light_2: Toward) -> f32 {
-        rt::into(self.v_way_out(path_63, light_2))
+    pub(crate) fn way_out(&self, path_64: Path, light_2: Toward) -> f32 {
+        rt::into(self.v_way_out(path_64, light_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_way_out(&self, path_63: Path, light_2: Toward) -> rt::Scalar<f32> {
+    fn v_way_out(&self, path_64: Path, light_2: Toward) -> rt::Scalar<f32> {
         let mut way_6: rt::Scalar<f32>;
         let mut interval_5: rt::Vec2<f32>;
 
-        way_6 = ((rt::Scalar(1f32) - path_63.h.x()) / path_63.h.y()).min(rt::Scalar(light_2.distance));
+        way_6 = ((rt::Scalar(1f32) - path_64.h.x()) / path_64.h.y()).min(rt::Scalar(light_2.distance));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
             let _e21 = way_6;
-            let _e24 = self.v_inside_unit(path_63.uv.x(), path_63.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
+            let _e24 = self.v_inside_unit(path_64.uv.x(), path_64.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
             interval_5 = _e24;
             let _e30 = interval_5;
-            let _e31 = self.v_inside_unit(path_63.uv.y(), path_63.duv.y(), _e30);
+            let _e31 = self.v_inside_unit(path_64.uv.y(), path_64.duv.y(), _e30);
             interval_5 = _e31;
             let _e33 = interval_5.y();
             way_6 = _e33;
@@ -9783,14 +9800,14 @@ impl<'g> Resources<'g> {
         let _e34 = way_6;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_55: Entered, hit_18: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_55, hit_18, light_3))
+    pub(crate) fn light_ray(&self, at_56: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_56, hit_17, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_55: Entered, hit_18: Hit, light_3: Toward) -> LightRay {
-        let mut local_71: rt::Scalar<bool>;
+    fn v_light_ray(&self, at_56: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
+        let mut local_69: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_55, hit_18, light_3);
+        let _e3 = self.v_from_hit(at_56, hit_17, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -9805,11 +9822,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.to_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_71 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
+            local_69 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_71 = rt::Scalar(true);
+            local_69 = rt::Scalar(true);
         }
-        let _e45 = local_71;
+        let _e45 = local_69;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -9820,85 +9837,85 @@ impl<'g> Resources<'g> {
         let gap_7 = (end_15 * (_e31.y() + (_e31.z() * end_15)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
         let h_6 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_72 = <Path>::new(_e51, _e3.duv, h_6, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_72);
+        let path_74 = <Path>::new(_e51, _e3.duv, h_6, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_74);
     }
-    pub(crate) fn shadow_search_stage(&self, path_64: Path) -> Found {
-        rt::into(self.v_shadow_search_stage(path_64))
+    pub(crate) fn shadow_search_stage(&self, path_65: Path) -> Found {
+        rt::into(self.v_shadow_search_stage(path_65))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_search_stage(&self, path_64: Path) -> Found {
+    fn v_shadow_search_stage(&self, path_65: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[7usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[7usize].params;
-                let _e11 = self.v_search_none(path_64, _e10);
+                let _e11 = self.v_search_none(path_65, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[7usize].params;
-                let _e17 = self.v_search_linear(path_64, _e16);
+                let _e17 = self.v_search_linear(path_65, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[7usize].params;
-                let _e23 = self.v_search_cells(path_64, _e22);
+                let _e23 = self.v_search_cells(path_65, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[7usize].params;
-                let _e29 = self.v_search_frustum(path_64, _e28);
+                let _e29 = self.v_search_frustum(path_65, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[7usize].params;
-                let _e35 = self.v_search_cone(path_64, _e34);
+                let _e35 = self.v_search_cone(path_65, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[7usize].params;
-                let _e41 = self.v_search_pyramid(path_64, _e40);
+                let _e41 = self.v_search_pyramid(path_65, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[7usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_64, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_65, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[7usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_64, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_65, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[7usize].params;
-                let _e59 = self.v_search_sphere(path_64, _e58);
+                let _e59 = self.v_search_sphere(path_65, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[7usize].params;
-                let _e65 = self.v_search_cone_moved(path_64, _e64);
+                let _e65 = self.v_search_cone_moved(path_65, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[7usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_64, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_65, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[7usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_64, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_65, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn free_way(&self, at_56: Entered, hit_19: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_56, hit_19, light_4))
+    pub(crate) fn free_way(&self, at_57: Entered, hit_18: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_57, hit_18, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_free_way(&self, at_56: Entered, hit_19: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_56, hit_19, light_4);
+    fn v_free_way(&self, at_57: Entered, hit_18: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_57, hit_18, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -9931,23 +9948,23 @@ impl<'g> Resources<'g> {
         place_14: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_72: rt::Scalar<bool>;
-        let mut local_73: rt::Scalar<bool>;
+        let mut local_70: rt::Scalar<bool>;
+        let mut local_71: rt::Scalar<bool>;
 
         let least_3 = (place_14.x().min(place_14.y()) - half);
         let most_10 = (place_14.x().max(place_14.y()) + half);
         if rt::Scalar::into_branch_condition(place_14.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_72 = least_3.elementwise_ge(rt::Scalar(0f32));
+            local_70 = least_3.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_72 = rt::Scalar(false);
+            local_70 = rt::Scalar(false);
         }
-        let _e19 = local_72;
+        let _e19 = local_70;
         if rt::Scalar::into_branch_condition(_e19) {
-            local_73 = most_10.elementwise_le(rt::Scalar(view_6.size).to_f32());
+            local_71 = most_10.elementwise_le(rt::Scalar(view_6.size).to_f32());
         } else {
-            local_73 = rt::Scalar(false);
+            local_71 = rt::Scalar(false);
         }
-        let _e26 = local_73;
+        let _e26 = local_71;
         return _e26;
     }
     pub(crate) fn is_before(
@@ -9970,16 +9987,16 @@ impl<'g> Resources<'g> {
         low_m: rt::Scalar<f32>,
         high_m: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_74: rt::Scalar<bool>;
+        let mut local_72: rt::Scalar<bool>;
 
         let low_6 = (plane.xyz().dot((position + (direction_5 * low_m))) + plane.w());
         let high_1 = (plane.xyz().dot((position + (direction_5 * high_m))) + plane.w());
         if rt::Scalar::into_branch_condition(low_6.elementwise_gt(rt::Scalar(0f32))) {
-            local_74 = high_1.elementwise_gt(rt::Scalar(0f32));
+            local_72 = high_1.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_74 = rt::Scalar(false);
+            local_72 = rt::Scalar(false);
         }
-        let _e24 = local_74;
+        let _e24 = local_72;
         return _e24;
     }
     pub(crate) fn is_left_out(
@@ -10003,37 +10020,37 @@ impl<'g> Resources<'g> {
         low_m_1: rt::Scalar<f32>,
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut k_17: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_75: rt::Scalar<bool>;
-        let mut local_76: rt::Scalar<bool>;
+        let mut k_18: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_73: rt::Scalar<bool>;
+        let mut local_74: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e8 = k_17;
+                let _e8 = k_18;
                 if rt::Scalar::into_branch_condition(_e8.elementwise_lt(rt::Scalar(5u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e12 = k_17;
+                    let _e12 = k_18;
                     let plane_1 = grid_10.planes[rt::Scalar::into_array_index(_e12)];
-                    let _e14 = k_17;
-                    k_17 = (_e14 + rt::Scalar(1u32));
+                    let _e14 = k_18;
+                    k_18 = (_e14 + rt::Scalar(1u32));
                     let _e19 = self.v_is_before(plane_1, a_10.position, a_10.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
                         let _e24 = self.v_is_before(plane_1, b_10.position, b_10.direction, low_m_1, high_m_1);
-                        local_75 = _e24;
+                        local_73 = _e24;
                     } else {
-                        local_75 = rt::Scalar(false);
+                        local_73 = rt::Scalar(false);
                     }
-                    let _e26 = local_75;
+                    let _e26 = local_73;
                     if rt::Scalar::into_branch_condition(_e26) {
                         let _e31 = self.v_is_before(plane_1, c_7.position, c_7.direction, low_m_1, high_m_1);
-                        local_76 = _e31;
+                        local_74 = _e31;
                     } else {
-                        local_76 = rt::Scalar(false);
+                        local_74 = rt::Scalar(false);
                     }
-                    let _e33 = local_76;
+                    let _e33 = local_74;
                     if rt::Scalar::into_branch_condition(_e33) {
                         return rt::Scalar(true);
                     }
@@ -10056,37 +10073,37 @@ impl<'g> Resources<'g> {
         view_7: LightView,
         point_5: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_100 = <rt::Vec4<f32>>::new_31(point_5, rt::Scalar(1f32));
-        let depth_7 = view_7.depth.dot(at_100);
+        let at_103 = <rt::Vec4<f32>>::new_31(point_5, rt::Scalar(1f32));
+        let depth_7 = view_7.depth.dot(at_103);
         let over_2 = rt::Scalar(1f32).select(depth_7, rt::Scalar(view_7.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_7.column.dot(at_100), view_7.row.dot(at_100)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_7.column.dot(at_103), view_7.row.dot(at_103)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
     }
     pub(crate) fn patch_normal(
         &self,
-        at_57: Entered,
-        uv_18: impl rt::Into<rt::Vec2<f32>>,
+        at_58: Entered,
+        uv_19: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_57, rt::into(uv_18)))
+        rt::into(self.v_patch_normal(at_58, rt::into(uv_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_patch_normal(
         &self,
-        at_57: Entered,
-        uv_18: rt::Vec2<f32>,
+        at_58: Entered,
+        uv_19: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let facet = at_57.facing.normalize();
-            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_57.normal).elementwise_ge(rt::Scalar(0f32))));
+            let facet = at_58.facing.normalize();
+            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_58.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_18, rt::Scalar(at_57.level));
+        let _e18 = self.v_height_and_slope(uv_19, rt::Scalar(at_58.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_2 = (at_57.tangent + (at_57.normal * (_e18.y() * _e24)));
+        let along_u_2 = (at_58.tangent + (at_58.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_2 = (at_57.bitangent + (at_57.normal * (_e18.z() * _e33)));
+        let along_v_2 = (at_58.bitangent + (at_58.normal * (_e18.z() * _e33)));
         let across_6 = along_v_2.cross(along_u_2).normalize();
-        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_57.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_58.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
@@ -10131,24 +10148,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn row_sees(
         &self,
-        at_58: InView,
+        at_59: InView,
         row_6: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_58, rt::into(row_6), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_59, rt::into(row_6), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_row_sees(
         &self,
-        at_58: InView,
+        at_59: InView,
         row_6: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column: rt::Scalar<f32>;
 
-        let view_16 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_58.number))];
-        column = at_58.low.x().floor();
+        let view_16 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_59.number))];
+        column = at_59.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = column;
@@ -10159,13 +10176,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e18 = column;
                     let _e24 = column;
-                    let wide_2 = (at_58.high.x().min((_e18 + rt::Scalar(1f32))) - at_58.low.x().max(_e24));
+                    let wide_2 = (at_59.high.x().min((_e18 + rt::Scalar(1f32))) - at_59.low.x().max(_e24));
                     let _e27 = column;
                     let place_24 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_16, at_58.point, at_58.normal, (place_24 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_8 = _e35.clamp(rt::Scalar(at_58.least_depth), rt::Scalar(at_58.most_depth));
+                    let _e35 = self.v_plane_depth(view_16, at_59.point, at_59.normal, (place_24 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_8 = _e35.clamp(rt::Scalar(at_59.least_depth), rt::Scalar(at_59.most_depth));
                     let key = (rt::Scalar(view_16.near) / (rt::Scalar(view_16.near) + depth_8.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_24.to_i32(), rt::Scalar(at_58.number).to_i32());
+                    let _e48 = self.v_light_texel(place_24.to_i32(), rt::Scalar(at_59.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -10181,19 +10198,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn seen_part(
         &self,
         number_8: impl rt::Into<rt::Scalar<u32>>,
-        at_59: Entered,
+        at_60: Entered,
         normal_14: impl rt::Into<rt::Vec3<f32>>,
         place_16: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_8), at_59, rt::into(normal_14), rt::into(place_16), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_8), at_60, rt::into(normal_14), rt::into(place_16), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
         &self,
         number_8: rt::Scalar<u32>,
-        at_59: Entered,
+        at_60: Entered,
         normal_14: rt::Vec3<f32>,
         place_16: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
@@ -10204,8 +10221,8 @@ impl<'g> Resources<'g> {
 
         let view_17 = self.frame.light_views[rt::Scalar::into_array_index(number_8)];
         let texel_m = (rt::Scalar(view_17.texel_m) * rt::Scalar(1f32).select(place_16.z(), rt::Scalar(view_17.from_point).elementwise_eq(rt::Scalar(1u32))));
-        let _e19 = self.v_footprint_m(at_59);
-        let point_17 = (at_59.point + (normal_14 * (bias * texel_m.max(_e19))));
+        let _e19 = self.v_footprint_m(at_60);
+        let point_17 = (at_60.point + (normal_14 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
         let low_7 = (place_16.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_2 = (low_7 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
@@ -10237,58 +10254,58 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_seen(
         &self,
-        at_60: Entered,
-        uv_19: impl rt::Into<rt::Vec2<f32>>,
+        at_61: Entered,
+        uv_20: impl rt::Into<rt::Vec2<f32>>,
         number_9: impl rt::Into<rt::Scalar<u32>>,
         toward: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_60, rt::into(uv_19), rt::into(number_9), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_61, rt::into(uv_20), rt::into(number_9), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
-        at_60: Entered,
-        uv_19: rt::Vec2<f32>,
+        at_61: Entered,
+        uv_20: rt::Vec2<f32>,
         number_9: rt::Scalar<u32>,
         toward: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
         bias_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut k_18: rt::Scalar<u32>;
+        let mut k_19: rt::Scalar<u32>;
 
         let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_9)];
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_60, uv_19);
+        let _e14 = self.v_patch_normal(at_61, uv_20);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let width_5 = filter_texels.max(rt::Scalar(0.001f32));
-        k_18 = rt::Scalar(light_17.first_view);
+        k_19 = rt::Scalar(light_17.first_view);
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_18;
+                let _e24 = k_19;
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt((rt::Scalar(light_17.first_view) + rt::Scalar(light_17.views)))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e31 = k_18;
+                    let _e31 = k_19;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_light_place(_e33, at_60.point);
-                    let _e38 = k_18;
+                    let _e35 = self.v_light_place(_e33, at_61.point);
+                    let _e38 = k_19;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
                     let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_5));
                     if rt::Scalar::into_branch_condition(_e43) {
-                        let _e44 = k_18;
-                        let _e45 = self.v_seen_part(_e44, at_60, _e14, _e35, width_5, bias_1);
+                        let _e44 = k_19;
+                        let _e45 = self.v_seen_part(_e44, at_61, _e14, _e35, width_5, bias_1);
                         return _e45;
                     }
-                    let _e46 = k_18;
-                    k_18 = (_e46 + rt::Scalar(1u32));
+                    let _e46 = k_19;
+                    k_19 = (_e46 + rt::Scalar(1u32));
                 }
             }
         }
@@ -10344,54 +10361,54 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_61: Entered,
+        at_62: Entered,
         v: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_61, rt::into(v)))
+        rt::into(self.v_to_tangent_space(at_62, rt::into(v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_to_tangent_space(
         &self,
-        at_61: Entered,
+        at_62: Entered,
         v: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_3 = at_61.tangent.normalize();
-        let along_v_3 = at_61.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v), (-along_v_3.dot(v)), at_61.normal.dot(v));
+        let along_u_3 = at_62.tangent.normalize();
+        let along_v_3 = at_62.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v), (-along_v_3.dot(v)), at_62.normal.dot(v));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_62: Entered,
-        uv_20: impl rt::Into<rt::Vec2<f32>>,
+        at_63: Entered,
+        uv_21: impl rt::Into<rt::Vec2<f32>>,
         level_21: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_62, rt::into(uv_20), rt::into(level_21)))
+        rt::into(self.v_normals_of_level(at_63, rt::into(uv_21), rt::into(level_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_62: Entered,
-        uv_20: rt::Vec2<f32>,
+        at_63: Entered,
+        uv_21: rt::Vec2<f32>,
         level_21: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_21.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_62, uv_20);
-            let _e6 = self.v_to_tangent_space(at_62, _e5);
+            let _e5 = self.v_finest_normal(at_63, uv_21);
+            let _e6 = self.v_to_tangent_space(at_63, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_20, rt::Scalar(0i32), level_21);
-            let _e16 = self.v_normal_at(uv_20, rt::Scalar(1i32), level_21);
+            let _e14 = self.v_normal_at(uv_21, rt::Scalar(0i32), level_21);
+            let _e16 = self.v_normal_at(uv_21, rt::Scalar(1i32), level_21);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_3 = ((tile.x() * at_62.tangent.normalize().dot(at_62.tangent)) / at_62.tangent.dot(at_62.tangent));
-        let y_2 = ((tile.y() * at_62.bitangent.normalize().dot(at_62.bitangent)) / at_62.bitangent.dot(at_62.bitangent));
-        let _e44 = self.v_normal_at(uv_20, rt::Scalar(0i32), (level_21 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_20, rt::Scalar(1i32), (level_21 - rt::Scalar(1u32)));
+        let x_3 = ((tile.x() * at_63.tangent.normalize().dot(at_63.tangent)) / at_63.tangent.dot(at_63.tangent));
+        let y_2 = ((tile.y() * at_63.bitangent.normalize().dot(at_63.bitangent)) / at_63.bitangent.dot(at_63.bitangent));
+        let _e44 = self.v_normal_at(uv_21, rt::Scalar(0i32), (level_21 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_21, rt::Scalar(1i32), (level_21 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_3), (_e44.y() * y_2), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
         let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_3) * x_3), ((_e48.y() * x_3) * y_2), ((_e48.z() * y_2) * y_2)) * longer_1);
@@ -10407,36 +10424,36 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_63: Entered,
+        at_64: Entered,
         normals: Normals,
         view_10: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_63, normals, rt::into(view_10)))
+        rt::into(self.v_seen_normals(at_64, normals, rt::into(view_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_63: Entered,
+        at_64: Entered,
         normals: Normals,
         view_10: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let first_12 = normals.first;
+        let first_13 = normals.first;
         let second_5 = normals.second;
-        let slope_12 = <rt::Vec2<f32>>::from_scalars(first_12.w(), second_5.w());
-        let upright_1 = first_12.z().max(rt::Scalar(0.05f32));
-        let x_4 = (first_12.x() / upright_1);
-        let y_3 = (first_12.y() / upright_1);
+        let slope_12 = <rt::Vec2<f32>>::from_scalars(first_13.w(), second_5.w());
+        let upright_1 = first_13.z().max(rt::Scalar(0.05f32));
+        let x_4 = (first_13.x() / upright_1);
+        let y_3 = (first_13.y() / upright_1);
         let a_26 = ((second_5.x() / upright_1) - (x_4 * x_4)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
         let b_25 = (((second_5.y() / upright_1) - (x_4 * y_3)) / a_26);
         let spread = ((second_5.z() / upright_1) - (y_3 * y_3)).max(rt::Scalar(0f32));
         let d_2 = (spread - (b_25 * b_25)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_12.x())) - (first_12.xyz() * slope_12.x()));
-        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_12.y())) - (first_12.xyz() * slope_12.y()));
+        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_13.x())) - (first_13.xyz() * slope_12.x()));
+        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_13.y())) - (first_13.xyz() * slope_12.y()));
         let most_11 = ((a_26 * a_26) + spread).sqrt().min(rt::Scalar(1f32));
         let along_31 = (with_x / rt::Vec3::splat_from_scalar(a_26.max((with_x.length() / most_11))));
         let rest_9 = (with_y - (along_31 * b_25));
         let across_7 = (rest_9 / rt::Vec3::splat_from_scalar(d_2.max((rest_9.length() / most_11))));
-        let _e77 = self.v_to_tangent_space(at_63, view_10);
+        let _e77 = self.v_to_tangent_space(at_64, view_10);
         let middle_14 = (_e77.z() - _e77.xy().dot(slope_12));
         let _e91 = self.v_facing_four(middle_14, (-((_e77.x() * a_26) + (_e77.y() * b_25))), (-(_e77.y() * d_2)));
         let one = middle_14.max(rt::Scalar(0f32));
@@ -10444,36 +10461,36 @@ impl<'g> Resources<'g> {
         let _e95 = self.v_mean_of_five(one, _e94);
         let all_1 = _e95.max(rt::Scalar(0.001f32));
         let aside_7 = ((along_31 * ((_e91.x() - _e91.y()) / all_1)) + (across_7 * ((_e91.z() - _e91.w()) / all_1)));
-        let _e113 = self.v_from_tangent_space(at_63, (first_12.xyz() + (aside_7 * rt::Scalar(0.28867513f32))));
+        let _e113 = self.v_from_tangent_space(at_64, (first_13.xyz() + (aside_7 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_12.xyz(), along_31, across_7, slope_12, <rt::Vec2<f32>>::from_scalars(a_26, b_25), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_13.xyz(), along_31, across_7, slope_12, <rt::Vec2<f32>>::from_scalars(a_26, b_25), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_64: Entered) -> f32 {
-        rt::into(self.v_table_part(at_64))
+    pub(crate) fn table_part(&self, at_65: Entered) -> f32 {
+        rt::into(self.v_table_part(at_65))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_table_part(&self, at_64: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_65: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_64.fade) * ((rt::Scalar(at_64.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_65.fade) * ((rt::Scalar(at_65.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_65: Entered,
+        at_66: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_65, seen_1, table, rt::into(part_6)))
+        rt::into(self.v_with_table(at_66, seen_1, table, rt::into(part_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_with_table(
         &self,
-        at_65: Entered,
+        at_66: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: rt::Scalar<f32>,
@@ -10482,7 +10499,7 @@ impl<'g> Resources<'g> {
 
         told = seen_1;
         let before_4 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_65, table.mean);
+        let _e9 = self.v_from_tangent_space(at_66, table.mean);
         let mean_4 = (before_4 + ((_e9 - before_4) * part_6));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
@@ -10541,48 +10558,48 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_texel(
         &self,
-        uv_21: impl rt::Into<rt::Vec2<f32>>,
+        uv_22: impl rt::Into<rt::Vec2<f32>>,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
         level_22: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_21), rt::into(azimuth), rt::into(elevation), rt::into(level_22)))
+        rt::into(self.v_seen_texel(rt::into(uv_22), rt::into(azimuth), rt::into(elevation), rt::into(level_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_texel(
         &self,
-        uv_21: rt::Vec2<f32>,
+        uv_22: rt::Vec2<f32>,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
         level_22: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_8 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_21, layer_8, level_22);
-        let _e12 = self.v_detail_texel_between(uv_21, (layer_8 + rt::Scalar(1i32)), level_22);
+        let _e9 = self.v_detail_texel_between(uv_22, layer_8, level_22);
+        let _e12 = self.v_detail_texel_between(uv_22, (layer_8 + rt::Scalar(1i32)), level_22);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
         &self,
-        uv_22: impl rt::Into<rt::Vec2<f32>>,
+        uv_23: impl rt::Into<rt::Vec2<f32>>,
         azimuth_1: impl rt::Into<rt::Scalar<i32>>,
         elevation_1: impl rt::Into<rt::Scalar<i32>>,
         levels_1: Levels,
     ) -> SeenTexel {
-        rt::into(self.v_seen_in_levels(rt::into(uv_22), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
+        rt::into(self.v_seen_in_levels(rt::into(uv_23), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_in_levels(
         &self,
-        uv_22: rt::Vec2<f32>,
+        uv_23: rt::Vec2<f32>,
         azimuth_1: rt::Scalar<i32>,
         elevation_1: rt::Scalar<i32>,
         levels_1: Levels,
     ) -> SeenTexel {
-        let _e5 = self.v_seen_texel(uv_22, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
+        let _e5 = self.v_seen_texel(uv_23, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
         if rt::Scalar::into_branch_condition(rt::Scalar(levels_1.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e12 = self.v_seen_texel(uv_22, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
+            let _e12 = self.v_seen_texel(uv_23, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
             let _e14 = self.v_seen_between(_e5, _e12, rt::Scalar(levels_1.part));
             return _e14;
         }
@@ -10590,22 +10607,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_66: Entered,
-        uv_23: impl rt::Into<rt::Vec2<f32>>,
+        at_67: Entered,
+        uv_24: impl rt::Into<rt::Vec2<f32>>,
         view_11: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_66, rt::into(uv_23), rt::into(view_11), levels_2))
+        rt::into(self.v_table_of(at_67, rt::into(uv_24), rt::into(view_11), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_66: Entered,
-        uv_23: rt::Vec2<f32>,
+        at_67: Entered,
+        uv_24: rt::Vec2<f32>,
         view_11: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_66, view_11);
+        let _e4 = self.v_climb(at_67, view_11);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_5 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
@@ -10618,15 +10635,15 @@ impl<'g> Resources<'g> {
         let e0_ = elevation_3.floor().to_i32();
         let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
         let across_8 = (azimuth_3 - azimuth_3.floor());
-        let _e48 = self.v_seen_in_levels(uv_23, a0_, e0_, levels_2);
-        let _e49 = self.v_seen_in_levels(uv_23, a1_, e0_, levels_2);
+        let _e48 = self.v_seen_in_levels(uv_24, a0_, e0_, levels_2);
+        let _e49 = self.v_seen_in_levels(uv_24, a1_, e0_, levels_2);
         let _e50 = self.v_seen_between(_e48, _e49, across_8);
-        let _e51 = self.v_seen_in_levels(uv_23, a0_, e1_1, levels_2);
-        let _e52 = self.v_seen_in_levels(uv_23, a1_, e1_1, levels_2);
+        let _e51 = self.v_seen_in_levels(uv_24, a0_, e1_1, levels_2);
+        let _e52 = self.v_seen_in_levels(uv_24, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_8);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_6 = ((tile_1.x() * at_66.tangent.normalize().dot(at_66.tangent)) / at_66.tangent.dot(at_66.tangent));
-        let y_5 = ((tile_1.y() * at_66.bitangent.normalize().dot(at_66.bitangent)) / at_66.bitangent.dot(at_66.bitangent));
+        let x_6 = ((tile_1.x() * at_67.tangent.normalize().dot(at_67.tangent)) / at_67.tangent.dot(at_67.tangent));
+        let y_5 = ((tile_1.y() * at_67.bitangent.normalize().dot(at_67.bitangent)) / at_67.bitangent.dot(at_67.bitangent));
         let mean_5 = _e56.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_6), (mean_5.y() * y_5), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
@@ -10635,69 +10652,69 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_67: Entered,
-        uv_24: impl rt::Into<rt::Vec2<f32>>,
+        at_68: Entered,
+        uv_25: impl rt::Into<rt::Vec2<f32>>,
         view_12: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_67, rt::into(uv_24), rt::into(view_12)))
+        rt::into(self.v_mesostructure_normals(at_68, rt::into(uv_25), rt::into(view_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_67: Entered,
-        uv_24: rt::Vec2<f32>,
+        at_68: Entered,
+        uv_25: rt::Vec2<f32>,
         view_12: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_77: rt::Scalar<bool>;
-        let mut first_3: rt::Vec4<f32>;
+        let mut local_75: rt::Scalar<bool>;
+        let mut first_4: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
         let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_one_seen(at_67.normal);
+            let _e9 = self.v_one_seen(at_68.normal);
             return _e9;
         }
-        let upright_3 = at_67.normal.dot(view_12);
+        let upright_3 = at_68.normal.dot(view_12);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_6 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_67.fade)));
+        let width_6 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_68.fade)));
         let _e22 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_6 = ((rt::Scalar(at_67.footprint) * _e22) * width_6);
+        let texels_6 = ((rt::Scalar(at_68.footprint) * _e22) * width_6);
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_6, _e27);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_77 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
+            local_75 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_77 = rt::Scalar(false);
+            local_75 = rt::Scalar(false);
         }
-        let _e39 = local_77;
+        let _e39 = local_75;
         if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_67, uv_24);
+            let _e40 = self.v_finest_normal(at_68, uv_25);
             let _e41 = self.v_one_seen(_e40);
             return _e41;
         }
-        let _e43 = self.v_normals_of_level(at_67, uv_24, rt::Scalar(_e28.fine));
-        first_3 = _e43.first;
+        let _e43 = self.v_normals_of_level(at_68, uv_25, rt::Scalar(_e28.fine));
+        first_4 = _e43.first;
         second = _e43.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_67, uv_24, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
-            let _e55 = first_3;
-            let _e57 = first_3;
-            first_3 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
+            let _e54 = self.v_normals_of_level(at_68, uv_25, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e55 = first_4;
+            let _e57 = first_4;
+            first_4 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
             let _e62 = second;
             let _e64 = second;
             second = (_e62 + ((_e54.second - _e64) * rt::Scalar(_e28.part)));
         }
-        let _e69 = first_3;
+        let _e69 = first_4;
         let _e70 = second;
-        let _e72 = self.v_seen_normals(at_67, <Normals>::new(_e69, _e70), view_12);
-        let _e73 = self.v_table_part(at_67);
+        let _e72 = self.v_seen_normals(at_68, <Normals>::new(_e69, _e70), view_12);
+        let _e73 = self.v_table_part(at_68);
         if rt::Scalar::into_branch_condition(_e73.elementwise_gt(rt::Scalar(0f32))) {
             let _e79 = rt::Scalar(self.surface_settings.height_levels);
-            let _e80 = self.v_levels_of(rt::Scalar(at_67.footprint), _e79);
+            let _e80 = self.v_levels_of(rt::Scalar(at_68.footprint), _e79);
             let _e81 = self.v_has_table(_e80);
             if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_67, uv_24, view_12, _e80);
-                let _e83 = self.v_with_table(at_67, _e72, _e82, _e73);
+                let _e82 = self.v_table_of(at_68, uv_25, view_12, _e80);
+                let _e83 = self.v_with_table(at_68, _e72, _e82, _e73);
                 return _e83;
             }
         }
@@ -10705,40 +10722,40 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_68: Entered,
-        hit_20: Hit,
+        at_69: Entered,
+        hit_19: Hit,
         light_5: Toward,
         params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_68, hit_20, light_5, rt::into(params_54)))
+        rt::into(self.v_shadow_ray(at_69, hit_19, light_5, rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_ray(
         &self,
-        at_68: Entered,
-        hit_20: Hit,
+        at_69: Entered,
+        hit_19: Hit,
         light_5: Toward,
         params_54: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_68, hit_20, light_5);
+        let _e4 = self.v_free_way(at_69, hit_19, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_69: Entered,
-        hit_21: Hit,
+        at_70: Entered,
+        hit_20: Hit,
         light_6: Toward,
         params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_69, hit_21, light_6, rt::into(params_55)))
+        rt::into(self.v_shadow_none(at_70, hit_20, light_6, rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_none(
         &self,
-        at_69: Entered,
-        hit_21: Hit,
+        at_70: Entered,
+        hit_20: Hit,
         light_6: Toward,
         params_55: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
@@ -10746,22 +10763,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_70: Entered,
-        hit_22: Hit,
+        at_71: Entered,
+        hit_21: Hit,
         light_7: Toward,
         params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_70, hit_22, light_7, rt::into(params_56)))
+        rt::into(self.v_shadow_entry(at_71, hit_21, light_7, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_70: Entered,
-        hit_22: Hit,
+        at_71: Entered,
+        hit_21: Hit,
         light_7: Toward,
         params_56: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_70, hit_22, light_7);
+        let _e4 = self.v_from_hit(at_71, hit_21, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -10802,13 +10819,13 @@ impl<'g> Resources<'g> {
         let _e17 = x;
         return (_e16 ^ (_e17 >> rt::Scalar(16u32)));
     }
-    pub(crate) fn seed_of(&self, hit_23: Hit) -> u32 {
-        rt::into(self.v_seed_of(hit_23))
+    pub(crate) fn seed_of(&self, hit_22: Hit) -> u32 {
+        rt::into(self.v_seed_of(hit_22))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_seed_of(&self, hit_23: Hit) -> rt::Scalar<u32> {
-        let place_25 = ((hit_23.uv - hit_23.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+    fn v_seed_of(&self, hit_22: Hit) -> rt::Scalar<u32> {
+        let place_25 = ((hit_22.uv - hit_22.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
         let _e10 = self.v_mixed(place_25.y());
         let _e12 = self.v_mixed((place_25.x() ^ _e10));
         return _e12;
@@ -10856,10 +10873,10 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: impl rt::Into<rt::Scalar<u32>>,
-        k_19: impl rt::Into<rt::Scalar<u32>>,
+        k_20: impl rt::Into<rt::Scalar<u32>>,
         count_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_19), rt::into(count_4)))
+        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_20), rt::into(count_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -10867,14 +10884,14 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: rt::Scalar<u32>,
-        k_19: rt::Scalar<u32>,
+        k_20: rt::Scalar<u32>,
         count_4: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_1 + k_19) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_1 + k_20) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_19.to_f32() + _e9) / count_4.to_f32());
+        let ring = ((k_20.to_f32() + _e9) / count_4.to_f32());
         let _e16 = self.v_unit_of(seed_1);
-        let _e18 = self.v_turned_1(((k_19.to_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let _e18 = self.v_turned_1(((k_20.to_f32() * rt::Scalar(0.618034f32)) + _e16));
         let place_26 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
@@ -10885,41 +10902,41 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_71: Entered,
-        hit_24: Hit,
+        at_72: Entered,
+        hit_23: Hit,
         light_9: Toward,
         params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_71, hit_24, light_9, rt::into(params_57)))
+        rt::into(self.v_shadow_soft(at_72, hit_23, light_9, rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_71: Entered,
-        hit_24: Hit,
+        at_72: Entered,
+        hit_23: Hit,
         light_9: Toward,
         params_57: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_20: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_21: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let count_7 = params_57.x().to_u32();
-        let _e6 = self.v_seed_of(hit_24);
+        let _e6 = self.v_seed_of(hit_23);
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_20;
+                let _e11 = k_21;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_7)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
-                    let _e14 = k_20;
+                    let _e14 = k_21;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_7);
-                    let _e16 = self.v_free_way(at_71, hit_24, _e15);
+                    let _e16 = self.v_free_way(at_72, hit_23, _e15);
                     free = (_e13 + _e16);
-                    let _e18 = k_20;
-                    k_20 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_21;
+                    k_21 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
@@ -10928,44 +10945,44 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_72: Entered,
-        hit_25: Hit,
+        at_73: Entered,
+        hit_24: Hit,
         light_10: Toward,
         params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_72, hit_25, light_10, rt::into(params_58)))
+        rt::into(self.v_shadow_heuristic(at_73, hit_24, light_10, rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_72: Entered,
-        hit_25: Hit,
+        at_73: Entered,
+        hit_24: Hit,
         light_10: Toward,
         params_58: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_21: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_22: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_72, hit_25, light_10);
+        let _e4 = self.v_from_hit(at_73, hit_24, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let _e11 = self.v_way_out(_e4, light_10);
         'naga_break: loop {
             'naga_continue: {
-                let _e16 = k_21;
+                let _e16 = k_22;
                 if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_58.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = k_21;
+                    let _e19 = k_22;
                     let part_18 = (_e19 / params_58.x());
                     let _e22 = most_1;
                     let _e24 = self.v_path_gap(_e4, (part_18 * _e11));
                     most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_18)));
-                    let _e31 = k_21;
-                    k_21 = (_e31 + rt::Scalar(1f32));
+                    let _e31 = k_22;
+                    k_22 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
@@ -10995,27 +11012,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_25: impl rt::Into<rt::Vec2<f32>>,
+        uv_26: impl rt::Into<rt::Vec2<f32>>,
         layer_7: impl rt::Into<rt::Scalar<i32>>,
         level_24: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_25), rt::into(layer_7), rt::into(level_24)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_26), rt::into(layer_7), rt::into(level_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_texel_between(
         &self,
-        uv_25: rt::Vec2<f32>,
+        uv_26: rt::Vec2<f32>,
         layer_7: rt::Scalar<i32>,
         level_24: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_24);
-        let _e4 = self.v_texels_around(uv_25, _e3);
-        let k_32 = level_24.to_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_32);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_32);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_32);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_32);
+        let _e4 = self.v_texels_around(uv_26, _e3);
+        let k_33 = level_24.to_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_33);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_33);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_33);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_33);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -11051,42 +11068,42 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_73: Entered,
-        hit_26: Hit,
+        at_74: Entered,
+        hit_25: Hit,
         light_11: Toward,
         params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_73, hit_26, light_11, rt::into(params_59)))
+        rt::into(self.v_shadow_horizon(at_74, hit_25, light_11, rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_73: Entered,
-        hit_26: Hit,
+        at_74: Entered,
+        hit_25: Hit,
         light_11: Toward,
         params_59: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_73, light_11.direction);
+        let _e5 = self.v_climb(at_74, light_11.direction);
         let map_1 = self.surface_settings.maps[3usize];
         let along_33 = (_e5.xy() * map_1.tile_m);
         let _e13 = self.v_turn_of(along_33);
         let azimuth_4 = (_e13 * params_59.x());
-        let first_13 = azimuth_4.floor();
+        let first_14 = azimuth_4.floor();
         let count_8 = params_59.x().to_i32();
-        let before_5 = (first_13.to_i32() % count_8);
-        let part_19 = (azimuth_4 - first_13);
-        let _e24 = self.v_shadow_texel_between(hit_26.uv, before_5, rt::Scalar(at_73.level));
+        let before_5 = (first_14.to_i32() % count_8);
+        let part_19 = (azimuth_4 - first_14);
+        let _e24 = self.v_shadow_texel_between(hit_25.uv, before_5, rt::Scalar(at_74.level));
         let low_8 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_26.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_73.level));
+        let _e31 = self.v_shadow_texel_between(hit_25.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_74.level));
         let sine_1 = (low_8 + ((_e31.x() - low_8) * part_19));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
         let far_10 = (squared_4 * along_33.dot(along_33)).sqrt();
-        let _e48 = self.v_from_hit(at_73, hit_26, light_11);
+        let _e48 = self.v_from_hit(at_74, hit_25, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_9 = (_e49 * _e52);
         let horizon = far_10.max(near_9);
-        let up_4 = at_73.normal.dot(light_11.direction);
+        let up_4 = at_74.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_4.elementwise_gt(horizon));
         }
@@ -11100,45 +11117,45 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn open_part(
         &self,
-        at_74: Entered,
-        hit_27: Hit,
+        at_75: Entered,
+        hit_26: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_74, hit_27, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_75, hit_26, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_open_part(
         &self,
-        at_74: Entered,
-        hit_27: Hit,
+        at_75: Entered,
+        hit_26: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_27.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_74.level));
+        let _e9 = self.v_shadow_texel_between(hit_26.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_75.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_75: Entered,
-        hit_28: Hit,
+        at_76: Entered,
+        hit_27: Hit,
         light_12: Toward,
         params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_75, hit_28, light_12, rt::into(params_60)))
+        rt::into(self.v_shadow_visibility(at_76, hit_27, light_12, rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_75: Entered,
-        hit_28: Hit,
+        at_76: Entered,
+        hit_27: Hit,
         light_12: Toward,
         params_60: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_75, light_12.direction);
+        let _e5 = self.v_climb(at_76, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -11154,7 +11171,7 @@ impl<'g> Resources<'g> {
         let elevation_4 = ((squared_5 * params_60.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_60.y() - rt::Scalar(1f32)));
         if rt::Scalar::into_branch_condition(params_60.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_27 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_75, hit_28, a_27, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+            let _e56 = self.v_open_part(at_76, hit_27, a_27, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().to_i32() % azimuths);
@@ -11163,122 +11180,122 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_75, hit_28, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_75, hit_28, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_76, hit_27, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_76, hit_27, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_75, hit_28, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_76, hit_27, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_75, hit_28, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_76, hit_27, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_76: Entered,
-        hit_29: Hit,
+        at_77: Entered,
+        hit_28: Hit,
         light_13: Toward,
         params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_76, hit_29, light_13, rt::into(params_61)))
+        rt::into(self.v_shadow_map(at_77, hit_28, light_13, rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_map(
         &self,
-        at_76: Entered,
-        hit_29: Hit,
+        at_77: Entered,
+        hit_28: Hit,
         light_13: Toward,
         params_61: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_76, hit_29.uv, rt::Scalar(light_13.number), light_13.direction, params_61.z(), params_61.w());
+        let _e9 = self.v_light_seen(at_77, hit_28.uv, rt::Scalar(light_13.number), light_13.direction, params_61.z(), params_61.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_77: Entered,
-        hit_30: Hit,
+        at_78: Entered,
+        hit_29: Hit,
         light_14: Toward,
         params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_77, hit_30, light_14, rt::into(params_62)))
+        rt::into(self.v_shadow_scene(at_78, hit_29, light_14, rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_scene(
         &self,
-        at_77: Entered,
-        hit_30: Hit,
+        at_78: Entered,
+        hit_29: Hit,
         light_14: Toward,
         params_62: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_78: Entered, hit_31: Hit, light_15: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_78, hit_31, light_15))
+    pub(crate) fn shadow_stage(&self, at_79: Entered, hit_30: Hit, light_15: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_79, hit_30, light_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_78: Entered, hit_31: Hit, light_15: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_79: Entered, hit_30: Hit, light_15: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[6usize].params;
-                let _e13 = self.v_shadow_ray(at_78, hit_31, light_15, _e12);
+                let _e13 = self.v_shadow_ray(at_79, hit_30, light_15, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[6usize].params;
-                let _e19 = self.v_shadow_none(at_78, hit_31, light_15, _e18);
+                let _e19 = self.v_shadow_none(at_79, hit_30, light_15, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[6usize].params;
-                let _e25 = self.v_shadow_entry(at_78, hit_31, light_15, _e24);
+                let _e25 = self.v_shadow_entry(at_79, hit_30, light_15, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[6usize].params;
-                let _e31 = self.v_shadow_soft(at_78, hit_31, light_15, _e30);
+                let _e31 = self.v_shadow_soft(at_79, hit_30, light_15, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[6usize].params;
-                let _e37 = self.v_shadow_heuristic(at_78, hit_31, light_15, _e36);
+                let _e37 = self.v_shadow_heuristic(at_79, hit_30, light_15, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[6usize].params;
-                let _e43 = self.v_shadow_horizon(at_78, hit_31, light_15, _e42);
+                let _e43 = self.v_shadow_horizon(at_79, hit_30, light_15, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[6usize].params;
-                let _e49 = self.v_shadow_visibility(at_78, hit_31, light_15, _e48);
+                let _e49 = self.v_shadow_visibility(at_79, hit_30, light_15, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[6usize].params;
-                let _e55 = self.v_shadow_map(at_78, hit_31, light_15, _e54);
+                let _e55 = self.v_shadow_map(at_79, hit_30, light_15, _e54);
                 return _e55;
             }
             _ => {
                 let _e60 = self.surface_settings.choices[6usize].params;
-                let _e61 = self.v_shadow_scene(at_78, hit_31, light_15, _e60);
+                let _e61 = self.v_shadow_scene(at_79, hit_30, light_15, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_60: PixelIn, at_79: Entered, hit_32: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_60, at_79, hit_32))
+    pub(crate) fn mirrored_light(&self, pixel_61: PixelIn, at_80: Entered, hit_31: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_61, at_80, hit_31))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mirrored_light(&self, pixel_60: PixelIn, at_79: Entered, hit_32: Hit) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_32.found).elementwise_eq(rt::Scalar(0u32))) {
+    fn v_mirrored_light(&self, pixel_61: PixelIn, at_80: Entered, hit_31: Hit) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_31.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
-        let down_2 = pixel_60.direction.normalize();
-        let up_5 = (down_2 - (at_79.normal * (rt::Scalar(2f32) * down_2.dot(at_79.normal))));
-        let _e24 = self.v_shadow_stage(at_79, hit_32, <Toward>::new(up_5, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
+        let down_2 = pixel_61.direction.normalize();
+        let up_5 = (down_2 - (at_80.normal * (rt::Scalar(2f32) * down_2.dot(at_80.normal))));
+        let _e24 = self.v_shadow_stage(at_80, hit_31, <Toward>::new(up_5, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
         return _e24;
     }
     pub(crate) fn parts_between(
@@ -11302,27 +11319,27 @@ impl<'g> Resources<'g> {
         let parts_5 = (((farthest + (rt::Scalar(1u32) << level_26)) - rt::Scalar(1u32)) >> level_26);
         return parts_5.clamp(rt::Scalar(1u32), DICE_PARTS).select(rt::Scalar(1u32), level_26.elementwise_eq(COARSEST));
     }
-    pub(crate) fn pixel_direction(&self, pixel_61: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_direction(rt::into(pixel_61)))
+    pub(crate) fn pixel_direction(&self, pixel_62: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_direction(rt::into(pixel_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_direction(&self, pixel_61: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_direction(&self, pixel_62: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.corner;
         let _e7 = self.frame.right;
         let _e14 = self.frame.down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_61.x())) + (_e14.xyz() * pixel_61.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_62.x())) + (_e14.xyz() * pixel_62.y()));
     }
-    pub(crate) fn pixel_eye(&self, pixel_62: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_eye(rt::into(pixel_62)))
+    pub(crate) fn pixel_eye(&self, pixel_63: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_eye(rt::into(pixel_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_eye(&self, pixel_62: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_eye(&self, pixel_63: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.eye;
         let _e7 = self.frame.eye_right;
         let _e14 = self.frame.eye_down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_62.x())) + (_e14.xyz() * pixel_62.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_63.x())) + (_e14.xyz() * pixel_63.y()));
     }
     pub(crate) fn pixel_of(
         &self,
@@ -11352,131 +11369,131 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane_place(
         &self,
-        pixel_63: PixelIn,
-        at_80: Entered,
-        path_65: Path,
-        hit_33: Hit,
+        pixel_64: PixelIn,
+        at_81: Entered,
+        path_66: Path,
+        hit_32: Hit,
         params_63: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_63, at_80, path_65, hit_33, rt::into(params_63)))
+        rt::into(self.v_surface_plane_place(pixel_64, at_81, path_66, hit_32, rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_place(
         &self,
-        pixel_63: PixelIn,
-        at_80: Entered,
-        path_65: Path,
-        hit_33: Hit,
+        pixel_64: PixelIn,
+        at_81: Entered,
+        path_66: Path,
+        hit_32: Hit,
         params_63: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_8 = (hit_33.uv - at_80.uv);
+        let aside_8 = (hit_32.uv - at_81.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_33.uv, rt::Scalar(at_80.level));
+        let _e16 = self.v_height_at(hit_32.uv, rt::Scalar(at_81.level));
         let height_16 = (_e10 + (_e13 * _e16));
-        placed = at_80;
-        placed.point = (((at_80.point + (at_80.tangent * aside_8.x())) + (at_80.bitangent * aside_8.y())) + (at_80.normal * height_16));
-        placed.uv = hit_33.uv;
+        placed = at_81;
+        placed.point = (((at_81.point + (at_81.tangent * aside_8.x())) + (at_81.bitangent * aside_8.y())) + (at_81.normal * height_16));
+        placed.uv = hit_32.uv;
         let _e35 = placed;
         return _e35;
     }
     pub(crate) fn placed_at(
         &self,
-        pixel_64: PixelIn,
-        at_81: Entered,
+        pixel_65: PixelIn,
+        at_82: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_8: impl rt::Into<rt::Vec3<f32>>,
-        uv_26: impl rt::Into<rt::Vec2<f32>>,
+        uv_27: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_64, at_81, rt::into(weights_4), rt::into(point_8), rt::into(uv_26)))
+        rt::into(self.v_placed_at(pixel_65, at_82, rt::into(weights_4), rt::into(point_8), rt::into(uv_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_at(
         &self,
-        pixel_64: PixelIn,
-        at_81: Entered,
+        pixel_65: PixelIn,
+        at_82: Entered,
         weights_4: rt::Vec3<f32>,
         point_8: rt::Vec3<f32>,
-        uv_26: rt::Vec2<f32>,
+        uv_27: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_64, weights_4, point_8, uv_26, at_81.facing);
+        let _e6 = self.v_frame_at(pixel_65, weights_4, point_8, uv_27, at_82.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_81.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_81.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_81.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_82.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_82.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_82.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_prism_place(
         &self,
-        pixel_65: PixelIn,
-        at_82: Entered,
-        path_66: Path,
-        hit_34: Hit,
+        pixel_66: PixelIn,
+        at_83: Entered,
+        path_67: Path,
+        hit_33: Hit,
         params_64: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_65, at_82, path_66, hit_34, rt::into(params_64)))
+        rt::into(self.v_surface_prism_place(pixel_66, at_83, path_67, hit_33, rt::into(params_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_prism_place(
         &self,
-        pixel_65: PixelIn,
-        at_82: Entered,
-        path_66: Path,
-        hit_34: Hit,
+        pixel_66: PixelIn,
+        at_83: Entered,
+        path_67: Path,
+        hit_33: Hit,
         params_64: rt::Vec4<f32>,
     ) -> Entered {
-        let along_35 = pixel_65.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_65, along_35);
-        let _e8 = self.v_prism_of(pixel_65, along_35, _e7, params_64);
-        let s_4 = ((rt::Scalar(path_66.start) + rt::Scalar(hit_34.t)) - _e7);
-        let _e15 = self.v_point_of_way(pixel_65, _e8, (along_35 * s_4), rt::Scalar(hit_34.height));
+        let along_35 = pixel_66.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_66, along_35);
+        let _e8 = self.v_prism_of(pixel_66, along_35, _e7, params_64);
+        let s_4 = ((rt::Scalar(path_67.start) + rt::Scalar(hit_33.t)) - _e7);
+        let _e15 = self.v_point_of_way(pixel_66, _e8, (along_35 * s_4), rt::Scalar(hit_33.height));
         let weights_6 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_65, at_82, weights_6, (pixel_65.origin + (along_35 * (rt::Scalar(path_66.start) + rt::Scalar(hit_34.t)))), hit_34.uv);
+        let _e24 = self.v_placed_at(pixel_66, at_83, weights_6, (pixel_66.origin + (along_35 * (rt::Scalar(path_67.start) + rt::Scalar(hit_33.t)))), hit_33.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_83: Entered,
+        at_84: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_83, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_84, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_frame(
         &self,
-        at_83: Entered,
+        at_84: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_78: rt::Scalar<bool>;
+        let mut local_76: rt::Scalar<bool>;
 
-        placed_2 = at_83;
-        let _e5 = self.v_quadric_slope(at_83.quadric.xyz(), aside);
+        placed_2 = at_84;
+        let _e5 = self.v_quadric_slope(at_84.quadric.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_78 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_76 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_78 = rt::Scalar(false);
+            local_76 = rt::Scalar(false);
         }
-        let _e15 = local_78;
+        let _e15 = local_76;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_5 = at_83.metric;
+        let m_5 = at_84.metric;
         let area_5 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
         let along_t = (((_e5.x() * m_5.z()) - (_e5.y() * m_5.y())) / area_5);
         let along_b = (((_e5.y() * m_5.x()) - (_e5.x() * m_5.y())) / area_5);
-        placed_2.tangent = (at_83.tangent + (at_83.normal * _e5.x()));
-        placed_2.bitangent = (at_83.bitangent + (at_83.normal * _e5.y()));
-        placed_2.normal = ((at_83.normal - (at_83.tangent * along_t)) - (at_83.bitangent * along_b)).normalize();
+        placed_2.tangent = (at_84.tangent + (at_84.normal * _e5.x()));
+        placed_2.bitangent = (at_84.bitangent + (at_84.normal * _e5.y()));
+        placed_2.normal = ((at_84.normal - (at_84.tangent * along_t)) - (at_84.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_2 = _e63.dot(_e65);
@@ -11492,97 +11509,97 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
-        pixel_66: PixelIn,
-        at_84: Entered,
-        path_67: Path,
-        hit_35: Hit,
+        pixel_67: PixelIn,
+        at_85: Entered,
+        path_68: Path,
+        hit_34: Hit,
         params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_66, at_84, path_67, hit_35, rt::into(params_65)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_67, at_85, path_68, hit_34, rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_place(
         &self,
-        pixel_66: PixelIn,
-        at_84: Entered,
-        path_67: Path,
-        hit_35: Hit,
+        pixel_67: PixelIn,
+        at_85: Entered,
+        path_68: Path,
+        hit_34: Hit,
         params_65: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_84, (hit_35.uv - at_84.uv));
+        let _e8 = self.v_quadric_frame(at_85, (hit_34.uv - at_85.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_66.origin + (pixel_66.direction.normalize() * (rt::Scalar(path_67.start) + rt::Scalar(hit_35.t))));
-        placed_3.uv = hit_35.uv;
+        placed_3.point = (pixel_67.origin + (pixel_67.direction.normalize() * (rt::Scalar(path_68.start) + rt::Scalar(hit_34.t))));
+        placed_3.uv = hit_34.uv;
         let _e21 = placed_3;
         return _e21;
     }
     pub(crate) fn surface_quadric_vertical_place(
         &self,
-        pixel_67: PixelIn,
-        at_85: Entered,
-        path_68: Path,
-        hit_36: Hit,
+        pixel_68: PixelIn,
+        at_86: Entered,
+        path_69: Path,
+        hit_35: Hit,
         params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_67, at_85, path_68, hit_36, rt::into(params_66)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_68, at_86, path_69, hit_35, rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
-        pixel_67: PixelIn,
-        at_85: Entered,
-        path_68: Path,
-        hit_36: Hit,
+        pixel_68: PixelIn,
+        at_86: Entered,
+        path_69: Path,
+        hit_35: Hit,
         params_66: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_9 = (hit_36.uv - at_85.uv);
+        let aside_9 = (hit_35.uv - at_86.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_36.uv, rt::Scalar(at_85.level));
+        let _e16 = self.v_height_at(hit_35.uv, rt::Scalar(at_86.level));
         let height_17 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_85.quadric.xyz(), aside_9);
-        let lifted_2 = (((_e19 - at_85.quadric.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_85, aside_9);
+        let _e27 = self.v_quadric_at(at_86.quadric.xyz(), aside_9);
+        let lifted_2 = (((_e19 - at_86.quadric.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_86, aside_9);
         placed_4 = _e29;
-        placed_4.point = (((at_85.point + (at_85.tangent * aside_9.x())) + (at_85.bitangent * aside_9.y())) + (at_85.normal * (height_17 + lifted_2)));
-        placed_4.uv = hit_36.uv;
+        placed_4.point = (((at_86.point + (at_86.tangent * aside_9.x())) + (at_86.bitangent * aside_9.y())) + (at_86.normal * (height_17 + lifted_2)));
+        placed_4.uv = hit_35.uv;
         let _e47 = placed_4;
         return _e47;
     }
     pub(crate) fn surface_tetrahedra_place(
         &self,
-        pixel_68: PixelIn,
-        at_86: Entered,
-        path_69: Path,
-        hit_37: Hit,
+        pixel_69: PixelIn,
+        at_87: Entered,
+        path_70: Path,
+        hit_36: Hit,
         params_67: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_68, at_86, path_69, hit_37, rt::into(params_67)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_69, at_87, path_70, hit_36, rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
-        pixel_68: PixelIn,
-        at_86: Entered,
-        path_69: Path,
-        hit_37: Hit,
+        pixel_69: PixelIn,
+        at_87: Entered,
+        path_70: Path,
+        hit_36: Hit,
         params_67: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
         let mut number_10: rt::Scalar<u32> = rt::Scalar(1u32);
 
-        let along_36 = pixel_68.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_68, along_36);
-        let t_37 = ((rt::Scalar(path_69.start) + rt::Scalar(hit_37.t)) - _e7);
-        let _e13 = self.v_tetrahedron(pixel_68, along_36, _e7, rt::Scalar(0u32));
+        let along_36 = pixel_69.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_69, along_36);
+        let t_37 = ((rt::Scalar(path_70.start) + rt::Scalar(hit_36.t)) - _e7);
+        let _e13 = self.v_tetrahedron(pixel_69, along_36, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
@@ -11596,7 +11613,7 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e30 = number_10;
-                    let _e31 = self.v_tetrahedron(pixel_68, along_36, _e7, _e30);
+                    let _e31 = self.v_tetrahedron(pixel_69, along_36, _e7, _e30);
                     let aside_10 = (_e31.inside.x() - t_37).max((t_37 - _e31.inside.y()));
                     let _e39 = beside_1;
                     if rt::Scalar::into_branch_condition(aside_10.elementwise_lt(_e39)) {
@@ -11611,98 +11628,107 @@ impl<'g> Resources<'g> {
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
         let weights_7 = (_e45 + (_e47 * t_37));
-        let point_18 = (pixel_68.origin + (along_36 * (rt::Scalar(path_69.start) + rt::Scalar(hit_37.t))));
-        let _e58 = self.v_placed_at(pixel_68, at_86, weights_7.xyz(), point_18, hit_37.uv);
+        let point_18 = (pixel_69.origin + (along_36 * (rt::Scalar(path_70.start) + rt::Scalar(hit_36.t))));
+        let _e58 = self.v_placed_at(pixel_69, at_87, weights_7.xyz(), point_18, hit_36.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
-        pixel_69: PixelIn,
-        at_87: Entered,
-        path_70: Path,
-        hit_38: Hit,
+        pixel_70: PixelIn,
+        at_88: Entered,
+        path_71: Path,
+        hit_37: Hit,
         params_68: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_69, at_87, path_70, hit_38, rt::into(params_68)))
+        rt::into(self.v_surface_facets_place(pixel_70, at_88, path_71, hit_37, rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_place(
         &self,
-        pixel_69: PixelIn,
-        at_87: Entered,
-        path_70: Path,
-        hit_38: Hit,
+        pixel_70: PixelIn,
+        at_88: Entered,
+        path_71: Path,
+        hit_37: Hit,
         params_68: rt::Vec4<f32>,
     ) -> Entered {
-        return at_87;
+        return at_88;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_70: PixelIn, at_88: Entered, path_71: Path, hit_39: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_70, at_88, path_71, hit_39))
+    pub(crate) fn surface_place_stage(&self, pixel_71: PixelIn, at_89: Entered, path_72: Path, hit_38: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_71, at_89, path_72, hit_38))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_70: PixelIn, at_88: Entered, path_71: Path, hit_39: Hit) -> Entered {
+    fn v_surface_place_stage(&self, pixel_71: PixelIn, at_89: Entered, path_72: Path, hit_38: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_70, at_88, path_71, hit_39, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_71, at_89, path_72, hit_38, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_70, at_88, path_71, hit_39, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_71, at_89, path_72, hit_38, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_70, at_88, path_71, hit_39, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_71, at_89, path_72, hit_38, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_70, at_88, path_71, hit_39, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_71, at_89, path_72, hit_38, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_70, at_88, path_71, hit_39, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_71, at_89, path_72, hit_38, _e37);
                 return _e38;
             }
             _ => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_70, at_88, path_71, hit_39, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_71, at_89, path_72, hit_38, _e43);
                 return _e44;
             }
         }
     }
+    pub(crate) fn place_on_segment(&self, pixel_72: PixelIn, at_90: Entered, path_73: Path, hit_39: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_72, at_90, path_73, hit_39))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_place_on_segment(&self, pixel_72: PixelIn, at_90: Entered, path_73: Path, hit_39: Hit) -> Entered {
+        let mut placed_5: Entered;
+
+        let _e4 = self.v_surface_place_stage(pixel_72, at_90, path_73, hit_39);
+        placed_5 = _e4;
+        let _e7 = self.v_depth_on_ray(pixel_72, path_73, hit_39);
+        rt::Scalar(placed_5.depth) = _e7;
+        let _e8 = placed_5;
+        return _e8;
+    }
     pub(crate) fn place_hit(
         &self,
-        pixel_71: PixelIn,
-        at_89: Entered,
+        pixel_73: PixelIn,
+        at_91: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
         hit_40: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_71, at_89, rt::into(segment), hit_40))
+        rt::into(self.v_place_hit(pixel_73, at_91, rt::into(segment), hit_40))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_place_hit(
         &self,
-        pixel_71: PixelIn,
-        at_89: Entered,
+        pixel_73: PixelIn,
+        at_91: Entered,
         segment: rt::Scalar<u32>,
         hit_40: Hit,
     ) -> Entered {
-        let mut placed_5: Entered;
-
-        let _e4 = self.v_segment_of(pixel_71, at_89, segment);
-        let _e5 = self.v_surface_place_stage(pixel_71, at_89, _e4, hit_40);
-        placed_5 = _e5;
-        let _e8 = self.v_depth_on_ray(pixel_71, _e4, hit_40);
-        rt::Scalar(placed_5.depth) = _e8;
-        let _e9 = placed_5;
-        return _e9;
+        let _e4 = self.v_segment_of(pixel_73, at_91, segment);
+        let _e5 = self.v_place_on_segment(pixel_73, at_91, _e4, hit_40);
+        return _e5;
     }
     pub(crate) fn toward_light(
         &self,
@@ -11730,54 +11756,54 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn point_of_light(
         &self,
-        at_90: Entered,
+        at_92: Entered,
         hit_41: Hit,
         number_12: impl rt::Into<rt::Scalar<u32>>,
-        k_22: impl rt::Into<rt::Scalar<u32>>,
+        k_23: impl rt::Into<rt::Scalar<u32>>,
         count_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_90, hit_41, rt::into(number_12), rt::into(k_22), rt::into(count_5)))
+        rt::into(self.v_point_of_light(at_92, hit_41, rt::into(number_12), rt::into(k_23), rt::into(count_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_light(
         &self,
-        at_90: Entered,
+        at_92: Entered,
         hit_41: Hit,
         number_12: rt::Scalar<u32>,
-        k_22: rt::Scalar<u32>,
+        k_23: rt::Scalar<u32>,
         count_5: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_12, at_90.point);
+        let _e6 = self.v_toward_light(number_12, at_92.point);
         if rt::Scalar::into_branch_condition(count_5.elementwise_gt(rt::Scalar(0u32))) {
             let _e9 = self.v_seed_of(hit_41);
-            let _e10 = self.v_point_of_disc(_e6, _e9, k_22, count_5);
+            let _e10 = self.v_point_of_disc(_e6, _e9, k_23, count_5);
             return _e10;
         }
         return _e6;
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_91: Entered,
+        at_93: Entered,
         hit_42: Hit,
         number_13: impl rt::Into<rt::Scalar<u32>>,
-        k_23: impl rt::Into<rt::Scalar<u32>>,
+        k_24: impl rt::Into<rt::Scalar<u32>>,
         count_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_91, hit_42, rt::into(number_13), rt::into(k_23), rt::into(count_6)))
+        rt::into(self.v_ray_to_light(at_93, hit_42, rt::into(number_13), rt::into(k_24), rt::into(count_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ray_to_light(
         &self,
-        at_91: Entered,
+        at_93: Entered,
         hit_42: Hit,
         number_13: rt::Scalar<u32>,
-        k_23: rt::Scalar<u32>,
+        k_24: rt::Scalar<u32>,
         count_6: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_91, hit_42, number_13, k_23, count_6);
-        let _e6 = self.v_light_ray(at_91, hit_42, _e5);
+        let _e5 = self.v_point_of_light(at_93, hit_42, number_13, k_24, count_6);
+        let _e6 = self.v_light_ray(at_93, hit_42, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
@@ -11806,16 +11832,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_92: Entered,
+        at_94: Entered,
         seen_2: SeenNormals,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_92, seen_2, rt::into(toward_2)))
+        rt::into(self.v_seen_cosine(at_94, seen_2, rt::into(toward_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_92: Entered,
+        at_94: Entered,
         seen_2: SeenNormals,
         toward_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -11824,7 +11850,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_2.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_2.normal.dot(toward_2).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_92, toward_2);
+        let _e10 = self.v_to_tangent_space(at_94, toward_2);
         let middle_15 = seen_2.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_15, seen_2.along.dot(_e10), seen_2.across.dot(_e10));
         let one_1 = (rt::Scalar(seen_2.middle_seen) * middle_15.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
@@ -11878,7 +11904,7 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e9 = rest_2;
-                    if rt::Scalar::into_branch_condition((_e9 % rt::Scalar(2u32)).elementwise_eq(rt::Scalar(1u32))) {
+                    if rt::Scalar::into_branch_condition((_e9 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(1u32))) {
                         let _e14 = result;
                         let _e15 = square;
                         result = (_e14 * _e15);
@@ -11887,7 +11913,7 @@ impl<'g> Resources<'g> {
                     let _e18 = square;
                     square = (_e17 * _e18);
                     let _e20 = rest_2;
-                    rest_2 = (_e20 / rt::Scalar(2u32));
+                    rest_2 = (_e20 >> rt::Scalar(1u32));
                 }
             }
         }
@@ -11973,19 +11999,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn reflected_light(
         &self,
-        at_93: Entered,
+        at_95: Entered,
         hit_43: Hit,
         seen_3: SeenNormals,
         view_15: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_93, hit_43, seen_3, rt::into(view_15), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_95, hit_43, seen_3, rt::into(view_15), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_93: Entered,
+        at_95: Entered,
         hit_43: Hit,
         seen_3: SeenNormals,
         view_15: rt::Vec3<f32>,
@@ -11993,33 +12019,33 @@ impl<'g> Resources<'g> {
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_16: rt::Vec3<f32>;
-        let mut k_24: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_25: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_93, hit_43, (seen_3.normal * rt::Scalar(seen_3.length)), view_15, diffuse);
+        let _e20 = self.v_ambient_stage(at_95, hit_43, (seen_3.normal * rt::Scalar(seen_3.length)), view_15, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_24;
+                let _e24 = k_25;
                 let _e27 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt(_e27)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e29 = k_24;
-                    let _e31 = self.v_toward_light(_e29, at_93.point);
-                    let _e33 = self.v_seen_cosine(at_93, seen_3, _e31.direction);
+                    let _e29 = k_25;
+                    let _e31 = self.v_toward_light(_e29, at_95.point);
+                    let _e33 = self.v_seen_cosine(at_95, seen_3, _e31.direction);
                     let _e37 = self.v_shade_stage(seen_3.normal, rt::Scalar(seen_3.length), _e33, view_15, _e31.direction, diffuse);
                     let _e38 = light_16;
-                    let _e41 = k_24;
+                    let _e41 = k_25;
                     let _e44 = self.frame.lights[rt::Scalar::into_array_index(_e41)].color;
-                    let _e48 = k_24;
+                    let _e48 = k_25;
                     light_16 = (_e38 + ((_e37 * _e44.xyz()) * (rt::Scalar(_e31.falloff) * visible[rt::Scalar::into_array_index(_e48)].x())));
-                    let _e54 = k_24;
-                    k_24 = (_e54 + rt::Scalar(1u32));
+                    let _e54 = k_25;
+                    k_25 = (_e54 + rt::Scalar(1u32));
                 }
             }
         }
@@ -12042,73 +12068,104 @@ impl<'g> Resources<'g> {
         let _e27 = self.frame.clip.y();
         return (_e23 + (_e27 / depth_6.max(rt::Scalar(0f32)))).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
     }
-    pub(crate) fn shade_hit(&self, pixel_72: PixelIn, at_94: Entered, hit_44: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_72, at_94, hit_44, visible_1))
+    pub(crate) fn shade_hit(
+        &self,
+        origin_2: impl rt::Into<rt::Vec3<f32>>,
+        at_96: Entered,
+        hit_44: Hit,
+        visible_1: [rt::Vec4<f32>; 8],
+    ) -> PixelOut {
+        rt::into(self.v_shade_hit(rt::into(origin_2), at_96, hit_44, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_72: PixelIn, at_94: Entered, hit_44: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+    fn v_shade_hit(
+        &self,
+        origin_2: rt::Vec3<f32>,
+        at_96: Entered,
+        hit_44: Hit,
+        visible_1: [rt::Vec4<f32>; 8],
+    ) -> PixelOut {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_44.found).elementwise_eq(rt::Scalar(0u32))) {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_44.cost.x(), hit_44.cost.y(), hit_44.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_44.uv, rt::Scalar(at_94.level));
-        let view_18 = (pixel_72.origin - at_94.point).normalize();
-        let _e50 = self.v_mesostructure_normals(at_94, hit_44.uv, view_18);
-        let _e53 = self.v_color_or_white(hit_44.uv, rt::Scalar(at_94.footprint));
-        let _e54 = self.v_reflected_light(at_94, hit_44, _e50, view_18, _e53, visible_1);
-        let _e60 = self.frame.forward;
-        let depth_9 = (at_94.point - pixel_72.origin).dot(_e60.xyz());
-        let _e65 = self.v_height_size(rt::Scalar(0u32));
-        let _e71 = self.v_cell_of(((hit_44.uv * _e65) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e91 = self.v_z_of(rt::Scalar(at_94.depth));
-        let _e94 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e54, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_44.exhausted), hit_44.uv, _e44, at_94.point, _e50.normal, depth_9, rt::Scalar(hit_44.t), _e71.to_i32(), hit_44.cost.x(), hit_44.cost.y(), hit_44.cost.z(), visible_1[0usize].x(), rt::Scalar(at_94.level), _e91, _e94);
+        let _e44 = self.v_height_at(hit_44.uv, rt::Scalar(at_96.level));
+        let view_18 = (origin_2 - at_96.point).normalize();
+        let _e49 = self.v_mesostructure_normals(at_96, hit_44.uv, view_18);
+        let _e52 = self.v_color_or_white(hit_44.uv, rt::Scalar(at_96.footprint));
+        let _e53 = self.v_reflected_light(at_96, hit_44, _e49, view_18, _e52, visible_1);
+        let _e58 = self.frame.forward;
+        let depth_9 = (at_96.point - origin_2).dot(_e58.xyz());
+        let _e63 = self.v_height_size(rt::Scalar(0u32));
+        let _e69 = self.v_cell_of(((hit_44.uv * _e63) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e89 = self.v_z_of(rt::Scalar(at_96.depth));
+        let _e92 = rt::Scalar(self.surface_settings.number);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e53, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_44.exhausted), hit_44.uv, _e44, at_96.point, _e49.normal, depth_9, rt::Scalar(hit_44.t), _e69.to_i32(), hit_44.cost.x(), hit_44.cost.y(), hit_44.cost.z(), visible_1[0usize].x(), rt::Scalar(at_96.level), _e89, _e92);
     }
-    pub(crate) fn visible_lights(&self, at_95: Entered, hit_45: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_95, hit_45))
+    pub(crate) fn visible_light(
+        &self,
+        at_97: Entered,
+        hit_45: Hit,
+        number_14: impl rt::Into<rt::Scalar<u32>>,
+    ) -> f32 {
+        rt::into(self.v_visible_light(at_97, hit_45, rt::into(number_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_95: Entered, hit_45: Hit) -> [rt::Vec4<f32>; 8] {
+    #[inline(always)]
+    fn v_visible_light(
+        &self,
+        at_97: Entered,
+        hit_45: Hit,
+        number_14: rt::Scalar<u32>,
+    ) -> rt::Scalar<f32> {
+        let _e4 = self.v_toward_light(number_14, at_97.point);
+        let _e5 = self.v_shadow_stage(at_97, hit_45, _e4);
+        return _e5;
+    }
+    pub(crate) fn visible_lights(&self, at_98: Entered, hit_46: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_98, hit_46))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_visible_lights(&self, at_98: Entered, hit_46: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut k_25: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_26: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_45.found).elementwise_eq(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_46.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
             return _e7;
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_25;
+                let _e10 = k_26;
                 let _e13 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e10.elementwise_lt(_e13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_25;
-                    let _e17 = self.v_toward_light(_e15, at_95.point);
-                    let _e18 = self.v_shadow_stage(at_95, hit_45, _e17);
-                    let _e19 = k_25;
-                    visible_2[rt::Scalar::into_array_index(_e19)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e25 = k_25;
-                    k_25 = (_e25 + rt::Scalar(1u32));
+                    let _e15 = k_26;
+                    let _e17 = k_26;
+                    let _e18 = self.v_visible_light(at_98, hit_46, _e17);
+                    visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+                    let _e23 = k_26;
+                    k_26 = (_e23 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e28 = visible_2;
-        return _e28;
+        let _e26 = visible_2;
+        return _e26;
     }
-    pub(crate) fn shade_pixel(&self, pixel_73: PixelIn) -> PixelOut {
-        rt::into(self.v_shade_pixel(pixel_73))
+    pub(crate) fn shade_pixel(&self, pixel_74: PixelIn) -> PixelOut {
+        rt::into(self.v_shade_pixel(pixel_74))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shade_pixel(&self, pixel_73: PixelIn) -> PixelOut {
-        let _e1 = self.v_enter_relief(pixel_73);
-        let _e2 = self.v_first_hit(pixel_73, _e1);
-        let _e5 = self.v_place_hit(pixel_73, _e1, rt::Scalar(_e2.segment), _e2.hit);
-        let _e8 = self.v_visible_lights(_e5, _e2.hit);
-        let _e9 = self.v_shade_hit(pixel_73, _e5, _e2.hit, _e8);
-        return _e9;
+    fn v_shade_pixel(&self, pixel_74: PixelIn) -> PixelOut {
+        let _e1 = self.v_enter_relief(pixel_74);
+        let _e2 = self.v_first_hit(pixel_74, _e1);
+        let _e5 = self.v_place_hit(pixel_74, _e1, rt::Scalar(_e2.segment), _e2.hit);
+        let _e9 = self.v_visible_lights(_e5, _e2.hit);
+        let _e10 = self.v_shade_hit(pixel_74.origin, _e5, _e2.hit, _e9);
+        return _e10;
     }
     pub(crate) fn weighted_site(
         &self,
@@ -12135,10 +12192,10 @@ impl<'g> Resources<'g> {
         a_15: BaseSite,
         b_15: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
-        at_96: impl rt::Into<rt::Scalar<u32>>,
+        at_99: impl rt::Into<rt::Scalar<u32>>,
         parts_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_15, b_15, rt::into(shares), rt::into(at_96), rt::into(parts_2)))
+        rt::into(self.v_site_between(a_15, b_15, rt::into(shares), rt::into(at_99), rt::into(parts_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12147,11 +12204,11 @@ impl<'g> Resources<'g> {
         a_15: BaseSite,
         b_15: BaseSite,
         shares: rt::Vec2<f32>,
-        at_96: rt::Scalar<u32>,
+        at_99: rt::Scalar<u32>,
         parts_2: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_2 - at_96).to_f32() * shares.x());
-        let of_b = (at_96.to_f32() * shares.y());
+        let of_a = ((parts_2 - at_99).to_f32() * shares.x());
+        let of_b = (at_99.to_f32() * shares.y());
         let sum_6 = (of_a + of_b);
         let _e17 = self.v_weighted_site(a_15, b_15, b_15, <rt::Vec3<f32>>::from_scalars((of_a / sum_6), (of_b / sum_6), rt::Scalar(0f32)));
         return _e17;
@@ -12220,9 +12277,9 @@ impl<'g> Resources<'g> {
         let down_3 = (grid_11.middle.y() - ((grid_11.up.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e42));
         let far_11 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_101 = <rt::Vec3<f32>>::from_scalars(right_3, down_3, _e49).clamp((-far_11), far_11);
+        let at_104 = <rt::Vec3<f32>>::from_scalars(right_3, down_3, _e49).clamp((-far_11), far_11);
         let _e60 = share;
-        return <Voxel>::new((at_101 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
+        return <Voxel>::new((at_104 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
     }
 }
 

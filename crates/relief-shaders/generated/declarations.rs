@@ -2697,13 +2697,23 @@ fn height_cell(cell: vec2i, level: u32) -> vec4f {
         module: "shared/height",
         name: "in_hole",
         sampling: None,
-        uses: &["cell_of", "height_size", "height_texels", "hole_map", "surface_settings", "wrap_index"],
+        uses: &["is_in_hole", "surface_settings"],
         text: r#"// Whether texture coordinates lie in a hole: in a dual cell with a texel that is one. Whatever level is
 // traced it is a cell of the finest, so that holes are as large from afar.
 fn in_hole(uv: vec2f) -> bool {
     if (surface_settings.has_holes != 1u) {
         return false;
     }
+    return is_in_hole(uv);
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "is_in_hole",
+        sampling: None,
+        uses: &["cell_of", "height_size", "height_texels", "hole_map", "wrap_index"],
+        text: r#"// The same of a height map that has some.
+fn is_in_hole(uv: vec2f) -> bool {
     let n = height_texels(0u);
     let cell = vec2i(cell_of(uv * height_size(0u) - vec2f(0.5, 0.5)));
     let i0 = wrap_index(cell.x, n.x);
@@ -3812,7 +3822,7 @@ fn trace(path: Path) -> Hit {
         module: "shared/pixel",
         name: "first_hit",
         sampling: None,
-        uses: &["Entered", "FirstHit", "NO_COST", "PixelIn", "SHELL_FOLDED", "depth_on_ray", "in_hole", "key_of", "miss", "polish_hit", "segment_of", "trace"],
+        uses: &["Entered", "FirstHit", "NO_COST", "PixelIn", "SHELL_FOLDED", "hit_on_segment", "miss", "segment_of", "trace"],
         text: r#"// The first hit of a pixel's ray, segment after segment. A segment whose hit lies in a hole has none. In a
 // shell that overlaps itself segments do so, too: there it is the nearest of all.
 fn first_hit(pixel: PixelIn, at: Entered) -> FirstHit {
@@ -3822,16 +3832,14 @@ fn first_hit(pixel: PixelIn, at: Entered) -> FirstHit {
     while (k < at.segments) {
         let path = segment_of(pixel, at, k);
         if (path.exit > 0.0) {
-            var hit = trace(path);
+            let hit = trace(path);
             cost = cost + hit.cost;
-            if (hit.found == 1u) {
-                hit = polish_hit(pixel, at, path, hit);
-                let key = key_of(depth_on_ray(pixel, path, hit));
-                let is_open = !in_hole(hit.uv);
-                if (is_open && (first.hit.found == 0u || key > first.key)) {
-                    first = FirstHit(hit, k, key);
+            let here = hit_on_segment(pixel, at, path, hit, k);
+            if (here.hit.found == 1u) {
+                if (first.hit.found == 0u || here.key > first.key) {
+                    first = here;
                 }
-                if (is_open && pixel.shell.order < SHELL_FOLDED) {
+                if (pixel.shell.order < SHELL_FOLDED) {
                     break;
                 }
             }
@@ -3850,6 +3858,25 @@ fn first_hit(pixel: PixelIn, at: Entered) -> FirstHit {
         text: r#"// A hit that the stages have found on a segment, where the segment's ray truly is.
 fn polish_hit(pixel: PixelIn, at: Entered, path: Path, hit: Hit) -> Hit {
     return surface_polish_stage(pixel, at, path, hit);
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "hit_on_segment",
+        sampling: None,
+        uses: &["Entered", "FirstHit", "Hit", "Path", "PixelIn", "depth_on_ray", "in_hole", "key_of", "polish_hit"],
+        text: r#"// What the stages have found on the segment of that number, as what the ray meets there: a hit where the
+// segment's ray truly is, and none in a hole.
+fn hit_on_segment(pixel: PixelIn, at: Entered, path: Path, found: Hit, k: u32) -> FirstHit {
+    var first = FirstHit(found, k, 0.0);
+    if (found.found == 1u) {
+        let hit = polish_hit(pixel, at, path, found);
+        first = FirstHit(hit, k, key_of(depth_on_ray(pixel, path, hit)));
+        if (in_hole(hit.uv)) {
+            first.hit.found = 0u;
+        }
+    }
+    return first;
 }"#,
     },
     Declaration {
@@ -3892,10 +3919,19 @@ fn z_of(depth: f32) -> f32 {
         module: "shared/pixel",
         name: "place_hit",
         sampling: None,
-        uses: &["Entered", "Hit", "PixelIn", "depth_on_ray", "segment_of", "surface_place_stage"],
+        uses: &["Entered", "Hit", "PixelIn", "place_on_segment", "segment_of"],
         text: r#"// A hit on the displaced surface: its place in the world, and the frame there.
 fn place_hit(pixel: PixelIn, at: Entered, segment: u32, hit: Hit) -> Entered {
-    let path = segment_of(pixel, at, segment);
+    return place_on_segment(pixel, at, segment_of(pixel, at, segment), hit);
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "place_on_segment",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn", "depth_on_ray", "surface_place_stage"],
+        text: r#"// The same, of a hit on that segment.
+fn place_on_segment(pixel: PixelIn, at: Entered, path: Path, hit: Hit) -> Entered {
     var placed = surface_place_stage(pixel, at, path, hit);
     placed.depth = depth_on_ray(pixel, path, hit);
     return placed;
@@ -3976,7 +4012,7 @@ fn ray_to_light(at: Entered, hit: Hit, number: u32, k: u32, count: u32) -> Light
         module: "shared/pixel",
         name: "visible_lights",
         sampling: None,
-        uses: &["Entered", "Hit", "MAX_LIGHTS", "frame", "shadow_stage", "toward_light"],
+        uses: &["Entered", "Hit", "MAX_LIGHTS", "frame", "visible_light"],
         text: r#"// The part of each light that arrives at a placed hit, from 0 to 1, as the first of four numbers.
 fn visible_lights(at: Entered, hit: Hit) -> array<vec4f, MAX_LIGHTS> {
     var visible = array<vec4f, MAX_LIGHTS>();
@@ -3985,11 +4021,20 @@ fn visible_lights(at: Entered, hit: Hit) -> array<vec4f, MAX_LIGHTS> {
     }
     var k = 0u;
     while (k < frame.light_count) {
-        let part = shadow_stage(at, hit, toward_light(k, at.point));
-        visible[k] = vec4f(part, 0.0, 0.0, 0.0);
+        visible[k] = vec4f(visible_light(at, hit, k), 0.0, 0.0, 0.0);
         k = k + 1u;
     }
     return visible;
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "visible_light",
+        sampling: None,
+        uses: &["Entered", "Hit", "shadow_stage", "toward_light"],
+        text: r#"// That of the light of that number.
+fn visible_light(at: Entered, hit: Hit, number: u32) -> f32 {
+    return shadow_stage(at, hit, toward_light(number, at.point));
 }"#,
     },
     Declaration {
@@ -4013,9 +4058,10 @@ fn mirrored_light(pixel: PixelIn, at: Entered, hit: Hit) -> f32 {
         module: "shared/pixel",
         name: "shade_hit",
         sampling: None,
-        uses: &["Entered", "Hit", "MAX_LIGHTS", "PixelIn", "PixelOut", "cell_of", "color_or_white", "frame", "height_at", "height_size", "mesostructure_normals", "reflected_light", "surface_settings", "z_of"],
-        text: r#"// What a pixel shows of a placed hit, at which these parts of the lights arrive.
-fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LIGHTS>) -> PixelOut {
+        uses: &["Entered", "Hit", "MAX_LIGHTS", "PixelOut", "cell_of", "color_or_white", "frame", "height_at", "height_size", "mesostructure_normals", "reflected_light", "surface_settings", "z_of"],
+        text: r#"// What a pixel shows of a placed hit, at which these parts of the lights arrive. `origin` is where the ray
+// begins.
+fn shade_hit(origin: vec3f, at: Entered, hit: Hit, visible: array<vec4f, MAX_LIGHTS>) -> PixelOut {
     if (hit.found == 0u) {
         return PixelOut(
             vec4f(0.0, 0.0, 0.0, 0.0),
@@ -4038,10 +4084,10 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LI
         );
     }
     let height = height_at(hit.uv, at.level);
-    let view = normalize(pixel.origin - at.point);
+    let view = normalize(origin - at.point);
     let seen = mesostructure_normals(at, hit.uv, view);
     let color = reflected_light(at, hit, seen, view, color_or_white(hit.uv, at.footprint), visible);
-    let depth = dot(at.point - pixel.origin, frame.forward.xyz);
+    let depth = dot(at.point - origin, frame.forward.xyz);
     let cell = cell_of(hit.uv * height_size(0u) - vec2f(0.5, 0.5));
     return PixelOut(
         vec4f(color, 1.0),
@@ -4073,7 +4119,7 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LI
     let base = enter_relief(pixel);
     let first = first_hit(pixel, base);
     let at = place_hit(pixel, base, first.segment, first.hit);
-    return shade_hit(pixel, at, first.hit, visible_lights(at, first.hit));
+    return shade_hit(pixel.origin, at, first.hit, visible_lights(at, first.hit));
 }"#,
     },
     Declaration {
@@ -8601,11 +8647,11 @@ const LOBE = 8.0;"#,
     var square = base;
     var rest = exponent;
     while (rest > 0u) {
-        if (rest % 2u == 1u) {
+        if ((rest & 1u) == 1u) {
             result = result * square;
         }
         square = square * square;
-        rest = rest / 2u;
+        rest = rest >> 1u;
     }
     return result;
 }"#,
@@ -9163,7 +9209,7 @@ fn shade_main(@builtin(global_invocation_id) id: vec3u) {
     let point = vec2f(vec2u(id.x, row)) + vec2f(0.5, 0.5) + pass_settings.offset;
     let pixel = numbered_pixel(u32(abs(what.x)) - 1u, side, point);
     let at = place_hit(pixel, enter_relief(pixel), segment, hit);
-    let out = shade_hit(pixel, at, hit, visible_lights(at, hit));
+    let out = shade_hit(pixel.origin, at, hit, visible_lights(at, hit));
     let place = id.y * size.x + id.x;
     records[place] = Record(
         out.color,

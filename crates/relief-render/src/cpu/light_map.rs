@@ -55,8 +55,8 @@ impl LightMap {
                 surfaces.map(|(surface, made)| Ready::new(surface, *frame, None, made.clone())).collect();
             let tiled = Tiled::new(&ready, &[Sample::CENTRE], [views.size; 2], lanes);
             let keys = |seen: &SeenBlock, put: &mut dyn FnMut(usize, f32)| {
-                for (point, seen) in seen.iter().enumerate() {
-                    put(point, seen.as_ref().map_or(0.0, |(_, seen)| seen.first.key));
+                for (point, nearest) in seen.nearest.iter().enumerate() {
+                    put(point, nearest.map_or(0.0, |surface| seen.surfaces[surface].keys[point]));
                 }
             };
             tiled.each(layer, 0, cancel, done, keys, |key, _, of| *key = of);

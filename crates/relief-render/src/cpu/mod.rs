@@ -11,11 +11,11 @@ use relief_core::{HeightMap, Lanes};
 use relief_shaders::cpu::PixelOut;
 use relief_shaders::surface::Proposal;
 
+use self::block::{places, places_where};
 use self::light_map::{LightMap, NoLightMap};
 use self::ready::{Base, Made, Ready, SceneRays, caster};
 use self::tessellated::KeptTessellated;
 use self::tiled::{SeenBlock, Tiled};
-use self::together::BLOCK_POINTS;
 use crate::job::{Job, JobSurface, Rendering, uncovered};
 use crate::kept::kept;
 use crate::raycast::RayCaster;
@@ -23,11 +23,13 @@ use crate::samples::{Sample, samples};
 use crate::shellcast::ShellCaster;
 use crate::triangles::Triangles;
 
+mod block;
 mod light_map;
 mod ready;
+mod seen;
+mod shading;
 pub(crate) mod tessellated;
 mod tiled;
-mod together;
 
 /// Pixels of a band of rows: enough for all cores, and few enough to keep.
 const BAND_PIXELS: u32 = 1 << 18;
@@ -243,19 +245,14 @@ impl Rows<'_> {
     }
 
     /// What a block's points look like, surface by surface.
-    fn shade(&self, seen: &SeenBlock, put: &mut dyn FnMut(usize, PixelOut)) {
-        for (point, seen) in seen.iter().enumerate() {
-            if seen.is_none() {
-                put(point, uncovered());
-            }
+    fn shade(&self, block: &SeenBlock, put: &mut dyn FnMut(usize, PixelOut)) {
+        for place in places(places_where(|place| block.nearest[place].is_none())) {
+            put(place, uncovered());
         }
-        for surface in self.surfaces {
-            let mut own = [None; BLOCK_POINTS];
-            for (own, seen) in own.iter_mut().zip(seen) {
-                *own = seen.as_ref().filter(|(of, _)| std::ptr::eq(*of, surface)).map(|(_, seen)| seen);
-            }
-            if own.iter().any(Option::is_some) {
-                surface.shade(&own, self.scene, self.lanes, put);
+        for (number, (surface, seen)) in self.surfaces.iter().zip(block.surfaces).enumerate() {
+            let own = places_where(|place| block.nearest[place] == Some(number));
+            if own != 0 {
+                surface.shade(seen, own, self.scene, self.lanes, put);
             }
         }
     }

@@ -4,19 +4,16 @@ use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
 use relief_core::exact::FastTracer;
-use relief_core::{BakedMap, Cost, Lanes};
-use relief_shaders::MAX_LIGHTS;
+use relief_core::{BakedMap, Lanes};
 use relief_shaders::cpu::{
-    Corner, Entered, FirstHit, Frame, Hit, Path, PixelIn, PixelOut, Program, Triangle, Vec3 as ShaderVec3,
-    Vec4,
+    Corner, Entered, FirstHit, Frame, Hit, Path, PixelIn, Program, Triangle, Vec3 as ShaderVec3, Vec4,
 };
 use relief_shaders::surface::FOLDED;
 
-use super::together::{Ahead, Block, Placed, Visible};
 use crate::camera::Ray;
 use crate::job::{Job, JobSurface};
 use crate::light_views::{frame_of_rays, relief_points};
-use crate::raycast::tiles::{PictureRays, TileCaster, TileHit, TileHits};
+use crate::raycast::tiles::{PictureRays, TileCaster, TileHit};
 use crate::raycast::{RayCaster, Sides};
 use crate::shellcast::ShellCaster;
 use crate::triangles::Triangles;
@@ -41,14 +38,11 @@ const SHORTER_BY_EXTENT: f32 = 1e-5;
 /// that far beside it can be in another crest's shadow.
 const LIGHT_TOLERANCE_TEXELS: f32 = 0.01;
 
-/// What a ray meets of a surface, and all that is needed to shade it.
-#[derive(Clone, Copy)]
-pub struct Seen {
-    pixel: PixelIn,
-    at: Entered,
+/// What a ray meets of a polygon's relief: where it enters that, and on which path.
+pub struct Met {
+    pub at: Entered,
+    pub path: Path,
     pub first: FirstHit,
-    /// Of equally near ones the least counts: whether the mesh was turned over, and the triangle.
-    rank: (bool, u32),
 }
 
 /// What proposes triangles to a ray.
@@ -83,21 +77,19 @@ pub struct Ready<'a> {
     /// The exact tracers of all levels of detail.
     pub(super) tracers: Option<Arc<[FastTracer]>>,
     /// Whether they serve shadows, too.
-    traces_shadows: bool,
-    /// Whether anything is searched for, and whether shadows are those of rays, and to how many points of a
-    /// light these go.
-    pub(super) is_traced: bool,
-    sends_rays: bool,
+    pub(super) traces_shadows: bool,
+    /// Whether shadows are those of rays, and to how many points of a light these go.
+    pub(super) sends_rays: bool,
     pub(super) points_of_lights: u32,
     /// The same of shadows by rays through the whole scene.
-    rays_through_scene: Option<u32>,
+    pub(super) rays_through_scene: Option<u32>,
     pub(super) lights: u32,
     /// Whether the relief nowhere lies above its base, or there is none.
     is_carved: bool,
     /// As in [`Frame`].
     near: f64,
     /// How far before the surface rays of lights end, in metres.
-    shorter_m: f32,
+    pub(super) shorter_m: f32,
 }
 
 impl<'a> Ready<'a> {
@@ -115,6 +107,7 @@ impl<'a> Ready<'a> {
 
     fn with_program(surface: &'a JobSurface, program: Program<'a>, frame: Frame, made: Made) -> Self {
         let Made { base, tracers } = made;
+        let traces_shadows = tracers.is_some() && surface.selection.has_exact_shadows();
         let sides = if surface.two_sided { Sides::Both } else { Sides::Front };
         Self {
             program,
@@ -123,8 +116,7 @@ impl<'a> Ready<'a> {
             base,
             sides,
             tracers,
-            traces_shadows: surface.selection.has_exact_shadows(),
-            is_traced: surface.selection.is_traced(),
+            traces_shadows,
             sends_rays: surface.selection.sends_rays_to_lights(),
             points_of_lights: surface.selection.points_of_lights(),
             rays_through_scene: surface.selection.rays_through_scene(),
@@ -145,49 +137,12 @@ impl<'a> Ready<'a> {
         }
     }
 
-    /// What a point of the picture shows of the surface: the nearest hit of all base polygons along the ray,
-    /// and of equally near ones that of the first polygon. `cast` are the tile that the point is in, where
-    /// that was cast, and its number there, and `ahead` is what is known of the first polygon.
-    pub fn seen(
-        &self,
-        point: [f32; 2],
-        cast: Option<(&TileCaster, &TileHits, usize)>,
-        mut ahead: Option<&Ahead>,
-    ) -> Option<Seen> {
-        if cast.is_some_and(|(_, hits, point)| hits.is_miss(point)) {
-            return None;
-        }
-        let aim = self.aim(point);
-        let mut best: Option<Seen> = None;
-        let look = |rank, side| {
-            match ahead.take() {
-                Some(&Ahead { pixel, at, hit }) => {
-                    let first = self.first_hit(pixel, at, Some(hit));
-                    keep_nearest(&mut best, Seen { pixel, at, first, rank });
-                }
-                None => self.look(&mut best, rank, side, aim),
-            }
-            self.reach(best.as_ref())
-        };
-        match cast {
-            Some((caster, hits, point)) => {
-                self.propose_polygons(caster.hits(hits, point), f64::INFINITY, look);
-            }
-            None => self.propose(aim, f64::INFINITY, look),
-        }
-        best
-    }
-
     /// Whether a ray hits anything at a depth below that.
     pub fn hides(&self, aim: Aim, depth_m: f32) -> bool {
         let least = self.program.key_of_depth(depth_m);
-        let mut best: Option<Seen> = None;
         let mut is_hidden = false;
-        self.propose(aim, f64::from(depth_m), |rank, side| {
-            if !is_hidden {
-                self.look(&mut best, rank, side, aim);
-                is_hidden = best.as_ref().is_some_and(|best| best.first.key > least);
-            }
+        self.propose(aim, f64::from(depth_m), |(_, triangle), side| {
+            is_hidden = is_hidden || self.look(triangle, side, aim).is_some_and(|met| met.first.key > least);
             if is_hidden { f64::NEG_INFINITY } else { f64::from(depth_m) }
         });
         is_hidden
@@ -195,7 +150,7 @@ impl<'a> Ready<'a> {
 
     /// Calls `look` with the triangles that a ray may meet the relief of, roughly from near to far, and with
     /// their sides, until what comes begins beyond a depth: at first `reach`, then what `look` says.
-    fn propose(&self, aim: Aim, mut reach: f64, mut look: impl FnMut((bool, u32), f32) -> f64) {
+    pub(super) fn propose(&self, aim: Aim, mut reach: f64, mut look: impl FnMut((bool, u32), f32) -> f64) {
         let ray = ray_of(aim);
         match &self.base {
             Base::Polygons(caster) => {
@@ -212,7 +167,7 @@ impl<'a> Ready<'a> {
     }
 
     /// The same of polygons that a ray hits, in that order.
-    fn propose_polygons(
+    pub(super) fn propose_polygons(
         &self,
         hits: impl Iterator<Item = TileHit>,
         mut reach: f64,
@@ -232,43 +187,26 @@ impl<'a> Ready<'a> {
         Aim { origin: self.program.pixel_eye(point), direction: self.program.pixel_direction(point) }
     }
 
+    /// A triangle with its corners.
+    pub(super) fn triangle(&self, number: u32) -> Triangle {
+        self.triangles.get(number as usize)
+    }
+
     /// A ray and a side of a triangle, as the shaders have them.
     pub(super) fn pixel(&self, triangle: u32, side: f32, aim: Aim) -> PixelIn {
-        let Triangle { a, b, c, shell } = self.triangles.get(triangle as usize);
+        let Triangle { a, b, c, shell } = self.triangle(triangle);
         PixelIn { origin: aim.origin, direction: aim.direction, side, a, b, c, shell }
     }
 
-    /// Traces a side of a triangle, and keeps what it shows where that is the nearest so far.
-    fn look(&self, best: &mut Option<Seen>, rank: (bool, u32), side: f32, aim: Aim) {
-        let pixel = self.pixel(rank.1, side, aim);
-        let at = self.program.enter(pixel);
-        let first = self.first_hit(pixel, at, None);
-        keep_nearest(best, Seen { pixel, at, first, rank });
+    /// What a ray first hits in the relief of a side of a triangle.
+    pub(super) fn look(&self, triangle: u32, side: f32, aim: Aim) -> Option<Met> {
+        let pixel = self.pixel(triangle, side, aim);
+        self.first_from(pixel, self.program.enter(pixel), 0, [0; 3].into())
     }
 
-    /// The first hit of a ray in the relief of a polygon; `ahead` is the hit of its first segment, where that
-    /// is known.
-    fn first_hit(&self, pixel: PixelIn, at: Entered, ahead: Option<Hit>) -> FirstHit {
-        match (&self.tracers, ahead) {
-            (None, None) => self.program.first_hit(pixel, at),
-            (None, Some(_)) => {
-                let trace = |path| self.program.trace(path);
-                let (mut first, cost) = self.first_of_segments(pixel, at, ahead, trace);
-                first.hit.cost = cost;
-                first
-            }
-            (Some(tracers), _) => {
-                let tracer = &tracers[at.level as usize];
-                let trace = |path: Path| Hit::from(&tracer.trace(&(&path).into()).hit);
-                // What other segments cost is not told.
-                self.first_of_segments(pixel, at, ahead, trace).0
-            }
-        }
-    }
-
-    /// How deep what is nearer than that may begin.
-    fn reach(&self, best: Option<&Seen>) -> f64 {
-        best.map_or(f64::INFINITY, |best| self.depth_of(best.first.key, DEPTH_SLACK))
+    /// How deep what is nearer than that key may begin.
+    pub(super) fn reach(&self, key: f32) -> f64 {
+        self.depth_of(key, DEPTH_SLACK)
     }
 
     /// A depth beyond that of a key, by as much slack, relatively.
@@ -276,28 +214,28 @@ impl<'a> Ready<'a> {
         self.near / f64::from(key) * (1.0 + slack) - self.near
     }
 
-    /// The first hit that is in no hole, as the shaders' function of that name has it, and what all segments
-    /// cost that were traced. In a shell that overlaps itself it is the nearest of all segments'.
-    fn first_of_segments(
+    /// The first hit of a ray on the segments from that number on, as the shaders' `first_hit` has it: in a
+    /// shell that overlaps itself the nearest of all. The segments before have cost so much.
+    pub(super) fn first_from(
         &self,
         pixel: PixelIn,
         at: Entered,
-        mut ahead: Option<Hit>,
-        trace: impl Fn(Path) -> Hit,
-    ) -> (FirstHit, ShaderVec3<u32>) {
-        let miss = Hit::from(&relief_core::Hit::miss(Cost::default()));
-        let mut cost = miss.cost;
-        let mut first = FirstHit { hit: miss, segment: 0, key: 0.0 };
-        for number in 0..at.segments {
+        from: u32,
+        mut cost: ShaderVec3<u32>,
+    ) -> Option<Met> {
+        let mut first: Option<Met> = None;
+        for number in from..at.segments {
             let path = self.program.segment(pixel, at, number);
             if path.exit > 0.0 {
-                let hit = ahead.take().unwrap_or_else(|| trace(path));
-                cost = cost + hit.cost;
-                let hit = if hit.found == 1 { self.program.polish(pixel, at, path, hit) } else { hit };
-                if hit.found == 1 && !self.program.in_hole(hit.uv) {
-                    let key = self.program.key(pixel, path, hit);
-                    if first.hit.found == 0 || key > first.key {
-                        first = FirstHit { hit, segment: number, key };
+                let found = match &self.tracers {
+                    None => self.program.trace(path),
+                    Some(tracers) => Hit::from(&tracers[at.level as usize].trace(&(&path).into()).hit),
+                };
+                cost = cost + found.cost;
+                let here = self.program.hit_on_segment(pixel, at, path, found, number);
+                if here.hit.found == 1 {
+                    if first.as_ref().is_none_or(|met| here.key > met.first.key) {
+                        first = Some(Met { at, path, first: here });
                     }
                     if pixel.shell.order < FOLDED {
                         break;
@@ -305,80 +243,16 @@ impl<'a> Ready<'a> {
                 }
             }
         }
-        (first, cost)
+        if let (Some(met), None) = (&mut first, &self.tracers) {
+            // What a search costs on all segments is told, of the tracers what it took to find the hit.
+            met.first.hit.cost = cost;
+        }
+        first
     }
 
     /// A pixel's colour so far with one more sample.
     pub fn add_sample(&self, sum: Vec4<f32>, color: Vec4<f32>, weight: f32) -> Vec4<f32> {
         self.program.add_sample(sum, color, weight)
-    }
-
-    /// What the hits of a block of points look like, handed on point by point; `scene` is all that may be in
-    /// a light's way.
-    pub fn shade(
-        &self,
-        seen: &Block<&Seen>,
-        scene: Option<&SceneRays>,
-        lanes: Lanes,
-        put: &mut dyn FnMut(usize, PixelOut),
-    ) {
-        let place = |Seen { pixel, at, first, .. }: &Seen| {
-            let placed = self.program.place(*pixel, *at, first.segment, first.hit);
-            Placed { at: placed, hit: first.hit }
-        };
-        let tracers = self.tracers.as_deref().filter(|_| self.traces_shadows);
-        let through = self.rays_through_scene.zip(scene);
-        let is_together = tracers.is_some() || self.sends_rays && lanes != Lanes::One;
-        if through.is_none() && is_together {
-            let placed = seen.map(|seen| seen.map(place));
-            let visible = self.visible_lights(tracers, &placed, lanes);
-            for (point, ((seen, placed), visible)) in seen.iter().zip(&placed).zip(visible).enumerate() {
-                if let (Some(seen), Some(Placed { at, hit }), Some(visible)) = (seen, placed, visible) {
-                    put(point, self.program.shade_hit(seen.pixel, *at, *hit, visible));
-                }
-            }
-            return;
-        }
-        for (point, seen) in seen.iter().enumerate() {
-            let Some(seen) = seen else { continue };
-            let Placed { at, hit } = place(seen);
-            let visible = match through {
-                Some((count, scene)) => self.visible_through(scene, at, hit, count),
-                None => self.program.visible_lights(at, hit),
-            };
-            put(point, self.program.shade_hit(seen.pixel, at, hit, visible));
-        }
-    }
-
-    /// What of the lights arrives at a placed hit through a scene, by so many rays from each.
-    fn visible_through(&self, scene: &SceneRays, at: Entered, hit: Hit, count: u32) -> Visible {
-        let three = |v: ShaderVec3<f32>| Vec3::new(v.x, v.y, v.z);
-        let end = three(at.point);
-        let mut visible = [Vec4::from([0.0; 4]); MAX_LIGHTS];
-        for (visible, light) in visible.iter_mut().zip(0..self.lights) {
-            let is_lit = |point: &u32| {
-                // A single ray goes to the light's centre.
-                let of = if count > 1 { [*point, count] } else { [0, 0] };
-                let toward = self.program.point_of_light(at, hit, light, of);
-                let direction = three(toward.direction);
-                let way = toward.distance.min(scene.reach_m);
-                let [origin, direction] = [end + direction * way, -direction].map(|v| v.to_array().into());
-                let is_hidden =
-                    |surface: &Ready| surface.hides(Aim { origin, direction }, way - self.shorter_m);
-                !scene.surfaces.iter().any(is_hidden)
-            };
-            visible.x = (0..count).filter(is_lit).count() as f32 / count as f32;
-        }
-        visible
-    }
-}
-
-/// Keeps what a polygon shows where that is the nearest so far.
-fn keep_nearest(best: &mut Option<Seen>, seen: Seen) {
-    let (key, rank) = (seen.first.key, seen.rank);
-    let is_nearer = |best: &Seen| key > best.first.key || (key == best.first.key && rank < best.rank);
-    if seen.first.hit.found == 1 && best.as_ref().is_none_or(is_nearer) {
-        *best = Some(seen);
     }
 }
 

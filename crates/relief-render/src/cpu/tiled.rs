@@ -5,10 +5,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
 use relief_core::Lanes;
+use relief_shaders::cpu::{BLOCK, Row};
 
-use super::ready::{Ready, Seen};
-use super::together::{BLOCK_POINTS, BLOCK_SIDE, Block};
-use crate::raycast::tiles::{Area, Bins, PictureRays, TILE, TileCaster, TileHit, TileHits};
+use super::block::{BLOCK_SIDE, places};
+use super::ready::Ready;
+use super::seen::{Cast, Seen};
+use crate::raycast::tiles::{Area, Bins, PictureRays, TILE, TileCaster, TileHits};
 use crate::samples::Sample;
 
 /// The most columns of what is sorted into tiles at once. More needs more memory on every thread, less more
@@ -33,6 +35,7 @@ pub struct Tiled<'a> {
 struct Scratch {
     bins: Vec<Bins>,
     hits: Vec<TileHits>,
+    seen: Vec<Seen>,
 }
 
 /// A block of a tile's points.
@@ -44,7 +47,12 @@ struct Place<'a> {
 }
 
 /// What a block's points see: the nearest of all surfaces.
-pub type SeenBlock<'a> = Block<(&'a Ready<'a>, Seen)>;
+pub struct SeenBlock<'a> {
+    /// What each surface shows.
+    pub surfaces: &'a [Seen],
+    /// The number of the nearest one, for points of the picture that see any.
+    pub nearest: Row<Option<usize>>,
+}
 
 impl<'a> Tiled<'a> {
     /// Those that are seen in a picture of so many columns and rows.
@@ -94,7 +102,11 @@ impl<'a> Tiled<'a> {
 
     fn scratch(&self) -> Scratch {
         let count = self.surfaces.len();
-        Scratch { bins: vec![Bins::new(); count], hits: vec![TileHits::new(); count] }
+        Scratch {
+            bins: vec![Bins::new(); count],
+            hits: vec![TileHits::new(); count],
+            seen: (0..count).map(|_| Seen::new()).collect(),
+        }
     }
 
     fn area(
@@ -104,8 +116,7 @@ impl<'a> Tiled<'a> {
         cancel: &AtomicBool,
         mut show: impl FnMut(&Place, usize, &SeenBlock),
     ) {
-        let Scratch { bins, hits } = scratch;
-        let mut seen: SeenBlock = [None; BLOCK_POINTS];
+        let Scratch { bins, hits, seen } = scratch;
         let offsets = reach_of(self.samples);
         for ((_, caster), bins) in self.surfaces.iter().zip(&mut *bins) {
             if let Some(caster) = caster {
@@ -126,34 +137,38 @@ impl<'a> Tiled<'a> {
                 }
                 for first in [[0, 0], [BLOCK_SIDE, 0], [0, BLOCK_SIDE], [BLOCK_SIDE, BLOCK_SIDE]] {
                     let place = Place { tile, first, sample };
-                    self.block(area, &place, hits, &mut seen);
-                    show(&place, number, &seen);
+                    let nearest = self.block(area, &place, hits, seen);
+                    show(&place, number, &SeenBlock { surfaces: seen, nearest });
                 }
             }
         }
     }
 
-    /// What the points of a block see: the nearest of the surfaces' hits, and of equally near ones that of
-    /// the first surface.
-    fn block(&self, area: Area, place: &Place, hits: &[TileHits], best: &mut SeenBlock<'a>) {
-        for best in &mut *best {
-            *best = None;
+    /// What the points of a block see of the surfaces, and the nearest of these for each: of equally near ones
+    /// the first.
+    fn block(&self, area: Area, place: &Place, hits: &[TileHits], seen: &mut [Seen]) -> Row<Option<usize>> {
+        let (mut points, mut numbers, mut which) = ([[0.0; BLOCK]; 2], [0; BLOCK], 0);
+        for number in 0..BLOCK {
+            if let Some((point, pixel)) = place.point(area, number) {
+                which |= 1 << number;
+                numbers[number] = point;
+                let [column, row] = PictureRays::point(pixel, place.sample.offset);
+                (points[0][number], points[1][number]) = (column, row);
+            }
         }
-        for ((surface, caster), hits) in self.surfaces.iter().zip(hits) {
-            let is_ahead = caster.is_some() && surface.traces_ahead(self.lanes);
-            let ahead = is_ahead.then(|| surface.ahead(&place.first_hits(area, hits), self.lanes));
-            for (number, best) in best.iter_mut().enumerate() {
-                let Some((point, pixel)) = place.point(area, number) else { continue };
-                let cast = caster.as_ref().map(|caster| (caster, hits, point));
-                let is_nearer =
-                    |seen: &Seen| best.as_ref().is_none_or(|(_, best)| seen.first.key > best.first.key);
-                let at = PictureRays::point(pixel, place.sample.offset);
-                let ahead = ahead.as_ref().and_then(|ahead| ahead[number].as_ref());
-                if let Some(seen) = surface.seen(at, cast, ahead).filter(is_nearer) {
-                    *best = Some((surface, seen));
+        let mut nearest: Row<Option<usize>> = [None; BLOCK];
+        let mut keys = [0.0; BLOCK];
+        for (at, ((surface, caster), hits)) in self.surfaces.iter().zip(hits).enumerate() {
+            let cast = caster.as_ref().map(|caster| Cast { caster, hits, numbers: &numbers });
+            surface.see(points, which, cast, self.lanes, &mut seen[at]);
+            for number in places(seen[at].which) {
+                let key = seen[at].keys[number];
+                if nearest[number].is_none() || key > keys[number] {
+                    (nearest[number], keys[number]) = (Some(at), key);
                 }
             }
         }
+        nearest
     }
 }
 
@@ -165,19 +180,6 @@ impl Place<'_> {
         let pixel = [column + x as u32, row + y as u32];
         let is_inside = (0..2).all(|axis| pixel[axis] < area.first[axis] + area.size[axis]);
         is_inside.then_some((y * TILE + x, pixel))
-    }
-
-    /// The first polygons that the points' rays meet, and where in the picture the points are.
-    fn first_hits(&self, area: Area, hits: &TileHits) -> Block<([f32; 2], TileHit)> {
-        let mut first = [None; BLOCK_POINTS];
-        for (number, first) in first.iter_mut().enumerate() {
-            if let Some((point, pixel)) = self.point(area, number)
-                && let Some(hit) = hits.first(point)
-            {
-                *first = Some((PictureRays::point(pixel, self.sample.offset), hit));
-            }
-        }
-        first
     }
 }
 

@@ -30,7 +30,7 @@ pub use generated::{
     Found, Frame, Hit, Light, LightRay, LightView, MapSettings, Path, PixelIn, PixelOut, Shell,
     SurfaceSettings, Tessellation, Toward, Voxel,
 };
-pub use lanes::{BLOCK, HitBlock, PathBlock};
+pub use lanes::{BLOCK, EnteredBlock, HitBlock, LightPoint, PathBlock, PixelOutBlock, Row, TriangleRays};
 pub use layout::{BaseEdge, BasePatch, Face, MadeTotals, PassSettings, Probe, PyramidPass, Record, Tally};
 pub use method_tracer::MethodTracer;
 /// A vector, as shaders have it.

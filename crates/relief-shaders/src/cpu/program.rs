@@ -3,11 +3,10 @@
 use relief_core::Lanes;
 
 use super::generated::Resources;
-use super::lanes::{self, HitBlock, PathBlock};
-use super::{
-    Bound, Entered, FirstHit, Found, Hit, LightRay, Path, PixelIn, PixelOut, Toward, Triangle, Vec2, Vec3,
-    Vec4,
+use super::lanes::{
+    self, EnteredBlock, HitBlock, LightPoint, PathBlock, PixelOutBlock, Row, Task, TriangleRays,
 };
+use super::{Bound, Entered, FirstHit, Found, Hit, Path, PixelIn, PixelOut, Toward, Triangle, Vec3, Vec4};
 use crate::MAX_LIGHTS;
 
 /// The shaders with what is bound to them: the same functions that GPUs run, with the same bits in exact
@@ -71,10 +70,18 @@ impl<'a> Program<'a> {
         self.0.polish_hit(pixel, entered, path, hit)
     }
 
-    /// Whether texture coordinates lie in a hole, where a hit is none.
+    /// What was found on the segment of that number, as what the ray meets there: a hit where the segment's
+    /// ray truly is, and none in a hole.
     #[inline]
-    pub fn in_hole(&self, uv: Vec2<f32>) -> bool {
-        self.0.in_hole(uv)
+    pub fn hit_on_segment(
+        &self,
+        pixel: PixelIn,
+        entered: Entered,
+        path: Path,
+        found: Hit,
+        number: u32,
+    ) -> FirstHit {
+        self.0.hit_on_segment(pixel, entered, path, found, number)
     }
 
     /// What orders the hits of a pixel's ray: the greater, the nearer. From 0, infinitely far away, to 1 at
@@ -118,14 +125,99 @@ impl<'a> Program<'a> {
     /// they were.
     #[inline]
     pub fn trace_block(&self, paths: &PathBlock, which: u16, lanes: Lanes, hits: &mut HitBlock) {
-        lanes::trace(&self.0, lanes, paths, which, hits);
+        lanes::run(&self.0, lanes, which, Task::Trace { paths, hits });
     }
 
     /// Of the paths to lights of a block that `which` has bits for, those that are free by the search for
     /// shadows, over lanes.
     #[inline]
     pub fn free_block(&self, paths: &PathBlock, which: u16, lanes: Lanes) -> u16 {
-        lanes::free(&self.0, lanes, paths, which)
+        let mut free = 0;
+        lanes::run(&self.0, lanes, which, Task::Free { paths, free: &mut free });
+        free
+    }
+
+    /// Of the rays that `which` has bits for, where they meet the surface, and their first segments where
+    /// they have any: [`Self::enter`] and [`Self::segment`] over lanes.
+    #[inline]
+    pub fn enter_block(
+        &self,
+        rays: TriangleRays<'_>,
+        which: u16,
+        lanes: Lanes,
+        at: &mut EnteredBlock,
+        paths: &mut PathBlock,
+    ) {
+        lanes::run(&self.0, lanes, which, Task::Enter { rays, at, paths });
+    }
+
+    /// [`Self::hit_on_segment`] over lanes, of what was found on first segments, with what orders it.
+    #[inline]
+    pub fn meet_block(
+        &self,
+        rays: TriangleRays<'_>,
+        which: u16,
+        lanes: Lanes,
+        (at, paths): (&EnteredBlock, &PathBlock),
+        hits: &mut HitBlock,
+        keys: &mut Row<f32>,
+    ) {
+        lanes::run(&self.0, lanes, which, Task::Meet { rays, at, paths, hits, keys });
+    }
+
+    /// The places in the world of hits on those paths, and the frames there, over lanes.
+    #[inline]
+    pub fn place_block(
+        &self,
+        rays: TriangleRays<'_>,
+        which: u16,
+        lanes: Lanes,
+        (at, paths, hits): (&EnteredBlock, &PathBlock, &HitBlock),
+        placed: &mut EnteredBlock,
+    ) {
+        lanes::run(&self.0, lanes, which, Task::Place { rays, at, paths, hits, placed });
+    }
+
+    /// The rays from placed hits to a point of a light, over lanes, and the states of them, each a
+    /// [`LightRayState`](crate::LightRayState).
+    #[inline]
+    pub fn rays_to_light_block(
+        &self,
+        to: LightPoint,
+        which: u16,
+        lanes: Lanes,
+        (placed, hits): (&EnteredBlock, &HitBlock),
+        states: &mut Row<u32>,
+        paths: &mut PathBlock,
+    ) {
+        lanes::run(&self.0, lanes, which, Task::RaysToLight { to, placed, hits, states, paths });
+    }
+
+    /// The part of the light of that number that arrives at placed hits, over lanes.
+    #[inline]
+    pub fn visible_block(
+        &self,
+        light: u32,
+        which: u16,
+        lanes: Lanes,
+        (placed, hits): (&EnteredBlock, &HitBlock),
+        parts: &mut Row<f32>,
+    ) {
+        lanes::run(&self.0, lanes, which, Task::Visible { light, placed, hits, parts });
+    }
+
+    /// Pixels whose hits are known and placed, and the parts of the lights that arrive there, over lanes.
+    /// `points` are columns and rows in the picture.
+    #[inline]
+    pub fn shade_block(
+        &self,
+        points: &[Row<f32>; 2],
+        which: u16,
+        lanes: Lanes,
+        (placed, hits, visible): (&EnteredBlock, &HitBlock, &[Row<f32>; MAX_LIGHTS]),
+        pixels: &mut PixelOutBlock,
+    ) {
+        lanes::run(&self.0, lanes, which, Task::Shade { points, placed, hits, visible, pixels });
     }
 
     /// A whole pixel: all stages.
@@ -134,20 +226,8 @@ impl<'a> Program<'a> {
         self.0.shade_pixel(pixel)
     }
 
-    /// The part of each light that arrives at a placed hit, as the first of four numbers.
-    #[inline]
-    pub fn visible_lights(&self, placed: Entered, hit: Hit) -> [Vec4<f32>; MAX_LIGHTS] {
-        self.0.visible_lights(placed, hit)
-    }
-
-    /// The ray from a placed hit to the light of that number: to a point of its disc, by its number and how
-    /// many there are, as the shadow `soft` has them, or to its centre where there are none.
-    #[inline]
-    pub fn ray_to_light(&self, placed: Entered, hit: Hit, light: u32, [k, count]: [u32; 2]) -> LightRay {
-        self.0.ray_to_light(placed, hit, light, k, count)
-    }
-
-    /// The light of that number from a placed hit: a point of its disc, as in [`Self::ray_to_light`].
+    /// The light of that number from a placed hit: a point of its disc, by
+    /// its number and how many there are, as the shadow `soft` has them, or its centre where there are none.
     #[inline]
     pub fn point_of_light(&self, placed: Entered, hit: Hit, light: u32, [k, count]: [u32; 2]) -> Toward {
         self.0.point_of_light(placed, hit, light, k, count)
@@ -158,18 +238,6 @@ impl<'a> Program<'a> {
     #[inline]
     pub fn mirrored_light(&self, pixel: PixelIn, placed: Entered, hit: Hit) -> f32 {
         self.0.mirrored_light(pixel, placed, hit)
-    }
-
-    /// A pixel whose hit is known and placed, and the parts of the lights that arrive there.
-    #[inline]
-    pub fn shade_hit(
-        &self,
-        pixel: PixelIn,
-        placed: Entered,
-        hit: Hit,
-        visible: [Vec4<f32>; MAX_LIGHTS],
-    ) -> PixelOut {
-        self.0.shade_hit(pixel, placed, hit, visible)
     }
 
     /// The colour of a pixel's samples so far with one more, of that weight. The fourth part is how much of

@@ -72,7 +72,7 @@ impl<'a> MapTexture<'a> {
 
     /// Whether the place of each byte, and of each number, fits into a signed number of 32 bits.
     #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
-    pub(super) fn has_places_of_32_bits(&self) -> bool {
+    fn has_places_of_32_bits(&self) -> bool {
         let count = match self.texels {
             Texels::One(texels) => texels.len(),
             Texels::Two(texels) => 2 * texels.len(),
@@ -98,6 +98,30 @@ impl<'a> MapTexture<'a> {
             Some(place.start + (layer * place.height + row) * place.width + column)
         };
         inside().unwrap_or(usize::MAX)
+    }
+}
+
+/// The texels from one on.
+#[inline(always)]
+fn from(texels: &[[f32; 4]], first: usize) -> &[[f32; 4]] {
+    texels.get(first..).unwrap_or_default()
+}
+
+#[cfg(all(feature = "lanes", target_arch = "x86_64"))]
+impl super::generated::Resources<'_> {
+    /// Whether the place of each number and each byte of all maps fits into a signed number of 32 bits.
+    pub(super) fn has_places_of_32_bits(&self) -> bool {
+        let maps = [
+            &self.search_map,
+            &self.shadow_search_map,
+            &self.shadow_texels,
+            &self.ambient_map,
+            &self.detail_map,
+            &self.environment_map,
+        ];
+        let colors = [&self.color_map, &self.normal_map];
+        maps.iter().all(|map| map.has_places_of_32_bits())
+            && colors.iter().all(|map| map.has_places_of_32_bits())
     }
 }
 
@@ -152,8 +176,18 @@ impl<'a> ColorTexture<'a> {
         Self { size, layers, texels, coarser }
     }
 
-    /// A texel of a level after the finest.
-    fn coarser_texel(&self, at: Vec2<i32>, layer: i32, level: i32) -> [f32; 4] {
+    /// Columns and texels of a layer of a level.
+    #[inline(always)]
+    pub(super) fn layer(&self, layer: i32, level: i32) -> (i32, &'a [[f32; 4]]) {
+        let [width, height] = self.size;
+        match level {
+            0 => (width as i32, from(self.texels, layer as usize * height as usize * width as usize)),
+            _ => self.coarser_layer(layer, level),
+        }
+    }
+
+    /// The same after the finest level.
+    fn coarser_layer(&self, layer: i32, level: i32) -> (i32, &'a [[f32; 4]]) {
         let area = |[width, height]: [u32; 2]| width as usize * height as usize;
         let (mut size, mut start) = (coarser_size(self.size), 0);
         for _ in 1..level {
@@ -161,8 +195,14 @@ impl<'a> ColorTexture<'a> {
             size = coarser_size(size);
         }
         start += area(size) * layer as usize;
-        let place = start as isize + at.y as isize * size[0] as isize + at.x as isize;
-        self.coarser.get(place as usize).copied().unwrap_or([0.0; 4])
+        (size[0] as i32, from(self.coarser, start))
+    }
+
+    /// Whether the place of each number fits into a signed number of 32 bits.
+    #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
+    fn has_places_of_32_bits(&self) -> bool {
+        let count = |texels: &[[f32; 4]]| i32::try_from(texels.as_flattened().len());
+        count(self.texels).is_ok() && count(self.coarser).is_ok()
     }
 }
 
@@ -199,12 +239,9 @@ impl Read for ColorTexture<'_> {
 
     #[inline(always)]
     fn read_texel(&self, at: Vec2<i32>, layer: i32, _sample: i32, level: i32) -> Vec4<f32> {
-        let [width, height] = self.size.map(|side| side as isize);
-        let index = (layer as isize * height + at.y as isize) * width + at.x as isize;
-        let [x, y, z, w] = match level {
-            0 => self.texels.get(index as usize).copied().unwrap_or([0.0; 4]),
-            _ => self.coarser_texel(at, layer, level),
-        };
+        let (width, texels) = self.layer(layer, level);
+        let index = at.y as isize * width as isize + at.x as isize;
+        let [x, y, z, w] = texels.get(index as usize).copied().unwrap_or([0.0; 4]);
         Vec4 { x, y, z, w }
     }
 }

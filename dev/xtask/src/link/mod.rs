@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use wgsl_parse::syntax::TranslationUnit;
 
+use self::lanes::LaneText;
 use crate::output::Generated;
 
 mod bindings;
@@ -56,8 +57,62 @@ const CPU_ROOT: (&str, &[&str]) = (
     ],
 );
 
-/// Those of its functions that are written over lanes, too, with all that they reach.
-const LANE_ROOTS: [&str; 2] = ["trace", "shadow_search_stage"];
+/// Search and refinement over lanes, with all that they reach.
+const TRACING: LaneText = LaneText {
+    roots: &["trace", "shadow_search_stage"],
+    same_arguments: &[],
+    shared_members: &[("Path", "ray"), ("Path", "level")],
+    one_by_one: &[],
+    levels_differ: false,
+    blocks: &[],
+};
+
+/// What comes before and after them, of rays that meet the same triangle.
+const PIXELS: LaneText = LaneText {
+    roots: &[
+        "pixel_eye",
+        "pixel_direction",
+        "enter_relief",
+        "segment_of",
+        "hit_on_segment",
+        "place_on_segment",
+        "ray_to_light",
+        "visible_light",
+        "shade_hit",
+    ],
+    same_arguments: &[
+        ("segment_of", "k"),
+        ("hit_on_segment", "k"),
+        ("ray_to_light", "number"),
+        ("ray_to_light", "k"),
+        ("ray_to_light", "count"),
+        ("visible_light", "number"),
+    ],
+    shared_members: &[
+        ("PixelIn", "side"),
+        ("PixelIn", "a"),
+        ("PixelIn", "b"),
+        ("PixelIn", "c"),
+        ("PixelIn", "shell"),
+    ],
+    one_by_one: &[
+        "is_in_hole",
+        "shadow_entry",
+        "shadow_map",
+        "shadow_ray",
+        "shadow_soft",
+        "surface_prism_enter",
+        "surface_prism_place",
+        "surface_prism_polish",
+        "surface_prism_segment",
+        "surface_tetrahedra_enter",
+        "surface_tetrahedra_place",
+        "surface_tetrahedra_polish",
+        "surface_tetrahedra_segment",
+    ],
+    levels_differ: true,
+    blocks: &["Path", "Hit", "Entered", "PixelOut"],
+};
 
 /// All generated files.
 pub fn files(workspace: &Path) -> Result<Vec<Generated>, String> {
@@ -81,11 +136,20 @@ pub fn files(workspace: &Path) -> Result<Vec<Generated>, String> {
     naga_check::refuse_untranslatable(&module, &info, &text, &modules)?;
     let docs = docs::Docs::of(&declarations);
     let rust = docs.add(&rust::translate(&module, &info)?)?;
-    let lanes = lanes::translate(&module, &info, &LANE_ROOTS, &text, &modules)?;
+    let tracing = lanes::translate(&module, &info, &TRACING, &text, &modules)?;
+    let pixels = lanes::translate(&module, &info, &PIXELS, &text, &modules)?;
+    let blocks = lanes::blocks(&module, &PIXELS)?;
     let translated: BTreeSet<String> = module.types.iter().filter_map(|(_, ty)| ty.name.clone()).collect();
     let layout = docs.add(&layout::write(&shared.iter().collect::<Vec<_>>(), &translated)?)?;
     let written = declarations::write(&modules, &declarations);
-    let files = [("declarations.rs", written), ("cpu.rs", rust), ("lanes.rs", lanes), ("layout.rs", layout)];
+    let files = [
+        ("declarations.rs", written),
+        ("cpu.rs", rust),
+        ("lanes.rs", tracing),
+        ("pixel_lanes.rs", pixels),
+        ("blocks.rs", blocks),
+        ("layout.rs", layout),
+    ];
     let generated =
         |(name, text): (&str, String)| Generated { path: folder.join(name), bytes: text.into_bytes() };
     Ok(files.map(generated).into())

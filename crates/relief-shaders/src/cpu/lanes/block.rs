@@ -1,74 +1,24 @@
-//! Paths and hits side by side: one row of numbers for each of theirs.
+//! Structs side by side: one row of numbers for each of theirs.
 
-use crate::cpu::{Hit, Path};
+use crate::cpu::generated::{Entered, Hit, Path, PixelOut};
+use crate::cpu::{Vec2, Vec3, Vec4};
 
-/// How many paths a block has room for.
+#[path = "../../../generated/blocks.rs"]
+#[rustfmt::skip]
+#[allow(missing_docs)]
+mod generated;
+
+pub use generated::{EnteredBlock, HitBlock, PathBlock, PixelOutBlock};
+
+/// How many a block has room for.
 pub const BLOCK: usize = 16;
 
-/// Sixteen paths, each number of theirs in a row.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct PathBlock {
-    /// Texture coordinates of the entry.
-    pub uv: [[f32; BLOCK]; 2],
-    /// Their change with `t`.
-    pub duv: [[f32; BLOCK]; 2],
-    /// The height as a polynomial of `t`.
-    pub h: [[f32; BLOCK]; 3],
-    /// Where the paths end.
-    pub exit: [f32; BLOCK],
-    /// Where they meet the base surface.
-    pub base: [f32; BLOCK],
-    /// From texture units and heights to metres.
-    pub metric: [[f32; BLOCK]; 4],
-    /// What the rays are for.
-    pub ray: [u32; BLOCK],
-    /// The levels of detail.
-    pub level: [u32; BLOCK],
-    /// Where the paths begin on their rays.
-    pub start: [f32; BLOCK],
-    /// Their shares of their rays.
-    pub share: [f32; BLOCK],
-}
+/// A number of each of a block.
+pub type Row<T> = [T; BLOCK];
 
-impl PathBlock {
-    /// Puts a path in a place.
-    #[inline]
-    pub fn set(&mut self, at: usize, path: &Path) {
-        self.uv[0][at] = path.uv.x;
-        self.uv[1][at] = path.uv.y;
-        self.duv[0][at] = path.duv.x;
-        self.duv[1][at] = path.duv.y;
-        self.h[0][at] = path.h.x;
-        self.h[1][at] = path.h.y;
-        self.h[2][at] = path.h.z;
-        self.exit[at] = path.exit;
-        self.base[at] = path.base;
-        self.metric[0][at] = path.metric.x;
-        self.metric[1][at] = path.metric.y;
-        self.metric[2][at] = path.metric.z;
-        self.metric[3][at] = path.metric.w;
-        self.ray[at] = path.ray;
-        self.level[at] = path.level;
-        self.start[at] = path.start;
-        self.share[at] = path.share;
-    }
-
-    /// The path in a place.
-    #[inline]
-    pub fn get(&self, at: usize) -> Path {
-        Path::new(
-            self.uv.map(|row| row[at]),
-            self.duv.map(|row| row[at]),
-            self.h.map(|row| row[at]),
-            self.exit[at],
-            self.base[at],
-            self.metric.map(|row| row[at]),
-            self.ray[at],
-            self.level[at],
-            self.start[at],
-            self.share[at],
-        )
-    }
+/// The places of a block that bits stand for, the lowest for the first.
+pub(super) fn places(which: u16) -> impl Iterator<Item = usize> {
+    (0..BLOCK).filter(move |at| which >> at & 1 == 1)
 }
 
 /// Paths that are traced together: of one use and one level, side by side.
@@ -97,51 +47,5 @@ impl PathBlock {
         let together = places.fold(0u16, |bits, at| bits | (1 << at)) & *rest;
         *rest &= !together;
         Some(Together { part, which: u32::from(together) >> (part * lanes), use_and_level })
-    }
-}
-
-/// Sixteen hits, each number of theirs in a row.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct HitBlock {
-    /// 1 where something was hit.
-    pub found: [u32; BLOCK],
-    /// 1 where the steps did not suffice.
-    pub exhausted: [u32; BLOCK],
-    /// Texture coordinates.
-    pub uv: [[f32; BLOCK]; 2],
-    /// Heights.
-    pub height: [f32; BLOCK],
-    /// Where on the paths.
-    pub t: [f32; BLOCK],
-    /// Reads, steps and bytes.
-    pub cost: [[u32; BLOCK]; 3],
-}
-
-impl HitBlock {
-    /// Puts a hit in a place.
-    #[inline]
-    pub fn set(&mut self, at: usize, hit: &Hit) {
-        self.found[at] = hit.found;
-        self.exhausted[at] = hit.exhausted;
-        self.uv[0][at] = hit.uv.x;
-        self.uv[1][at] = hit.uv.y;
-        self.height[at] = hit.height;
-        self.t[at] = hit.t;
-        self.cost[0][at] = hit.cost.x;
-        self.cost[1][at] = hit.cost.y;
-        self.cost[2][at] = hit.cost.z;
-    }
-
-    /// The hit in a place.
-    #[inline]
-    pub fn get(&self, at: usize) -> Hit {
-        Hit::new(
-            self.found[at],
-            self.exhausted[at],
-            self.uv.map(|row| row[at]),
-            self.height[at],
-            self.t[at],
-            self.cost.map(|row| row[at]),
-        )
     }
 }

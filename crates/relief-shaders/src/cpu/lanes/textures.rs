@@ -12,6 +12,63 @@ lanes! {
 }
 
 lanes! {
+    /// The same where each lane has its level.
+    pub(super) fn height_texel_of_each(map: &HeightTexture<'_>, within: M, x: I, y: I, level: I) -> Vec4<F> {
+        let levels = row_i(level);
+        let mut height = splat(0.0);
+        let mut rest = bits_of(within);
+        while rest != 0 {
+            let level_here = levels[rest.trailing_zeros() as usize];
+            let same = eq_i(level, splat_i(level_here));
+            height = sel(same, height_texel(map, x, y, level_here).x, height);
+            rest &= !bits_of(same);
+        }
+        Vec4 { x: height, y: splat(0.0), z: splat(0.0), w: splat(1.0) }
+    }
+}
+
+lanes! {
+    /// A texel of a map of four numbers in a layer and a level.
+    pub(super) fn color_texel(map: &ColorTexture<'_>, x: I, y: I, layer: i32, level: i32) -> Vec4<F> {
+        let (width, texels) = map.layer(layer, level);
+        let first = mul_i(add_i(mul_i(y, splat_i(width)), x), splat_i(4));
+        let part = |by: i32| gather(texels.as_flattened(), next(first, by));
+        Vec4 { x: part(0), y: part(1), z: part(2), w: part(3) }
+    }
+}
+
+lanes! {
+    /// The same where each lane has its layer and its level.
+    pub(super) fn color_texel_of_each(
+        map: &ColorTexture<'_>,
+        within: M,
+        x: I,
+        y: I,
+        layer: I,
+        level: I
+    ) -> Vec4<F> {
+        let (layers, levels) = (row_i(layer), row_i(level));
+        let zero = splat(0.0);
+        let mut texel = Vec4 { x: zero, y: zero, z: zero, w: zero };
+        let mut rest = bits_of(within);
+        while rest != 0 {
+            let lane = rest.trailing_zeros() as usize;
+            let (layer_here, level_here) = (layers[lane], levels[lane]);
+            let same = and(eq_i(layer, splat_i(layer_here)), eq_i(level, splat_i(level_here)));
+            let here = color_texel(map, x, y, layer_here, level_here);
+            texel = Vec4 {
+                x: sel(same, here.x, texel.x),
+                y: sel(same, here.y, texel.y),
+                z: sel(same, here.z, texel.z),
+                w: sel(same, here.w, texel.w),
+            };
+            rest &= !bits_of(same);
+        }
+        texel
+    }
+}
+
+lanes! {
     /// A texel of a baked map in a layer and a level.
     pub(super) fn map_texel(map: &MapTexture<'_>, x: I, y: I, layer: i32, level: i32) -> Vec4<F> {
         texel_at(map, place_in(map, x, y, layer, level))
@@ -21,7 +78,7 @@ lanes! {
 lanes! {
     /// A texel of a baked map where each lane has its layer and its level.
     pub(super) fn map_texel_of_each(map: &MapTexture<'_>, within: M, x: I, y: I, layer: I, level: I) -> Vec4<F> {
-        let (layers, levels) = (numbers_of(layer), numbers_of(level));
+        let (layers, levels) = (row_i(layer), row_i(level));
         let mut at = splat_i(-1);
         let mut rest = bits_of(within);
         while rest != 0 {

@@ -18,7 +18,7 @@ impl Writer<'_> {
     pub fn emit(&mut self, handle: Handle<Expression>) -> Result<(), Refusal> {
         let wanted = match &self.function.expressions[handle] {
             Expression::Load { pointer } => reach::local_of(self.function, *pointer).is_some(),
-            Expression::ImageLoad { .. } => true,
+            Expression::ImageLoad { .. } | Expression::Math { fun: MathFunction::Normalize, .. } => true,
             Expression::Literal(_)
             | Expression::Constant(_)
             | Expression::ZeroValue(_)
@@ -44,6 +44,7 @@ impl Writer<'_> {
             Expression::ImageLoad { image, coordinate, array_index, level, .. } => {
                 self.image_load(handle, image, coordinate, array_index, level)?
             }
+            Expression::Math { fun: MathFunction::Normalize, arg, .. } => self.normalized(handle, arg)?,
             _ => self.value(handle, !self.is_uniform(handle))?,
         };
         Ok(self.bind(handle, &text))
@@ -94,6 +95,12 @@ impl Writer<'_> {
         self.struct_place(handle)
     }
 
+    /// A whole value that is no reference.
+    pub fn owned(&mut self, handle: Handle<Expression>, is_lanes: bool) -> Text {
+        let value = self.value(handle, is_lanes)?;
+        Ok(if self.is_reference(handle) { format!("*{value}") } else { value })
+    }
+
     /// A struct made of these members.
     fn structure(&mut self, ty: Handle<naga::Type>, components: &[Handle<Expression>]) -> Text {
         let module = self.module;
@@ -104,11 +111,11 @@ impl Writer<'_> {
         let mut text = format!("{structure} {{ ");
         for (member, component) in members.iter().zip(components) {
             let name = member.name.as_deref().unwrap_or_default();
-            let shared = super::uniform::is_shared(&structure, name);
+            let shared = self.program.text.is_shared(&structure, name);
             if shared && !self.is_uniform(*component) {
                 return self.refuse(*component, "a member that all lanes share, made of what differs, is");
             }
-            let value = self.value(*component, !shared)?;
+            let value = self.owned(*component, !shared)?;
             text.push_str(&format!("{name}: {value}, "));
         }
         Ok(text + "}")
@@ -382,13 +389,27 @@ impl Writer<'_> {
                     format!("({x} * (1.0f32 - {share}) + {y} * {share})")
                 })
             }
-            (MathFunction::Dot, Some(b), _) if kind == Kind::Float && is_lanes => {
+            (MathFunction::Dot, Some(b), _) if kind == Kind::Float => {
                 // The translation to single numbers adds to zero, which makes -0 to 0.
-                Ok(format!("add({}, splat(0.0f32))", self.dot(a, b, size)?))
+                let sum = self.dot(a, b, size, is_lanes)?;
+                Ok(if is_lanes { format!("add({sum}, splat(0.0f32))") } else { format!("({sum} + 0.0f32)") })
             }
-            (MathFunction::Length, ..) if kind == Kind::Float && is_lanes => {
+            (MathFunction::Length, ..) if kind == Kind::Float => {
                 self.atom(a)?;
-                Ok(format!("sqrt({})", self.dot(a, a, size)?))
+                let squared = self.dot(a, a, size, is_lanes)?;
+                Ok(if is_lanes { format!("sqrt({squared})") } else { format!("{squared}.sqrt()") })
+            }
+            (MathFunction::Cross, Some(b), _) if kind == Kind::Float => {
+                self.atom(a)?;
+                self.atom(b)?;
+                let (next, last) = ((at + 1) % 3, (at + 2) % 3);
+                let (a_next, b_last) = (self.part(a, next, is_lanes)?, self.part(b, last, is_lanes)?);
+                let (a_last, b_next) = (self.part(a, last, is_lanes)?, self.part(b, next, is_lanes)?);
+                Ok(if is_lanes {
+                    format!("sub(mul({a_next}, {b_last}), mul({a_last}, {b_next}))")
+                } else {
+                    format!("({a_next} * {b_last} - {a_last} * {b_next})")
+                })
             }
             _ => {
                 let x = self.part(a, at, is_lanes)?;
@@ -397,11 +418,33 @@ impl Writer<'_> {
         }
     }
 
-    fn dot(&mut self, a: Handle<Expression>, b: Handle<Expression>, size: usize) -> Text {
+    /// A vector of length 1, all of it: its parts have their length in common.
+    fn normalized(&mut self, handle: Handle<Expression>, a: Handle<Expression>) -> Text {
+        let (is_lanes, Some((_, size))) = (!self.is_uniform(handle), self.vector_of(a)) else {
+            return self.refuse(handle, "this function is");
+        };
+        self.atom(a)?;
+        let squared = self.dot(a, a, size, is_lanes)?;
+        let length = self.fresh("length");
+        let root = if is_lanes { format!("sqrt({squared})") } else { format!("{squared}.sqrt()") };
+        self.line(&format!("let {length} = {root};"));
+        let parts = (0..size).map(|at| self.part(a, at, is_lanes)).collect::<Result<Vec<_>, _>>()?;
+        let divided = |part: String| {
+            if is_lanes { format!("div({part}, {length})") } else { format!("{part} / {length}") }
+        };
+        Ok(types::made(size, parts.into_iter().map(divided)))
+    }
+
+    fn dot(&mut self, a: Handle<Expression>, b: Handle<Expression>, size: usize, is_lanes: bool) -> Text {
         let mut sum = String::new();
         for at in 0..size {
-            let product = format!("mul({}, {})", self.part(a, at, true)?, self.part(b, at, true)?);
-            sum = if at == 0 { product } else { format!("add({sum}, {product})") };
+            let (x, y) = (self.part(a, at, is_lanes)?, self.part(b, at, is_lanes)?);
+            let product = if is_lanes { format!("mul({x}, {y})") } else { format!("({x} * {y})") };
+            sum = match (at, is_lanes) {
+                (0, _) => product,
+                (_, true) => format!("add({sum}, {product})"),
+                (_, false) => format!("({sum} + {product})"),
+            };
         }
         Ok(sum)
     }
@@ -438,11 +481,30 @@ impl Writer<'_> {
             return self.refuse(handle, "this read of a texture is");
         };
         match layer {
-            None if place == "r.height_map" && self.is_uniform(level) => {
-                let level = self.part(level, 0, false)?;
-                Ok(format!("height_texel(&{place}, {x}, {y}, {level})"))
+            None if place == "r.height_map" => {
+                let is_lanes = !self.is_uniform(level);
+                let level = self.part(level, 0, is_lanes)?;
+                Ok(if is_lanes {
+                    format!("height_texel_of_each(&{place}, ex, {x}, {y}, {level})")
+                } else {
+                    format!("height_texel(&{place}, {x}, {y}, {level})")
+                })
             }
-            Some(layer) if place.ends_with("search_map") => {
+            _ if place == "r.color_map" || place == "r.normal_map" => {
+                let is_lanes = !self.is_uniform(level) || layer.is_some_and(|layer| !self.is_uniform(layer));
+                let level = self.part(level, 0, is_lanes)?;
+                let layer = match layer {
+                    Some(layer) => self.part(layer, 0, is_lanes)?,
+                    None if is_lanes => "splat_i(0i32)".to_owned(),
+                    None => "0i32".to_owned(),
+                };
+                Ok(if is_lanes {
+                    format!("color_texel_of_each(&{place}, ex, {x}, {y}, {layer}, {level})")
+                } else {
+                    format!("color_texel(&{place}, {x}, {y}, {layer}, {level})")
+                })
+            }
+            Some(layer) if place != "r.hole_map" => {
                 if self.is_uniform(layer) && self.is_uniform(level) {
                     let (layer, level) = (self.part(layer, 0, false)?, self.part(level, 0, false)?);
                     return Ok(format!("map_texel(&{place}, {x}, {y}, {layer}, {level})"));

@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use naga::valid::FunctionInfo;
 use naga::{Expression, Function, Handle, Module, Span, Statement, Type};
 
+use super::block;
 use super::live::Live;
 use super::reach;
 use super::statement::{LoopAround, Place};
@@ -89,7 +90,7 @@ impl<'a> Writer<'a> {
         }
         for (number, argument) in self.function.arguments.iter().enumerate() {
             let ty = self.type_name(argument.ty, !facts.arguments[number])?;
-            let by = if types::is_struct(self.module, argument.ty) { "&" } else { "" };
+            let by = if types::is_by_reference(self.module, argument.ty) { "&" } else { "" };
             let _ = write!(head, ", {}: {by}{ty}", self.argument_name(number));
         }
         let Some(result) = &self.function.result else {
@@ -125,6 +126,53 @@ impl<'a> Writer<'a> {
         };
         let attribute = if has_loop { "stage" } else { attribute };
         Ok(format!("{attribute}! {{ {reach}fn {name}({head}) -> {returns} {{\n{}}} }}\n", self.out))
+    }
+
+    /// A function that is called for each lane by itself, as single numbers have it.
+    pub fn write_one_by_one(
+        mut self,
+        structs: &mut BTreeSet<Handle<Type>>,
+        apart: &mut BTreeSet<Handle<Type>>,
+    ) -> Result<String, Refusal> {
+        let facts = self.facts();
+        let (mut head, mut singles, mut values) = (String::new(), String::new(), String::new());
+        for (number, argument) in self.function.arguments.iter().enumerate() {
+            let is_lanes = !facts.arguments[number];
+            let ty = self.type_name(argument.ty, is_lanes)?;
+            let name = self.argument_name(number);
+            let by = if types::is_by_reference(self.module, argument.ty) { "&" } else { "" };
+            let _ = write!(head, ", {name}: {by}{ty}");
+            let comma = if number == 0 { "" } else { ", " };
+            if is_lanes {
+                let single = block::singles(self.module, argument.ty, &name)?;
+                let _ = writeln!(singles, "    let {name} = {single};");
+                let _ = write!(values, "{comma}{name}[lane]");
+            } else {
+                let _ = write!(values, "{comma}{by}{name}");
+            }
+        }
+        let Some(result) = &self.function.result else {
+            return Err(Refusal::from("a function without a result is not known in lanes".to_owned()));
+        };
+        let returns = self.type_name(result.ty, true)?;
+        let (zero, lanes) = (self.zero(result.ty), block::lanes_of(self.module, result.ty, "results")?);
+        let name = self.program.name(self.variant, self.written);
+        let single = self.function.name.as_deref().unwrap_or_default();
+        apart.extend(&self.structs);
+        structs.append(&mut self.structs);
+        Ok(format!(
+            "stage! {{ fn {name}(r: &Resources<'_>, within: M{head}) -> {returns} {{\n\
+             \x20   if none(within) {{ return {zero}; }}\n{singles}\
+             \x20   let one = |lane: usize| r.{single}({values});\n\
+             \x20   let mut rest = bits_of(within);\n\
+             \x20   let mut results = [one(rest.trailing_zeros() as usize); LANES];\n\
+             \x20   rest &= rest - 1;\n\
+             \x20   while rest != 0 {{\n\
+             \x20       let lane = rest.trailing_zeros() as usize;\n\
+             \x20       results[lane] = one(lane);\n\
+             \x20       rest &= rest - 1;\n\
+             \x20   }}\n    {lanes}\n}} }}\n"
+        ))
     }
 
     /// Whether a block ends in a return that is one for all lanes. The last statement of a function's body is

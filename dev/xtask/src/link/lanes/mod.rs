@@ -12,6 +12,7 @@ use naga::{Function, Handle, Module};
 
 use super::modules::Modules;
 
+mod block;
 mod expression;
 mod function;
 mod live;
@@ -21,16 +22,43 @@ mod statement;
 mod types;
 mod uniform;
 
-/// The translation of what these functions reach, as the text of a Rust module that is included once for each
-/// width. `text` is the linked WGSL that the module was read from.
+pub use block::blocks;
+
+/// A text over lanes.
+pub struct LaneText {
+    /// The functions that are called from without.
+    pub roots: &'static [&'static str],
+    /// Arguments of theirs that are the same in all lanes: function and argument.
+    pub same_arguments: &'static [(&'static str, &'static str)],
+    /// Members that are the same in all lanes, because calls are made for what has them in common: struct
+    /// and member.
+    pub shared_members: &'static [(&'static str, &'static str)],
+    /// Functions that are called for each lane by itself, as single numbers have them.
+    pub one_by_one: &'static [&'static str],
+    /// Whether lanes read textures in levels of their own.
+    pub levels_differ: bool,
+    /// Structs that are handed over in blocks.
+    pub blocks: &'static [&'static str],
+}
+
+impl LaneText {
+    /// Whether a member of a struct is the same in all lanes.
+    fn is_shared(&self, structure: &str, member: &str) -> bool {
+        self.shared_members.contains(&(structure, member))
+    }
+}
+
+/// The translation of what its roots reach, as the text of a Rust module that is included once for each
+/// width. `source` is the linked WGSL that the module was read from.
 pub fn translate(
     module: &Module,
     info: &ModuleInfo,
-    roots: &[&str],
-    text: &str,
+    text: &LaneText,
+    source: &str,
     modules: &Modules,
 ) -> Result<String, String> {
-    let roots: Vec<Handle<Function>> = roots
+    let roots: Vec<Handle<Function>> = text
+        .roots
         .iter()
         .map(|root| {
             let named = module.functions.iter().find(|(_, function)| function.name.as_deref() == Some(*root));
@@ -39,17 +67,23 @@ pub fn translate(
                 .ok_or_else(|| format!("there is no function {root} to write in lanes"))
         })
         .collect::<Result<_, _>>()?;
-    let program = uniform::Program::new(module, info, roots);
+    let program = uniform::Program::new(module, info, text, roots);
     let written = program.written();
     let mut functions = String::new();
     let mut refused = Vec::new();
-    let mut structs = BTreeSet::new();
+    let (mut structs, mut apart) = (BTreeSet::new(), BTreeSet::new());
     for variant in &written {
-        match function::Writer::new(&program, &written, variant).write(&mut structs) {
+        let writer = function::Writer::new(&program, &written, variant);
+        let function = if program.is_one_by_one(variant) {
+            writer.write_one_by_one(&mut structs, &mut apart)
+        } else {
+            writer.write(&mut structs)
+        };
+        match function {
             Ok(function) => functions.push_str(&function),
             Err(refusal) => {
                 let name = module.functions[variant.function].name.as_deref().unwrap_or("?");
-                let code = refusal.span.and_then(|span| span.to_range()).and_then(|range| text.get(range));
+                let code = refusal.span.and_then(|span| span.to_range()).and_then(|range| source.get(range));
                 let code = code.unwrap_or_default();
                 refused.push(format!("{}: {}: {code}", modules.locate(name, code), refusal.what));
             }
@@ -61,8 +95,14 @@ pub fn translate(
     let mut out = String::from(
         "// The stages over lanes. Written by `cargo xtask link`; do not edit.\n\nuse super::*;\n\n",
     );
-    for structure in structs {
-        let _ = writeln!(out, "{}", types::structure(module, structure)?);
+    for structure in types::with_parts(module, structs) {
+        let _ = writeln!(out, "{}", types::structure(module, text, structure)?);
+    }
+    for structure in types::with_parts(module, apart) {
+        let _ = writeln!(out, "{}", block::conversions(module, text, structure)?);
+    }
+    for name in text.blocks {
+        let _ = writeln!(out, "{}", block::in_lanes(module, name)?);
     }
     out.push_str(&functions);
     Ok(out)
@@ -73,11 +113,21 @@ mod tests {
     use super::super::naga_check::validate;
     use super::*;
 
+    /// A text of one function.
+    const TRIAL: LaneText = LaneText {
+        roots: &["trial"],
+        same_arguments: &[],
+        shared_members: &[],
+        one_by_one: &[],
+        levels_differ: false,
+        blocks: &[],
+    };
+
     /// What a module that holds just this function is in lanes.
     fn translated(source: &str) -> Result<String, String> {
         let modules = Modules::from_sources([("search/trial", source)]);
         let (module, info) = validate(source).expect("valid WGSL");
-        translate(&module, &info, &["trial"], source, &modules)
+        translate(&module, &info, &TRIAL, source, &modules)
     }
 
     /// What is said of a function of a number with that body.

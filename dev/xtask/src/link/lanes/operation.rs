@@ -22,7 +22,10 @@ pub fn binary_lanes(op: BinaryOperator, kind: Kind, left: &str, right: &str) -> 
         (Op::GreaterEqual, Float | Signed | Unsigned) => "ge",
         (Op::And | Op::LogicalAnd, Bool) => return Some(format!("and({left}, {right})")),
         (Op::InclusiveOr | Op::LogicalOr, Bool) => return Some(format!("or({left}, {right})")),
+        (Op::And, Unsigned) => "and",
+        (Op::ExclusiveOr, Unsigned) => "xor",
         (Op::ShiftLeft, Signed) => "shl",
+        (Op::ShiftRight, Unsigned) => return Some(format!("shr_u({left}, i_of_u({right}))")),
         (Op::ShiftRight, Signed) => "shr",
         _ => return None,
     };
@@ -44,6 +47,7 @@ pub fn binary_single(op: BinaryOperator, kind: Kind, left: &str, right: &str) ->
         Op::Greater => ">",
         Op::GreaterEqual => ">=",
         Op::And | Op::LogicalAnd if kind == Kind::Bool => "&&",
+        Op::And if kind == Kind::Unsigned => "&",
         Op::InclusiveOr | Op::LogicalOr if kind == Kind::Bool => "||",
         Op::ShiftLeft => return Some(format!("{left}.unbounded_shl({right})")),
         Op::ShiftRight => return Some(format!("{left}.unbounded_shr({right})")),
@@ -67,6 +71,7 @@ pub fn unary(op: UnaryOperator, kind: Kind, is_lanes: bool, operand: &str) -> Op
         (UnaryOperator::LogicalNot, Kind::Bool, true) => Some(format!("not({operand})")),
         (UnaryOperator::LogicalNot, Kind::Bool, false) => Some(format!("!{operand}")),
         (UnaryOperator::Negate, Kind::Float, false) => Some(format!("(-{operand})")),
+        (UnaryOperator::Negate, Kind::Float, true) => Some(format!("neg({operand})")),
         _ => None,
     }
 }
@@ -88,6 +93,8 @@ pub fn convert(from: Kind, to: Kind, is_lanes: bool, is_small: bool, operand: &s
         (Float, Signed) => "i_of_f",
         (Signed, Float) => "f_of_i",
         (Unsigned, Signed) => "i_of_u",
+        (Float, Unsigned) => "u_of_f",
+        (Unsigned, Float) => "f_of_u",
         _ => return None,
     };
     Some(format!("{name}({operand})"))

@@ -6,7 +6,7 @@ use naga::{Block, Expression, Handle, Statement, SwitchValue};
 use super::function::{Refusal, Writer};
 use super::live::Locals;
 use super::reach;
-use super::types::{self, COMPONENTS, vector};
+use super::types::{self, COMPONENTS, Kind, vector};
 use super::uniform::is_masked_loop;
 
 mod branch;
@@ -129,8 +129,11 @@ impl Writer<'_> {
         }
         for (number, (argument, declared)) in arguments.iter().zip(&callee.arguments).enumerate() {
             let value = self.value(*argument, !facts.arguments[number])?;
-            let by =
-                if types::is_struct(module, declared.ty) && !self.is_reference(*argument) { "&" } else { "" };
+            let by = if types::is_by_reference(module, declared.ty) && !self.is_reference(*argument) {
+                "&"
+            } else {
+                ""
+            };
             text.push_str(&format!(", {by}{value}"));
         }
         text.push(')');
@@ -139,8 +142,9 @@ impl Writer<'_> {
     }
 
     /// Whether a struct is a reference already: an argument of the function.
-    fn is_reference(&self, value: Handle<Expression>) -> bool {
+    pub fn is_reference(&self, value: Handle<Expression>) -> bool {
         matches!(self.function.expressions[value], Expression::FunctionArgument(_))
+            && self.vector_of(value).is_none()
     }
 
     fn store(&mut self, pointer: Handle<Expression>, value: Handle<Expression>, place: &Place) -> Done {
@@ -156,29 +160,35 @@ impl Writer<'_> {
         if self.facts().is_uniform(pointer) {
             return self.refuse(pointer, "a store to a member that all lanes share is");
         }
-        let value = self.value(value, true)?;
-        let ty = self.info_of_pointee(pointer);
-        self.assign(&target, &value, ty, local, place);
+        let value = self.owned(value, true)?;
+        self.assign(pointer, &target, &value, local, place);
         Ok(())
     }
 
-    fn info_of_pointee(&self, pointer: Handle<Expression>) -> naga::TypeInner {
-        match self.info[pointer].ty.inner_with(&self.module.types) {
-            naga::TypeInner::Pointer { base, .. } => self.module.types[*base].inner.clone(),
-            naga::TypeInner::ValuePointer { size: Some(size), scalar, .. } => {
-                naga::TypeInner::Vector { size: *size, scalar: *scalar }
+    /// What a pointer points at: a number or a vector, or the struct of that name.
+    fn pointee(&self, pointer: Handle<Expression>) -> Result<(Kind, usize), &str> {
+        let types = &self.module.types;
+        let vector_of = |inner: &naga::TypeInner| vector(inner).ok_or("");
+        match *self.info[pointer].ty.inner_with(types) {
+            naga::TypeInner::Pointer { base, .. } => {
+                vector(&types[base].inner).ok_or(types[base].name.as_deref().unwrap_or_default())
             }
-            naga::TypeInner::ValuePointer { size: None, scalar, .. } => naga::TypeInner::Scalar(*scalar),
-            inner => inner.clone(),
+            naga::TypeInner::ValuePointer { size: Some(size), scalar, .. } => {
+                vector_of(&naga::TypeInner::Vector { size, scalar })
+            }
+            naga::TypeInner::ValuePointer { size: None, scalar, .. } => {
+                vector_of(&naga::TypeInner::Scalar(scalar))
+            }
+            ref inner => vector_of(inner),
         }
     }
 
     /// Stores a value in the lanes that run here; in the others, too, where they do not miss what was there.
     fn assign(
         &mut self,
+        pointer: Handle<Expression>,
         target: &str,
         value: &str,
-        ty: naga::TypeInner,
         local: Handle<naga::LocalVariable>,
         place: &Place,
     ) {
@@ -191,22 +201,15 @@ impl Writer<'_> {
             self.line(&format!("{target} = {value};"));
             return;
         };
-        let chosen = self.chosen(&mask, value, target, &ty, local);
+        let chosen = self.chosen(&mask, value, target, pointer);
         self.line(&format!("{target} = {chosen};"));
     }
 
     /// One of two values, lane by lane.
-    fn chosen(
-        &mut self,
-        mask: &str,
-        yes: &str,
-        no: &str,
-        ty: &naga::TypeInner,
-        local: Handle<naga::LocalVariable>,
-    ) -> String {
-        match vector(ty) {
-            Some((kind, 1)) => format!("sel{}({mask}, {yes}, {no})", kind.suffix()),
-            Some((kind, size)) => {
+    fn chosen(&mut self, mask: &str, yes: &str, no: &str, pointer: Handle<Expression>) -> String {
+        match self.pointee(pointer) {
+            Ok((kind, 1)) => format!("sel{}({mask}, {yes}, {no})", kind.suffix()),
+            Ok((kind, size)) => {
                 let (mask_name, yes_name) = (self.fresh("m"), self.fresh("y"));
                 self.line(&format!("let ({mask_name}, {yes_name}) = ({mask}, {yes});"));
                 let part = |name: &&str| {
@@ -214,19 +217,13 @@ impl Writer<'_> {
                 };
                 types::made(size, COMPONENTS[..size].iter().map(part))
             }
-            None => {
-                let ty = self.function.local_variables[local].ty;
-                let name = self.module.types[ty].name.as_deref().unwrap_or_default();
-                format!("{}({mask}, &{yes}, &{no})", types::function_of("sel", name))
-            }
+            Err(name) => format!("{}({mask}, &{yes}, &{no})", types::function_of("sel", name)),
         }
     }
 
     /// Gives a value back to the caller, from the lanes that run here.
     fn give(&mut self, value: Handle<Expression>, place: &Place) -> Done {
-        let is_reference = self.is_reference(value) && self.vector_of(value).is_none();
-        let value = self.value(value, true)?;
-        let value = if is_reference { format!("*{value}") } else { value };
+        let value = self.owned(value, true)?;
         if place.depth == 0 {
             let text = if self.has_returned { self.returned("ex", &value) } else { value };
             self.line(&format!("return {text};"));

@@ -1,10 +1,11 @@
 //! Names of types over lanes and in single numbers, and the structs of lanes.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use naga::{Handle, Module, Scalar, ScalarKind, Type, TypeInner};
+use naga::{ArraySize, Handle, Module, Scalar, ScalarKind, Type, TypeInner};
 
-use super::uniform::is_shared;
+use super::LaneText;
 
 /// What a number is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,6 +69,9 @@ pub fn name(module: &Module, ty: Handle<Type>, is_lanes: bool) -> Result<String,
     match (&ty.inner, &ty.name) {
         (TypeInner::Struct { .. }, Some(name)) if is_lanes => Ok(name.clone()),
         (TypeInner::Struct { .. }, Some(name)) => Ok(format!("single::{name}")),
+        (&TypeInner::Array { base, size: ArraySize::Constant(size), .. }, _) if is_lanes => {
+            Ok(format!("[{}; {size}]", name(module, base, true)?))
+        }
         _ => Err(format!("values of type {:?} are not known in lanes", ty.inner)),
     }
 }
@@ -76,6 +80,11 @@ pub fn name(module: &Module, ty: Handle<Type>, is_lanes: bool) -> Result<String,
 pub fn vector_name(kind: Kind, size: usize, is_lanes: bool) -> String {
     let kind = if is_lanes { kind.lanes() } else { kind.single() };
     if size == 1 { kind.to_owned() } else { format!("Vec{size}<{kind}>") }
+}
+
+/// Whether values of a type are handed over by reference: structs and arrays.
+pub fn is_by_reference(module: &Module, ty: Handle<Type>) -> bool {
+    vector(&module.types[ty].inner).is_none()
 }
 
 /// Whether a type is a struct.
@@ -95,42 +104,101 @@ pub fn function_of(purpose: &str, structure: &str) -> String {
     name
 }
 
-/// A struct of lanes, with the functions that choose between two and that make one of zeros.
-pub fn structure(module: &Module, ty: Handle<Type>) -> Result<String, String> {
-    let TypeInner::Struct { members, .. } = &module.types[ty].inner else { return Ok(String::new()) };
+/// Those structs, and the structs that are parts of them.
+pub fn with_parts(module: &Module, structs: BTreeSet<Handle<Type>>) -> BTreeSet<Handle<Type>> {
+    let mut all = BTreeSet::new();
+    let mut waiting: Vec<Handle<Type>> = structs.into_iter().collect();
+    while let Some(ty) = waiting.pop() {
+        if all.insert(ty)
+            && let TypeInner::Struct { members, .. } = &module.types[ty].inner
+        {
+            waiting.extend(members.iter().map(|member| member.ty).filter(|ty| is_struct(module, *ty)));
+        }
+    }
+    all
+}
+
+/// A member of a struct over lanes.
+pub struct Member {
+    pub name: String,
+    pub ty: Handle<Type>,
+    pub what: What,
+}
+
+/// What a member is.
+pub enum What {
+    /// The same in all lanes.
+    Shared,
+    /// A number or a vector in each lane.
+    Vector(Kind, usize),
+    /// A struct of that name, of lanes as well.
+    Struct(String),
+}
+
+/// The members of a struct of the shaders.
+pub fn members(module: &Module, text: &LaneText, ty: Handle<Type>) -> Result<Vec<Member>, String> {
+    let structure = module.types[ty].name.as_deref().unwrap_or_default();
+    let TypeInner::Struct { members, .. } = &module.types[ty].inner else {
+        return Err(format!("{structure} is no struct"));
+    };
+    let member = |member: &naga::StructMember| {
+        let name = member.name.clone().unwrap_or_default();
+        let of = &module.types[member.ty];
+        let what = match (vector(&of.inner), &of.name) {
+            _ if text.is_shared(structure, &name) => What::Shared,
+            (Some((kind, size)), _) => What::Vector(kind, size),
+            (None, Some(inner)) if is_struct(module, member.ty) => What::Struct(inner.clone()),
+            _ => return Err(format!("member {name} of {structure}: its type is not known in lanes")),
+        };
+        Ok(Member { name, ty: member.ty, what })
+    };
+    members.iter().map(member).collect()
+}
+
+/// A struct of lanes, with the functions that choose between two and, where no other struct is shared by its
+/// lanes, that make one of zeros.
+pub fn structure(module: &Module, text: &LaneText, ty: Handle<Type>) -> Result<String, String> {
     let structure = module.types[ty].name.clone().unwrap_or_default();
     let (mut declared, mut chosen, mut zeros) = (String::new(), String::new(), String::new());
-    for member in members {
-        let name = member.name.clone().unwrap_or_default();
-        let shared = is_shared(&structure, &name);
-        let ty = self::name(module, member.ty, !shared)?;
-        let Some((kind, size)) = vector(&module.types[member.ty].inner) else {
-            return Err(format!("member {name} of {structure}: a struct in a struct is not known in lanes"));
+    let mut has_zero = true;
+    for Member { name, ty, what } in members(module, text, ty)? {
+        let declaration = self::name(module, ty, !matches!(what, What::Shared))?;
+        let (choice, zero) = match what {
+            What::Shared => {
+                let kind = vector(&module.types[ty].inner).filter(|(_, size)| *size == 1);
+                has_zero &= kind.is_some();
+                (format!("a.{name}"), kind.map_or("", |(kind, _)| kind.zero()).to_owned())
+            }
+            What::Vector(kind, size) => {
+                let parts = (0..size).map(|at| {
+                    let part = if size == 1 { name.clone() } else { format!("{name}.{}", COMPONENTS[at]) };
+                    format!("sel{}(m, a.{part}, b.{part})", kind.suffix())
+                });
+                let zero = format!("splat{}({})", kind.suffix(), kind.zero());
+                (made(size, parts), made(size, (0..size).map(|_| zero.clone())))
+            }
+            What::Struct(of) => {
+                let (select, zero) = (function_of("sel", &of), function_of("zero", &of));
+                (format!("{select}(m, &a.{name}, &b.{name})"), format!("{zero}()"))
+            }
         };
-        let _ = writeln!(declared, "    pub {name}: {ty},");
-        let choice = if shared {
-            format!("a.{name}")
-        } else {
-            let parts = (0..size).map(|at| {
-                let part = if size == 1 { name.clone() } else { format!("{name}.{}", COMPONENTS[at]) };
-                format!("sel{}(m, a.{part}, b.{part})", kind.suffix())
-            });
-            made(size, parts)
-        };
-        let zero = if shared {
-            kind.zero().to_owned()
-        } else {
-            made(size, (0..size).map(|_| format!("splat{}({})", kind.suffix(), kind.zero())))
-        };
+        let _ = writeln!(declared, "    pub {name}: {declaration},");
         let _ = writeln!(chosen, "        {name}: {choice},");
         let _ = writeln!(zeros, "        {name}: {zero},");
     }
     let (select, zero) = (function_of("sel", &structure), function_of("zero", &structure));
-    Ok(format!(
+    let mut out = format!(
         "#[derive(Clone, Copy)]\npub struct {structure} {{\n{declared}}}\n\
-         lanes! {{ fn {select}(m: M, a: &{structure}, b: &{structure}) -> {structure} {{\n    {structure} {{\n{chosen}    }}\n}} }}\n\
-         lanes! {{ fn {zero}() -> {structure} {{\n    {structure} {{\n{zeros}    }}\n}} }}\n"
-    ))
+         lanes! {{ fn {select}(m: M, a: &{structure}, b: &{structure}) -> {structure} {{\n    \
+         {structure} {{\n{chosen}    }}\n}} }}\n"
+    );
+    if has_zero {
+        let _ = writeln!(
+            out,
+            "lanes! {{ fn {zero}() -> {structure} {{\n    {structure} {{\n{zeros}    }}\n}} }}"
+        );
+    }
+    Ok(out)
 }
 
 /// A number, or a vector of these parts.

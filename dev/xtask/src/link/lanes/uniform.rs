@@ -5,15 +5,8 @@ use std::collections::{HashMap, HashSet};
 use naga::valid::{FunctionInfo, ModuleInfo};
 use naga::{Block, Expression, Function, Handle, Module, Statement, TypeInner};
 
-use super::reach;
-
-/// Members that are the same in all lanes of a call, because rays are put together by them.
-const SHARED_MEMBERS: [(&str, &str); 2] = [("Path", "ray"), ("Path", "level")];
-
-/// Whether a member of a struct is the same in all lanes.
-pub fn is_shared(structure: &str, member: &str) -> bool {
-    SHARED_MEMBERS.contains(&(structure, member))
-}
+use super::types::is_by_reference;
+use super::{LaneText, reach};
 
 /// What of a function is the same in all lanes.
 #[derive(Clone, PartialEq)]
@@ -44,6 +37,7 @@ pub struct Variant {
 pub struct Program<'a> {
     pub module: &'a Module,
     pub info: &'a ModuleInfo,
+    pub text: &'a LaneText,
     pub roots: Vec<Handle<Function>>,
     facts: HashMap<Variant, Facts>,
     /// Those that read a texture of layers and levels, or call one that does.
@@ -51,29 +45,37 @@ pub struct Program<'a> {
 }
 
 impl<'a> Program<'a> {
-    /// The facts; the roots' arguments differ from lane to lane.
-    pub fn new(module: &'a Module, info: &'a ModuleInfo, roots: Vec<Handle<Function>>) -> Self {
+    /// The facts; the roots' arguments differ from lane to lane, but for those that the text says.
+    pub fn new(
+        module: &'a Module,
+        info: &'a ModuleInfo,
+        text: &'a LaneText,
+        roots: Vec<Handle<Function>>,
+    ) -> Self {
         let mut reads_layers = HashSet::new();
         for handle in reach::functions(module, &roots) {
             let function = &module.functions[handle];
             let mut reads = function.expressions.iter().any(|(_, expression)| {
-                matches!(expression, Expression::ImageLoad { array_index: Some(_), .. })
+                matches!(expression, Expression::ImageLoad { array_index, .. }
+                    if array_index.is_some() || text.levels_differ)
             });
             reach::calls(&function.body, &mut |callee| reads |= reads_layers.contains(&callee));
             if reads {
                 reads_layers.insert(handle);
             }
         }
-        let mut program = Self { module, info, roots, facts: HashMap::new(), reads_layers };
+        let mut program = Self { module, info, text, roots, facts: HashMap::new(), reads_layers };
         for root in program.roots.clone() {
-            let same = vec![false; module.functions[root].arguments.len()];
-            program.called(root, &same);
+            program.called(root, &program.arguments_of_root(root));
         }
         // Everything is taken to be the same until something says that it is not; what is said once stays.
         let mut is_settled = false;
         while !is_settled {
             is_settled = true;
             for variant in program.facts.keys().cloned().collect::<Vec<_>>() {
+                if program.is_one_by_one(&variant) {
+                    continue;
+                }
                 let handle = variant.function;
                 let function = &module.functions[handle];
                 let before = program.facts[&variant].clone();
@@ -105,6 +107,22 @@ impl<'a> Program<'a> {
         &self.facts[variant]
     }
 
+    /// Which of a root's arguments are the same in all lanes.
+    fn arguments_of_root(&self, root: Handle<Function>) -> Vec<bool> {
+        let name = |name: &Option<String>| name.clone().unwrap_or_default();
+        let function = &self.module.functions[root];
+        let is_same = |argument: &naga::FunctionArgument| {
+            self.text.same_arguments.contains(&(&*name(&function.name), &*name(&argument.name)))
+        };
+        function.arguments.iter().map(is_same).collect()
+    }
+
+    /// Whether a function is called for each lane by itself.
+    pub fn is_one_by_one(&self, variant: &Variant) -> bool {
+        let name = self.module.functions[variant.function].name.as_deref().unwrap_or_default();
+        self.text.one_by_one.contains(&name)
+    }
+
     /// The variant that a call with these arguments calls.
     pub fn variant(&self, function: Handle<Function>, same: &[bool]) -> Variant {
         Variant { function, same: self.reads_layers.contains(&function).then(|| same.to_vec()) }
@@ -115,6 +133,9 @@ impl<'a> Program<'a> {
         let variant = self.variant(function, same);
         let callee = &self.module.functions[function];
         let module = self.module;
+        let one_by_one = self.is_one_by_one(&variant);
+        // Structs that are made have lanes, whatever they are made of.
+        let gives_number = callee.result.as_ref().is_some_and(|result| !is_by_reference(module, result.ty));
         let facts = self.facts.entry(variant).or_insert_with(|| Facts {
             arguments: same.to_vec(),
             locals: callee
@@ -123,8 +144,8 @@ impl<'a> Program<'a> {
                 .map(|(_, local)| !matches!(module.types[local.ty].inner, TypeInner::Struct { .. }))
                 .collect(),
             expressions: vec![true; callee.expressions.len()],
-            result: true,
-            is_masked: false,
+            result: gives_number && !one_by_one,
+            is_masked: one_by_one,
         });
         for (argument, same) in facts.arguments.iter_mut().zip(same) {
             *argument &= same;
@@ -134,15 +155,13 @@ impl<'a> Program<'a> {
 
     /// The variants that are written, each after those that it calls.
     pub fn written(&self) -> Vec<Variant> {
-        let mut waiting: Vec<Variant> = self
-            .roots
-            .iter()
-            .map(|root| self.variant(*root, &vec![false; self.module.functions[*root].arguments.len()]))
-            .collect();
+        let mut waiting: Vec<Variant> =
+            self.roots.iter().map(|root| self.variant(*root, &self.arguments_of_root(*root))).collect();
         let mut reached = HashSet::new();
         while let Some(variant) = waiting.pop() {
             let facts = &self.facts[&variant];
-            if facts.result || !reached.insert(variant.clone()) {
+            if facts.result || !reached.insert(variant.clone()) || self.is_one_by_one(&variant) {
+                // What is called lane by lane is single numbers' own.
                 continue;
             }
             reach::statements(&self.module.functions[variant.function].body, &mut |statement| {
@@ -235,7 +254,7 @@ impl Pass<'_, '_> {
         };
         let TypeInner::Struct { members, .. } = &structure.inner else { return false };
         let name = |name: &Option<String>| name.clone().unwrap_or_default();
-        is_shared(&name(&structure.name), &name(&members[index as usize].name))
+        self.program.text.is_shared(&name(&structure.name), &name(&members[index as usize].name))
     }
 
     /// `parted` says that not all lanes that are in the function need to be here.

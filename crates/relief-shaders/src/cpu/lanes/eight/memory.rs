@@ -16,23 +16,10 @@ impl Eight {
         has_all.then_some(Self(()))
     }
 
-    /// Traces the paths of a block that `which` has bits for.
-    pub(in crate::cpu::lanes) fn trace(
-        self,
-        r: &Resources<'_>,
-        paths: &PathBlock,
-        which: u16,
-        hits: &mut HitBlock,
-    ) {
+    /// Does a task for the places that `which` has bits for.
+    pub(in crate::cpu::lanes) fn run(self, r: &Resources<'_>, which: u16, task: Task<'_>) {
         // SAFETY: there is a value of this type where the machine has the instructions alone.
-        unsafe { tracing::trace_block(r, paths, which, hits) }
-    }
-
-    /// Of the paths of a block that `which` has bits for, those on which the search for shadows finds
-    /// nothing.
-    pub(in crate::cpu::lanes) fn free(self, r: &Resources<'_>, paths: &PathBlock, which: u16) -> u16 {
-        // SAFETY: as above.
-        unsafe { tracing::free_block(r, paths, which) }
+        unsafe { pixels::run(r, which, task) }
     }
 }
 
@@ -100,7 +87,7 @@ lanes! {
 
 lanes! {
     /// The number of each lane.
-    pub(super) fn numbers_of(values: I) -> [i32; LANES] {
+    pub(super) fn row_i(values: I) -> [i32; LANES] {
         let mut row = [0; LANES];
         // SAFETY: the row has as many numbers as are written, which need no alignment.
         unsafe { _mm256_storeu_si256(row.as_mut_ptr().cast(), values.0) };

@@ -6,10 +6,12 @@ use std::arch::x86_64::*;
 
 use naga_rust_rt::{Vec2, Vec3, Vec4};
 
-use super::block::{HitBlock, PathBlock};
+use super::block::{EnteredBlock, HitBlock, PathBlock, PixelOutBlock};
+use super::task::Task;
+use crate::cpu::Triangle;
 use crate::cpu::generated as single;
 use crate::cpu::generated::Resources;
-use crate::cpu::runtime::{HeightTexture, MapTexture, Texels};
+use crate::cpu::runtime::{ColorTexture, HeightTexture, MapTexture, Texels};
 
 /// How many lanes there are.
 const LANES: usize = 8;
@@ -61,14 +63,25 @@ mod textures;
 #[path = "../../../../generated/lanes.rs"]
 #[rustfmt::skip]
 #[allow(unused, clippy::all)]
-mod generated;
+mod stages;
+#[path = "../../../../generated/pixel_lanes.rs"]
+#[rustfmt::skip]
+#[allow(unused, clippy::all)]
+mod pixel_stages;
+#[path = "../pixels.rs"]
+mod pixels;
+#[path = "../rows.rs"]
+mod rows;
 #[path = "../tracing.rs"]
 mod tracing;
 
 pub(super) use memory::Eight;
 
-use memory::{gather, gather_of_8, gather_of_16, load, numbers_of, store, store_u};
-use textures::{height_texel, map_texel, map_texel_of_each};
+use memory::{gather, gather_of_8, gather_of_16, load, row_i, store, store_u};
+use rows::{load_i, load_m, load_u, row, row_u, store_i};
+use textures::{
+    color_texel, color_texel_of_each, height_texel, height_texel_of_each, map_texel, map_texel_of_each,
+};
 
 operations! {
     splat(x: f32) -> F = _mm256_set1_ps(x);
@@ -77,6 +90,7 @@ operations! {
     mul(a: F, b: F) -> F = _mm256_mul_ps(a.0, b.0);
     div(a: F, b: F) -> F = _mm256_div_ps(a.0, b.0);
     sqrt(a: F) -> F = _mm256_sqrt_ps(a.0);
+    neg(a: F) -> F = _mm256_xor_ps(a.0, _mm256_set1_ps(-0.0));
     abs(a: F) -> F = _mm256_andnot_ps(_mm256_set1_ps(-0.0), a.0);
     floor(a: F) -> F = _mm256_floor_ps(a.0);
     ceil(a: F) -> F = _mm256_ceil_ps(a.0);
@@ -95,6 +109,12 @@ operations! {
     ordered(a: F) -> M = _mm256_cmp_ps::<_CMP_ORD_Q>(a.0, a.0);
     sel(m: M, a: F, b: F) -> F = _mm256_blendv_ps(b.0, a.0, m.0);
     f_of_i(a: I) -> F = _mm256_cvtepi32_ps(a.0);
+    // Both halves are exact, so that their sum is rounded once.
+    f_of_u(a: U) -> F = {
+        let (high, low) = (_mm256_srli_epi32::<16>(a.0), and_u(a, splat_u(0xffff)).0);
+        let high = _mm256_mul_ps(_mm256_cvtepi32_ps(high), _mm256_set1_ps(65536.0));
+        _mm256_add_ps(high, _mm256_cvtepi32_ps(low))
+    };
     f_of_half(a: U) -> F = _mm256_cvtph_ps(
         _mm_packus_epi32(_mm256_castsi256_si128(a.0), _mm256_extracti128_si256::<1>(a.0))
     );
@@ -115,6 +135,7 @@ operations! {
     ne_i(a: I, b: I) -> M = not(eq_i(a, b)).0;
     sel_i(m: M, a: I, b: I) -> I = _mm256_blendv_epi8(b.0, a.0, _mm256_castps_si256(m.0));
     i_of_u(a: U) -> I = a.0;
+    bits_of_f(a: F) -> I = _mm256_castps_si256(a.0);
     // Of a number that is no NaN and in range.
     i_of_small(a: F) -> I = _mm256_cvttps_epi32(a.0);
 }
@@ -123,11 +144,14 @@ operations! {
     splat_u(x: u32) -> U = _mm256_set1_epi32(x as i32);
     add_u(a: U, b: U) -> U = _mm256_add_epi32(a.0, b.0);
     sub_u(a: U, b: U) -> U = _mm256_sub_epi32(a.0, b.0);
+    mul_u(a: U, b: U) -> U = _mm256_mullo_epi32(a.0, b.0);
+    xor_u(a: U, b: U) -> U = _mm256_xor_si256(a.0, b.0);
     min_u(a: U, b: U) -> U = _mm256_min_epu32(a.0, b.0);
     shr_u(a: U, by: I) -> U = _mm256_srlv_epi32(a.0, by.0);
     and_u(a: U, b: U) -> U = _mm256_and_si256(a.0, b.0);
     lt_u(a: U, b: U) -> M = gt_u(b, a).0;
     gt_u(a: U, b: U) -> M = ne_u(min_u(a, b), a).0;
+    ge_u(a: U, b: U) -> M = not(lt_u(a, b)).0;
     eq_u(a: U, b: U) -> M = _mm256_castsi256_ps(_mm256_cmpeq_epi32(a.0, b.0));
     ne_u(a: U, b: U) -> M = not(eq_u(a, b)).0;
     sel_u(m: M, a: U, b: U) -> U = _mm256_blendv_epi8(b.0, a.0, _mm256_castps_si256(m.0));
@@ -162,6 +186,16 @@ lanes! { fn i_of_f(a: F) -> I {
     let above = _mm256_castps_si256(ge(a, splat(2_147_483_648.0)).0);
     let near = _mm256_xor_si256(_mm256_cvttps_epi32(a.0), above);
     I(_mm256_and_si256(near, _mm256_castps_si256(ordered(a).0)))
+} }
+
+// The same to numbers without a sign.
+lanes! { fn u_of_f(a: F) -> U {
+    let positive = max_with(a, splat(0.0));
+    let is_high = ge(positive, splat(2_147_483_648.0));
+    let is_beyond = _mm256_castps_si256(ge(positive, splat(4_294_967_296.0)).0);
+    let low = sel(is_high, sub(positive, splat(2_147_483_648.0)), positive);
+    let top = sel_u(is_high, splat_u(1 << 31), splat_u(0));
+    U(_mm256_or_si256(_mm256_xor_si256(_mm256_cvttps_epi32(low.0), top.0), is_beyond))
 } }
 
 // The remainder with the sign of the first number. Quotients of 32-bit numbers that are rounded to `f64` are

@@ -6,10 +6,12 @@ use std::arch::x86_64::*;
 
 use naga_rust_rt::{Vec2, Vec3, Vec4};
 
-use super::block::{HitBlock, PathBlock};
+use super::block::{EnteredBlock, HitBlock, PathBlock, PixelOutBlock};
+use super::task::Task;
+use crate::cpu::Triangle;
 use crate::cpu::generated as single;
 use crate::cpu::generated::Resources;
-use crate::cpu::runtime::{HeightTexture, MapTexture, Texels};
+use crate::cpu::runtime::{ColorTexture, HeightTexture, MapTexture, Texels};
 
 /// How many lanes there are.
 const LANES: usize = 16;
@@ -61,14 +63,25 @@ mod textures;
 #[path = "../../../../generated/lanes.rs"]
 #[rustfmt::skip]
 #[allow(unused, clippy::all)]
-mod generated;
+mod stages;
+#[path = "../../../../generated/pixel_lanes.rs"]
+#[rustfmt::skip]
+#[allow(unused, clippy::all)]
+mod pixel_stages;
+#[path = "../pixels.rs"]
+mod pixels;
+#[path = "../rows.rs"]
+mod rows;
 #[path = "../tracing.rs"]
 mod tracing;
 
 pub(super) use memory::Sixteen;
 
-use memory::{gather, gather_of_8, gather_of_16, load, numbers_of, store, store_u};
-use textures::{height_texel, map_texel, map_texel_of_each};
+use memory::{gather, gather_of_8, gather_of_16, load, row_i, store, store_u};
+use rows::{load_i, load_m, load_u, row, row_u, store_i};
+use textures::{
+    color_texel, color_texel_of_each, height_texel, height_texel_of_each, map_texel, map_texel_of_each,
+};
 
 /// Towards minus infinity, and towards infinity.
 const DOWN: i32 = _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC;
@@ -81,6 +94,7 @@ operations! {
     mul(a: F, b: F) -> F = _mm512_mul_ps(a.0, b.0);
     div(a: F, b: F) -> F = _mm512_div_ps(a.0, b.0);
     sqrt(a: F) -> F = _mm512_sqrt_ps(a.0);
+    neg(a: F) -> F = _mm512_xor_ps(a.0, _mm512_set1_ps(-0.0));
     abs(a: F) -> F = _mm512_abs_ps(a.0);
     floor(a: F) -> F = _mm512_roundscale_ps::<DOWN>(a.0);
     ceil(a: F) -> F = _mm512_roundscale_ps::<UP>(a.0);
@@ -99,6 +113,7 @@ operations! {
     ordered(a: F) -> M = _mm512_cmp_ps_mask::<_CMP_ORD_Q>(a.0, a.0);
     sel(m: M, a: F, b: F) -> F = _mm512_mask_blend_ps(m.0, b.0, a.0);
     f_of_i(a: I) -> F = _mm512_cvtepi32_ps(a.0);
+    f_of_u(a: U) -> F = _mm512_cvtepu32_ps(a.0);
     f_of_half(a: U) -> F = _mm512_cvtph_ps(_mm512_cvtepi32_epi16(a.0));
 }
 
@@ -117,6 +132,7 @@ operations! {
     ne_i(a: I, b: I) -> M = _mm512_cmpneq_epi32_mask(a.0, b.0);
     sel_i(m: M, a: I, b: I) -> I = _mm512_mask_blend_epi32(m.0, b.0, a.0);
     i_of_u(a: U) -> I = a.0;
+    bits_of_f(a: F) -> I = _mm512_castps_si512(a.0);
     // Of a number that is no NaN and in range.
     i_of_small(a: F) -> I = _mm512_cvttps_epi32(a.0);
 }
@@ -125,11 +141,14 @@ operations! {
     splat_u(x: u32) -> U = _mm512_set1_epi32(x as i32);
     add_u(a: U, b: U) -> U = _mm512_add_epi32(a.0, b.0);
     sub_u(a: U, b: U) -> U = _mm512_sub_epi32(a.0, b.0);
+    mul_u(a: U, b: U) -> U = _mm512_mullo_epi32(a.0, b.0);
+    xor_u(a: U, b: U) -> U = _mm512_xor_epi32(a.0, b.0);
     min_u(a: U, b: U) -> U = _mm512_min_epu32(a.0, b.0);
     shr_u(a: U, by: I) -> U = _mm512_srlv_epi32(a.0, by.0);
     and_u(a: U, b: U) -> U = _mm512_and_epi32(a.0, b.0);
     lt_u(a: U, b: U) -> M = _mm512_cmplt_epu32_mask(a.0, b.0);
     gt_u(a: U, b: U) -> M = _mm512_cmpgt_epu32_mask(a.0, b.0);
+    ge_u(a: U, b: U) -> M = _mm512_cmpge_epu32_mask(a.0, b.0);
     eq_u(a: U, b: U) -> M = _mm512_cmpeq_epi32_mask(a.0, b.0);
     ne_u(a: U, b: U) -> M = _mm512_cmpneq_epi32_mask(a.0, b.0);
     sel_u(m: M, a: U, b: U) -> U = _mm512_mask_blend_epi32(m.0, b.0, a.0);
@@ -159,6 +178,12 @@ lanes! { fn i_of_f(a: F) -> I {
     let above = ge(a, splat(2_147_483_648.0));
     let near = _mm512_mask_mov_epi32(near, above.0, _mm512_set1_epi32(i32::MAX));
     I(_mm512_maskz_mov_epi32(ordered(a).0, near))
+} }
+
+// The same to numbers without a sign.
+lanes! { fn u_of_f(a: F) -> U {
+    // What is beyond the greatest number becomes that one.
+    U(_mm512_cvttps_epu32(max_with(a, splat(0.0)).0))
 } }
 
 // The remainder with the sign of the first number. Quotients of 32-bit numbers that are rounded to `f64` are

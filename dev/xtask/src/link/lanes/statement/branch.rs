@@ -175,7 +175,6 @@ impl Writer<'_> {
                 Expression::Literal(naga::Literal::Bool(value)) if value == wanted)
         };
         let (is_and, is_or) = (is_literal(no, false), is_literal(no, true));
-        let ty = self.info_of_pointee(target);
         let value = match self.function.expressions[condition] {
             Expression::Unary { op: naga::UnaryOperator::LogicalNot, expr } if is_or => {
                 format!("or({}, {})", self.value(expr, true)?, self.value(yes, true)?)
@@ -186,11 +185,11 @@ impl Writer<'_> {
                     (self.value(condition, true)?, self.value(yes, true)?, self.value(no, true)?);
                 let no_name = self.fresh("n");
                 self.line(&format!("let {no_name} = {no};"));
-                self.chosen(&condition, &yes, &no_name, &ty, local)
+                self.chosen(&condition, &yes, &no_name, target)
             }
         };
-        let target = self.place(target)?;
-        self.assign(&target, &value, ty, local, place);
+        let (pointer, target) = (target, self.place(target)?);
+        self.assign(pointer, &target, &value, local, place);
         Ok(())
     }
 

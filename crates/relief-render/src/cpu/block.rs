@@ -1,0 +1,112 @@
+//! Blocks of neighbouring points of a picture, which go through the stages together.
+
+use relief_core::Lanes;
+use relief_core::exact::{HitPacket, PathPacket};
+use relief_shaders::cpu::{BLOCK, Hit, HitBlock, PathBlock, Row, TriangleRays};
+
+use super::ready::Ready;
+
+/// Points along a side of a block.
+pub const BLOCK_SIDE: usize = 4;
+
+const _: () = assert!(BLOCK_SIDE * BLOCK_SIDE == BLOCK && BLOCK == PathPacket::LEN);
+
+/// Of how many rays at least lanes do something: fewer are quicker one by one.
+const LEAST_IN_LANES: u32 = 3;
+
+/// The places of a block that bits stand for, the lowest for the first.
+pub fn places(which: u16) -> impl Iterator<Item = usize> {
+    (0..BLOCK).filter(move |place| which >> place & 1 == 1)
+}
+
+/// The places of those of some rows that something holds for.
+pub fn places_where(holds: impl Fn(usize) -> bool) -> u16 {
+    (0..BLOCK).fold(0, |which, place| which | u16::from(holds(place)) << place)
+}
+
+/// Which side of which triangle the rays of a block meet.
+#[derive(Clone)]
+pub struct Sides {
+    /// Whether the mesh is turned over for that, and the triangle.
+    pub rank: Row<(bool, u32)>,
+    /// 1 on the triangle's front, -1 on its back.
+    pub side: Row<f32>,
+}
+
+impl Sides {
+    /// Of no triangles.
+    pub fn new() -> Self {
+        Self { rank: [(false, 0); BLOCK], side: [1.0; BLOCK] }
+    }
+
+    /// Calls `of` with each triangle's rays of those that `which` has bits for, and the lanes that are for so
+    /// many.
+    pub fn each(
+        &self,
+        surface: &Ready,
+        points: &[Row<f32>; 2],
+        which: u16,
+        lanes: Lanes,
+        mut of: impl FnMut(TriangleRays, u16, Lanes),
+    ) {
+        let mut rest = which;
+        while rest != 0 {
+            let first = rest.trailing_zeros() as usize;
+            let (number, side) = (self.rank[first].1, self.side[first]);
+            let same = rest & places_where(|place| self.rank[place].1 == number && self.side[place] == side);
+            let lanes = if same.count_ones() < LEAST_IN_LANES { Lanes::One } else { lanes };
+            of(TriangleRays { triangle: &surface.triangle(number), side, points }, same, lanes);
+            rest &= !same;
+        }
+    }
+}
+
+impl Ready<'_> {
+    /// Traces the paths that `which` has bits for.
+    pub fn trace_block(&self, paths: &PathBlock, which: u16, lanes: Lanes, hits: &mut HitBlock) {
+        if self.tracers.is_none() {
+            return self.program.trace_block(paths, which, lanes, hits);
+        }
+        self.each_level(paths, which, lanes, |which, found| {
+            for place in places(which) {
+                hits.set(place, &Hit::from(&found.hit(place).hit));
+            }
+        });
+    }
+
+    /// Which of the paths to lights that `which` has bits for nothing is in the way of: by the exact tracers
+    /// where these are for shadows, else by the search for shadows.
+    pub fn free_block(&self, paths: &PathBlock, which: u16, lanes: Lanes) -> u16 {
+        if !self.traces_shadows {
+            return self.program.free_block(paths, which, lanes);
+        }
+        let mut free = 0;
+        self.each_level(paths, which, lanes, |which, hits| free |= which & !hits.found);
+        free
+    }
+
+    /// What the exact tracers hit, level of detail by level of detail.
+    fn each_level(&self, paths: &PathBlock, which: u16, lanes: Lanes, mut of: impl FnMut(u16, &HitPacket)) {
+        let Some(tracers) = &self.tracers else { return };
+        let mut hits = HitPacket::MISSES;
+        let mut rest = which;
+        while rest != 0 {
+            let level = paths.level[rest.trailing_zeros() as usize];
+            let same = rest & places_where(|place| paths.level[place] == level);
+            let wide = |row: &Row<f32>| row.map(f64::from);
+            let mut packet = PathPacket {
+                uv: paths.uv.each_ref().map(wide),
+                duv: paths.duv.each_ref().map(wide),
+                h: paths.h.each_ref().map(wide),
+                exit: wide(&paths.exit),
+            };
+            for place in places(!same) {
+                packet.exit[place] = f64::NAN;
+            }
+            let (packet, answers) = (std::slice::from_ref(&packet), std::slice::from_mut(&mut hits));
+            tracers[level as usize].trace_packets(packet, lanes, answers);
+            of(same, &hits);
+            rest &= !same;
+        }
+    }
+}

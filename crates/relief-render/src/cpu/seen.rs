@@ -1,0 +1,137 @@
+//! What the points of a block see of a surface.
+
+use relief_core::Lanes;
+use relief_shaders::cpu::{BLOCK, EnteredBlock, HitBlock, PathBlock, Row};
+
+use super::block::{Sides, places, places_where};
+use super::ready::{Met, Ready};
+use crate::raycast::tiles::{TileCaster, TileHit, TileHits};
+
+/// The tile that a block is in, where it was cast, and the numbers in it of the block's points.
+#[derive(Clone, Copy)]
+pub struct Cast<'a> {
+    pub caster: &'a TileCaster<'a>,
+    pub hits: &'a TileHits,
+    pub numbers: &'a Row<usize>,
+}
+
+/// What the points of a block see of a surface: the nearest hit of each that has one.
+pub struct Seen {
+    /// The points that have one, a bit for each.
+    pub which: u16,
+    /// What orders hits: the greater, the nearer.
+    pub keys: Row<f32>,
+    /// Columns and rows of the points in the picture.
+    pub points: [Row<f32>; 2],
+    /// The triangles that are hit.
+    pub sides: Sides,
+    /// Where rays come into the relief, on which paths, and what they hit.
+    pub at: EnteredBlock,
+    pub paths: PathBlock,
+    pub hits: HitBlock,
+}
+
+impl Seen {
+    /// Nothing.
+    pub fn new() -> Self {
+        Self {
+            which: 0,
+            keys: [0.0; BLOCK],
+            points: [[0.0; BLOCK]; 2],
+            sides: Sides::new(),
+            at: EnteredBlock::default(),
+            paths: PathBlock::default(),
+            hits: HitBlock::default(),
+        }
+    }
+
+    /// Keeps what a polygon shows where that is the nearest so far, and of equally near ones that of the
+    /// least rank.
+    fn keep(&mut self, place: usize, rank: (bool, u32), side: f32, met: &Met) {
+        let (key, known) = (met.first.key, self.keys[place]);
+        let is_nearer = key > known || (key == known && rank < self.sides.rank[place]);
+        if self.which >> place & 1 == 0 || is_nearer {
+            self.which |= 1 << place;
+            self.keys[place] = key;
+            (self.sides.rank[place], self.sides.side[place]) = (rank, side);
+            self.at.set(place, &met.at);
+            self.paths.set(place, &met.path);
+            self.hits.set(place, &met.first.hit);
+        }
+    }
+}
+
+impl Ready<'_> {
+    /// What the points of a block that `which` has bits for see of the surface: the nearest hit of all base
+    /// polygons along each ray. `cast` is the tile that the block is in, where that was cast.
+    pub fn see(&self, points: [Row<f32>; 2], which: u16, cast: Option<Cast>, lanes: Lanes, seen: &mut Seen) {
+        (seen.which, seen.points) = (0, points);
+        let first = cast.map_or(0, |cast| self.see_first(which, cast, lanes, seen));
+        for place in places(which) {
+            if cast.is_some_and(|cast| cast.hits.is_miss(cast.numbers[place])) {
+                continue;
+            }
+            let aim = self.aim(points.map(|row| row[place]));
+            let mut is_first = first >> place & 1 == 1;
+            let look = |rank: (bool, u32), side| {
+                let met = match std::mem::take(&mut is_first) {
+                    true => self.after_first_segment(seen, place),
+                    false => self.look(rank.1, side, aim),
+                };
+                if let Some(met) = met {
+                    seen.keep(place, rank, side, &met);
+                }
+                let has_hit = seen.which >> place & 1 == 1;
+                if has_hit { self.reach(seen.keys[place]) } else { f64::INFINITY }
+            };
+            match cast {
+                Some(Cast { caster, hits, numbers }) => {
+                    self.propose_polygons(caster.hits(hits, numbers[place]), f64::INFINITY, look);
+                }
+                None => self.propose(aim, f64::INFINITY, look),
+            }
+        }
+    }
+
+    /// Of the first polygons, as far as these are known, what their first segments show. Returns the points
+    /// that were looked at.
+    fn see_first(&self, which: u16, cast: Cast, lanes: Lanes, seen: &mut Seen) -> u16 {
+        let mut first = 0;
+        for place in places(which) {
+            if let Some(TileHit { triangle, front, .. }) = cast.hits.first(cast.numbers[place]) {
+                seen.sides.rank[place] = (false, triangle);
+                seen.sides.side[place] = if front { 1.0 } else { -1.0 };
+                first |= 1 << place;
+            }
+        }
+        let Seen { keys, points, sides, at, paths, hits, .. } = seen;
+        sides.each(self, points, first, lanes, |rays, which, lanes| {
+            self.program.enter_block(rays, which, lanes, at, paths);
+        });
+        let traced = first & places_where(|place| at.segments[place] > 0 && paths.exit[place] > 0.0);
+        for place in places(first & !traced) {
+            hits.found[place] = 0;
+            hits.cost.iter_mut().for_each(|row| row[place] = 0);
+        }
+        if traced != 0 {
+            self.trace_block(paths, traced, lanes, hits);
+            let found = traced & places_where(|place| hits.found[place] == 1);
+            sides.each(self, points, found, lanes, |rays, which, lanes| {
+                self.program.meet_block(rays, which, lanes, (at, paths), hits, keys);
+            });
+        }
+        seen.which |= first & places_where(|place| seen.hits.found[place] == 1);
+        first
+    }
+
+    /// What the ray of a point, whose first segment shows what is known, meets on the segments after that.
+    fn after_first_segment(&self, seen: &Seen, place: usize) -> Option<Met> {
+        let is_hit = seen.hits.found[place] == 1;
+        if is_hit || seen.at.segments[place] < 2 {
+            return None;
+        }
+        let (triangle, side) = (seen.sides.rank[place].1, seen.sides.side[place]);
+        let pixel = self.pixel(triangle, side, self.aim(seen.points.map(|row| row[place])));
+        self.first_from(pixel, seen.at.get(place), 1, seen.hits.get(place).cost)
+    }
+}

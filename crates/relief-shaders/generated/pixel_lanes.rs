@@ -1,0 +1,3659 @@
+// The stages over lanes. Written by `cargo xtask link`; do not edit.
+
+use super::*;
+
+#[derive(Clone, Copy)]
+pub struct Across {
+    pub duv: Vec2<F>,
+    pub descent: F,
+    pub along: F,
+    pub across: F,
+    pub mixed: F,
+    pub sine: F,
+}
+lanes! { fn sel_across(m: M, a: &Across, b: &Across) -> Across {
+    Across {
+        duv: Vec2 { x: sel(m, a.duv.x, b.duv.x), y: sel(m, a.duv.y, b.duv.y) },
+        descent: sel(m, a.descent, b.descent),
+        along: sel(m, a.along, b.along),
+        across: sel(m, a.across, b.across),
+        mixed: sel(m, a.mixed, b.mixed),
+        sine: sel(m, a.sine, b.sine),
+    }
+} }
+lanes! { fn zero_across() -> Across {
+    Across {
+        duv: Vec2 { x: splat(0f32), y: splat(0f32) },
+        descent: splat(0f32),
+        along: splat(0f32),
+        across: splat(0f32),
+        mixed: splat(0f32),
+        sine: splat(0f32),
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct Around {
+    pub columns: Vec2<I>,
+    pub rows: Vec2<I>,
+    pub part: Vec2<F>,
+}
+lanes! { fn sel_around(m: M, a: &Around, b: &Around) -> Around {
+    Around {
+        columns: Vec2 { x: sel_i(m, a.columns.x, b.columns.x), y: sel_i(m, a.columns.y, b.columns.y) },
+        rows: Vec2 { x: sel_i(m, a.rows.x, b.rows.x), y: sel_i(m, a.rows.y, b.rows.y) },
+        part: Vec2 { x: sel(m, a.part.x, b.part.x), y: sel(m, a.part.y, b.part.y) },
+    }
+} }
+lanes! { fn zero_around() -> Around {
+    Around {
+        columns: Vec2 { x: splat_i(0i32), y: splat_i(0i32) },
+        rows: Vec2 { x: splat_i(0i32), y: splat_i(0i32) },
+        part: Vec2 { x: splat(0f32), y: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct Corner {
+    pub position: Vec3<F>,
+    pub normal: Vec3<F>,
+    pub tangent: Vec3<F>,
+    pub bitangent: Vec3<F>,
+    pub uv: Vec2<F>,
+    pub quadric: Vec3<F>,
+}
+lanes! { fn sel_corner(m: M, a: &Corner, b: &Corner) -> Corner {
+    Corner {
+        position: Vec3 { x: sel(m, a.position.x, b.position.x), y: sel(m, a.position.y, b.position.y), z: sel(m, a.position.z, b.position.z) },
+        normal: Vec3 { x: sel(m, a.normal.x, b.normal.x), y: sel(m, a.normal.y, b.normal.y), z: sel(m, a.normal.z, b.normal.z) },
+        tangent: Vec3 { x: sel(m, a.tangent.x, b.tangent.x), y: sel(m, a.tangent.y, b.tangent.y), z: sel(m, a.tangent.z, b.tangent.z) },
+        bitangent: Vec3 { x: sel(m, a.bitangent.x, b.bitangent.x), y: sel(m, a.bitangent.y, b.bitangent.y), z: sel(m, a.bitangent.z, b.bitangent.z) },
+        uv: Vec2 { x: sel(m, a.uv.x, b.uv.x), y: sel(m, a.uv.y, b.uv.y) },
+        quadric: Vec3 { x: sel(m, a.quadric.x, b.quadric.x), y: sel(m, a.quadric.y, b.quadric.y), z: sel(m, a.quadric.z, b.quadric.z) },
+    }
+} }
+lanes! { fn zero_corner() -> Corner {
+    Corner {
+        position: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        normal: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        tangent: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        bitangent: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        uv: Vec2 { x: splat(0f32), y: splat(0f32) },
+        quadric: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct Detail {
+    pub level: U,
+    pub footprint: F,
+    pub fade: F,
+}
+lanes! { fn sel_detail(m: M, a: &Detail, b: &Detail) -> Detail {
+    Detail {
+        level: sel_u(m, a.level, b.level),
+        footprint: sel(m, a.footprint, b.footprint),
+        fade: sel(m, a.fade, b.fade),
+    }
+} }
+lanes! { fn zero_detail() -> Detail {
+    Detail {
+        level: splat_u(0u32),
+        footprint: splat(0f32),
+        fade: splat(0f32),
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct Entered {
+    pub segments: U,
+    pub point: Vec3<F>,
+    pub uv: Vec2<F>,
+    pub tangent: Vec3<F>,
+    pub bitangent: Vec3<F>,
+    pub normal: Vec3<F>,
+    pub metric: Vec4<F>,
+    pub level: U,
+    pub facing: Vec3<F>,
+    pub span: Vec2<F>,
+    pub quadric: Vec4<F>,
+    pub footprint: F,
+    pub fade: F,
+    pub depth: F,
+}
+lanes! { fn sel_entered(m: M, a: &Entered, b: &Entered) -> Entered {
+    Entered {
+        segments: sel_u(m, a.segments, b.segments),
+        point: Vec3 { x: sel(m, a.point.x, b.point.x), y: sel(m, a.point.y, b.point.y), z: sel(m, a.point.z, b.point.z) },
+        uv: Vec2 { x: sel(m, a.uv.x, b.uv.x), y: sel(m, a.uv.y, b.uv.y) },
+        tangent: Vec3 { x: sel(m, a.tangent.x, b.tangent.x), y: sel(m, a.tangent.y, b.tangent.y), z: sel(m, a.tangent.z, b.tangent.z) },
+        bitangent: Vec3 { x: sel(m, a.bitangent.x, b.bitangent.x), y: sel(m, a.bitangent.y, b.bitangent.y), z: sel(m, a.bitangent.z, b.bitangent.z) },
+        normal: Vec3 { x: sel(m, a.normal.x, b.normal.x), y: sel(m, a.normal.y, b.normal.y), z: sel(m, a.normal.z, b.normal.z) },
+        metric: Vec4 { x: sel(m, a.metric.x, b.metric.x), y: sel(m, a.metric.y, b.metric.y), z: sel(m, a.metric.z, b.metric.z), w: sel(m, a.metric.w, b.metric.w) },
+        level: sel_u(m, a.level, b.level),
+        facing: Vec3 { x: sel(m, a.facing.x, b.facing.x), y: sel(m, a.facing.y, b.facing.y), z: sel(m, a.facing.z, b.facing.z) },
+        span: Vec2 { x: sel(m, a.span.x, b.span.x), y: sel(m, a.span.y, b.span.y) },
+        quadric: Vec4 { x: sel(m, a.quadric.x, b.quadric.x), y: sel(m, a.quadric.y, b.quadric.y), z: sel(m, a.quadric.z, b.quadric.z), w: sel(m, a.quadric.w, b.quadric.w) },
+        footprint: sel(m, a.footprint, b.footprint),
+        fade: sel(m, a.fade, b.fade),
+        depth: sel(m, a.depth, b.depth),
+    }
+} }
+lanes! { fn zero_entered() -> Entered {
+    Entered {
+        segments: splat_u(0u32),
+        point: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        uv: Vec2 { x: splat(0f32), y: splat(0f32) },
+        tangent: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        bitangent: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        normal: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        metric: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        level: splat_u(0u32),
+        facing: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        span: Vec2 { x: splat(0f32), y: splat(0f32) },
+        quadric: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        footprint: splat(0f32),
+        fade: splat(0f32),
+        depth: splat(0f32),
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct FacePlace {
+    pub face: I,
+    pub place: Vec2<F>,
+}
+lanes! { fn sel_face_place(m: M, a: &FacePlace, b: &FacePlace) -> FacePlace {
+    FacePlace {
+        face: sel_i(m, a.face, b.face),
+        place: Vec2 { x: sel(m, a.place.x, b.place.x), y: sel(m, a.place.y, b.place.y) },
+    }
+} }
+lanes! { fn zero_face_place() -> FacePlace {
+    FacePlace {
+        face: splat_i(0i32),
+        place: Vec2 { x: splat(0f32), y: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct Hit {
+    pub found: U,
+    pub exhausted: U,
+    pub uv: Vec2<F>,
+    pub height: F,
+    pub t: F,
+    pub cost: Vec3<U>,
+}
+lanes! { fn sel_hit(m: M, a: &Hit, b: &Hit) -> Hit {
+    Hit {
+        found: sel_u(m, a.found, b.found),
+        exhausted: sel_u(m, a.exhausted, b.exhausted),
+        uv: Vec2 { x: sel(m, a.uv.x, b.uv.x), y: sel(m, a.uv.y, b.uv.y) },
+        height: sel(m, a.height, b.height),
+        t: sel(m, a.t, b.t),
+        cost: Vec3 { x: sel_u(m, a.cost.x, b.cost.x), y: sel_u(m, a.cost.y, b.cost.y), z: sel_u(m, a.cost.z, b.cost.z) },
+    }
+} }
+lanes! { fn zero_hit() -> Hit {
+    Hit {
+        found: splat_u(0u32),
+        exhausted: splat_u(0u32),
+        uv: Vec2 { x: splat(0f32), y: splat(0f32) },
+        height: splat(0f32),
+        t: splat(0f32),
+        cost: Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct FirstHit {
+    pub hit: Hit,
+    pub segment: U,
+    pub key: F,
+}
+lanes! { fn sel_first_hit(m: M, a: &FirstHit, b: &FirstHit) -> FirstHit {
+    FirstHit {
+        hit: sel_hit(m, &a.hit, &b.hit),
+        segment: sel_u(m, a.segment, b.segment),
+        key: sel(m, a.key, b.key),
+    }
+} }
+lanes! { fn zero_first_hit() -> FirstHit {
+    FirstHit {
+        hit: zero_hit(),
+        segment: splat_u(0u32),
+        key: splat(0f32),
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct Grid {
+    pub origin: Vec2<F>,
+    pub step: Vec2<F>,
+}
+lanes! { fn sel_grid(m: M, a: &Grid, b: &Grid) -> Grid {
+    Grid {
+        origin: Vec2 { x: sel(m, a.origin.x, b.origin.x), y: sel(m, a.origin.y, b.origin.y) },
+        step: Vec2 { x: sel(m, a.step.x, b.step.x), y: sel(m, a.step.y, b.step.y) },
+    }
+} }
+lanes! { fn zero_grid() -> Grid {
+    Grid {
+        origin: Vec2 { x: splat(0f32), y: splat(0f32) },
+        step: Vec2 { x: splat(0f32), y: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct Levels {
+    pub fine: U,
+    pub part: F,
+}
+lanes! { fn sel_levels(m: M, a: &Levels, b: &Levels) -> Levels {
+    Levels {
+        fine: sel_u(m, a.fine, b.fine),
+        part: sel(m, a.part, b.part),
+    }
+} }
+lanes! { fn zero_levels() -> Levels {
+    Levels {
+        fine: splat_u(0u32),
+        part: splat(0f32),
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct Path {
+    pub uv: Vec2<F>,
+    pub duv: Vec2<F>,
+    pub h: Vec3<F>,
+    pub exit: F,
+    pub base: F,
+    pub metric: Vec4<F>,
+    pub ray: U,
+    pub level: U,
+    pub start: F,
+    pub share: F,
+}
+lanes! { fn sel_path(m: M, a: &Path, b: &Path) -> Path {
+    Path {
+        uv: Vec2 { x: sel(m, a.uv.x, b.uv.x), y: sel(m, a.uv.y, b.uv.y) },
+        duv: Vec2 { x: sel(m, a.duv.x, b.duv.x), y: sel(m, a.duv.y, b.duv.y) },
+        h: Vec3 { x: sel(m, a.h.x, b.h.x), y: sel(m, a.h.y, b.h.y), z: sel(m, a.h.z, b.h.z) },
+        exit: sel(m, a.exit, b.exit),
+        base: sel(m, a.base, b.base),
+        metric: Vec4 { x: sel(m, a.metric.x, b.metric.x), y: sel(m, a.metric.y, b.metric.y), z: sel(m, a.metric.z, b.metric.z), w: sel(m, a.metric.w, b.metric.w) },
+        ray: sel_u(m, a.ray, b.ray),
+        level: sel_u(m, a.level, b.level),
+        start: sel(m, a.start, b.start),
+        share: sel(m, a.share, b.share),
+    }
+} }
+lanes! { fn zero_path() -> Path {
+    Path {
+        uv: Vec2 { x: splat(0f32), y: splat(0f32) },
+        duv: Vec2 { x: splat(0f32), y: splat(0f32) },
+        h: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        exit: splat(0f32),
+        base: splat(0f32),
+        metric: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        ray: splat_u(0u32),
+        level: splat_u(0u32),
+        start: splat(0f32),
+        share: splat(0f32),
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct LightRay {
+    pub state: U,
+    pub path: Path,
+}
+lanes! { fn sel_light_ray(m: M, a: &LightRay, b: &LightRay) -> LightRay {
+    LightRay {
+        state: sel_u(m, a.state, b.state),
+        path: sel_path(m, &a.path, &b.path),
+    }
+} }
+lanes! { fn zero_light_ray() -> LightRay {
+    LightRay {
+        state: splat_u(0u32),
+        path: zero_path(),
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct Normals {
+    pub first: Vec4<F>,
+    pub second: Vec4<F>,
+}
+lanes! { fn sel_normals(m: M, a: &Normals, b: &Normals) -> Normals {
+    Normals {
+        first: Vec4 { x: sel(m, a.first.x, b.first.x), y: sel(m, a.first.y, b.first.y), z: sel(m, a.first.z, b.first.z), w: sel(m, a.first.w, b.first.w) },
+        second: Vec4 { x: sel(m, a.second.x, b.second.x), y: sel(m, a.second.y, b.second.y), z: sel(m, a.second.z, b.second.z), w: sel(m, a.second.w, b.second.w) },
+    }
+} }
+lanes! { fn zero_normals() -> Normals {
+    Normals {
+        first: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        second: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct Shell {
+    pub heights: Vec2<F>,
+    pub order: U,
+    pub lift: Vec3<F>,
+}
+lanes! { fn sel_shell(m: M, a: &Shell, b: &Shell) -> Shell {
+    Shell {
+        heights: Vec2 { x: sel(m, a.heights.x, b.heights.x), y: sel(m, a.heights.y, b.heights.y) },
+        order: sel_u(m, a.order, b.order),
+        lift: Vec3 { x: sel(m, a.lift.x, b.lift.x), y: sel(m, a.lift.y, b.lift.y), z: sel(m, a.lift.z, b.lift.z) },
+    }
+} }
+lanes! { fn zero_shell() -> Shell {
+    Shell {
+        heights: Vec2 { x: splat(0f32), y: splat(0f32) },
+        order: splat_u(0u32),
+        lift: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct PixelIn {
+    pub origin: Vec3<F>,
+    pub direction: Vec3<F>,
+    pub side: f32,
+    pub a: single::Corner,
+    pub b: single::Corner,
+    pub c: single::Corner,
+    pub shell: single::Shell,
+}
+lanes! { fn sel_pixel_in(m: M, a: &PixelIn, b: &PixelIn) -> PixelIn {
+    PixelIn {
+        origin: Vec3 { x: sel(m, a.origin.x, b.origin.x), y: sel(m, a.origin.y, b.origin.y), z: sel(m, a.origin.z, b.origin.z) },
+        direction: Vec3 { x: sel(m, a.direction.x, b.direction.x), y: sel(m, a.direction.y, b.direction.y), z: sel(m, a.direction.z, b.direction.z) },
+        side: a.side,
+        a: a.a,
+        b: a.b,
+        c: a.c,
+        shell: a.shell,
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct PixelOut {
+    pub color: Vec4<F>,
+    pub hit: U,
+    pub exhausted: U,
+    pub uv: Vec2<F>,
+    pub height: F,
+    pub position: Vec3<F>,
+    pub normal: Vec3<F>,
+    pub depth: F,
+    pub t: F,
+    pub cell: Vec2<I>,
+    pub reads: U,
+    pub steps: U,
+    pub bytes: U,
+    pub lit: F,
+    pub level: U,
+    pub z: F,
+    pub surface: U,
+}
+lanes! { fn sel_pixel_out(m: M, a: &PixelOut, b: &PixelOut) -> PixelOut {
+    PixelOut {
+        color: Vec4 { x: sel(m, a.color.x, b.color.x), y: sel(m, a.color.y, b.color.y), z: sel(m, a.color.z, b.color.z), w: sel(m, a.color.w, b.color.w) },
+        hit: sel_u(m, a.hit, b.hit),
+        exhausted: sel_u(m, a.exhausted, b.exhausted),
+        uv: Vec2 { x: sel(m, a.uv.x, b.uv.x), y: sel(m, a.uv.y, b.uv.y) },
+        height: sel(m, a.height, b.height),
+        position: Vec3 { x: sel(m, a.position.x, b.position.x), y: sel(m, a.position.y, b.position.y), z: sel(m, a.position.z, b.position.z) },
+        normal: Vec3 { x: sel(m, a.normal.x, b.normal.x), y: sel(m, a.normal.y, b.normal.y), z: sel(m, a.normal.z, b.normal.z) },
+        depth: sel(m, a.depth, b.depth),
+        t: sel(m, a.t, b.t),
+        cell: Vec2 { x: sel_i(m, a.cell.x, b.cell.x), y: sel_i(m, a.cell.y, b.cell.y) },
+        reads: sel_u(m, a.reads, b.reads),
+        steps: sel_u(m, a.steps, b.steps),
+        bytes: sel_u(m, a.bytes, b.bytes),
+        lit: sel(m, a.lit, b.lit),
+        level: sel_u(m, a.level, b.level),
+        z: sel(m, a.z, b.z),
+        surface: sel_u(m, a.surface, b.surface),
+    }
+} }
+lanes! { fn zero_pixel_out() -> PixelOut {
+    PixelOut {
+        color: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        hit: splat_u(0u32),
+        exhausted: splat_u(0u32),
+        uv: Vec2 { x: splat(0f32), y: splat(0f32) },
+        height: splat(0f32),
+        position: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        normal: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        depth: splat(0f32),
+        t: splat(0f32),
+        cell: Vec2 { x: splat_i(0i32), y: splat_i(0i32) },
+        reads: splat_u(0u32),
+        steps: splat_u(0u32),
+        bytes: splat_u(0u32),
+        lit: splat(0f32),
+        level: splat_u(0u32),
+        z: splat(0f32),
+        surface: splat_u(0u32),
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct SeenTable {
+    pub mean: Vec3<F>,
+    pub squares: Vec3<F>,
+    pub products: Vec3<F>,
+}
+lanes! { fn sel_seen_table(m: M, a: &SeenTable, b: &SeenTable) -> SeenTable {
+    SeenTable {
+        mean: Vec3 { x: sel(m, a.mean.x, b.mean.x), y: sel(m, a.mean.y, b.mean.y), z: sel(m, a.mean.z, b.mean.z) },
+        squares: Vec3 { x: sel(m, a.squares.x, b.squares.x), y: sel(m, a.squares.y, b.squares.y), z: sel(m, a.squares.z, b.squares.z) },
+        products: Vec3 { x: sel(m, a.products.x, b.products.x), y: sel(m, a.products.y, b.products.y), z: sel(m, a.products.z, b.products.z) },
+    }
+} }
+lanes! { fn zero_seen_table() -> SeenTable {
+    SeenTable {
+        mean: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        squares: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        products: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct SeenNormals {
+    pub normal: Vec3<F>,
+    pub length: F,
+    pub differ: U,
+    pub middle: Vec3<F>,
+    pub along: Vec3<F>,
+    pub across: Vec3<F>,
+    pub slope: Vec2<F>,
+    pub slope_along: Vec2<F>,
+    pub slope_across: Vec2<F>,
+    pub upright: F,
+    pub middle_seen: F,
+    pub others_seen: Vec4<F>,
+    pub table_part: F,
+    pub table: SeenTable,
+}
+lanes! { fn sel_seen_normals(m: M, a: &SeenNormals, b: &SeenNormals) -> SeenNormals {
+    SeenNormals {
+        normal: Vec3 { x: sel(m, a.normal.x, b.normal.x), y: sel(m, a.normal.y, b.normal.y), z: sel(m, a.normal.z, b.normal.z) },
+        length: sel(m, a.length, b.length),
+        differ: sel_u(m, a.differ, b.differ),
+        middle: Vec3 { x: sel(m, a.middle.x, b.middle.x), y: sel(m, a.middle.y, b.middle.y), z: sel(m, a.middle.z, b.middle.z) },
+        along: Vec3 { x: sel(m, a.along.x, b.along.x), y: sel(m, a.along.y, b.along.y), z: sel(m, a.along.z, b.along.z) },
+        across: Vec3 { x: sel(m, a.across.x, b.across.x), y: sel(m, a.across.y, b.across.y), z: sel(m, a.across.z, b.across.z) },
+        slope: Vec2 { x: sel(m, a.slope.x, b.slope.x), y: sel(m, a.slope.y, b.slope.y) },
+        slope_along: Vec2 { x: sel(m, a.slope_along.x, b.slope_along.x), y: sel(m, a.slope_along.y, b.slope_along.y) },
+        slope_across: Vec2 { x: sel(m, a.slope_across.x, b.slope_across.x), y: sel(m, a.slope_across.y, b.slope_across.y) },
+        upright: sel(m, a.upright, b.upright),
+        middle_seen: sel(m, a.middle_seen, b.middle_seen),
+        others_seen: Vec4 { x: sel(m, a.others_seen.x, b.others_seen.x), y: sel(m, a.others_seen.y, b.others_seen.y), z: sel(m, a.others_seen.z, b.others_seen.z), w: sel(m, a.others_seen.w, b.others_seen.w) },
+        table_part: sel(m, a.table_part, b.table_part),
+        table: sel_seen_table(m, &a.table, &b.table),
+    }
+} }
+lanes! { fn zero_seen_normals() -> SeenNormals {
+    SeenNormals {
+        normal: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        length: splat(0f32),
+        differ: splat_u(0u32),
+        middle: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        along: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        across: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        slope: Vec2 { x: splat(0f32), y: splat(0f32) },
+        slope_along: Vec2 { x: splat(0f32), y: splat(0f32) },
+        slope_across: Vec2 { x: splat(0f32), y: splat(0f32) },
+        upright: splat(0f32),
+        middle_seen: splat(0f32),
+        others_seen: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        table_part: splat(0f32),
+        table: zero_seen_table(),
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct SeenTexel {
+    pub first: Vec4<F>,
+    pub second: Vec4<F>,
+}
+lanes! { fn sel_seen_texel(m: M, a: &SeenTexel, b: &SeenTexel) -> SeenTexel {
+    SeenTexel {
+        first: Vec4 { x: sel(m, a.first.x, b.first.x), y: sel(m, a.first.y, b.first.y), z: sel(m, a.first.z, b.first.z), w: sel(m, a.first.w, b.first.w) },
+        second: Vec4 { x: sel(m, a.second.x, b.second.x), y: sel(m, a.second.y, b.second.y), z: sel(m, a.second.z, b.second.z), w: sel(m, a.second.w, b.second.w) },
+    }
+} }
+lanes! { fn zero_seen_texel() -> SeenTexel {
+    SeenTexel {
+        first: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        second: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct Toward {
+    pub direction: Vec3<F>,
+    pub falloff: F,
+    pub distance: F,
+    pub radius: F,
+    pub number: U,
+}
+lanes! { fn sel_toward(m: M, a: &Toward, b: &Toward) -> Toward {
+    Toward {
+        direction: Vec3 { x: sel(m, a.direction.x, b.direction.x), y: sel(m, a.direction.y, b.direction.y), z: sel(m, a.direction.z, b.direction.z) },
+        falloff: sel(m, a.falloff, b.falloff),
+        distance: sel(m, a.distance, b.distance),
+        radius: sel(m, a.radius, b.radius),
+        number: sel_u(m, a.number, b.number),
+    }
+} }
+lanes! { fn zero_toward() -> Toward {
+    Toward {
+        direction: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        falloff: splat(0f32),
+        distance: splat(0f32),
+        radius: splat(0f32),
+        number: splat_u(0u32),
+    }
+} }
+
+lanes! { fn singles_corner(value: &Corner) -> [single::Corner; LANES] {
+    let position = { let rows = (row(value.position.x), row(value.position.y), row(value.position.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
+    let normal = { let rows = (row(value.normal.x), row(value.normal.y), row(value.normal.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
+    let tangent = { let rows = (row(value.tangent.x), row(value.tangent.y), row(value.tangent.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
+    let bitangent = { let rows = (row(value.bitangent.x), row(value.bitangent.y), row(value.bitangent.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
+    let uv = { let rows = (row(value.uv.x), row(value.uv.y)); std::array::from_fn::<_, LANES, _>(|lane| Vec2 { x: rows.0[lane], y: rows.1[lane] }) };
+    let quadric = { let rows = (row(value.quadric.x), row(value.quadric.y), row(value.quadric.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
+    std::array::from_fn(|lane| single::Corner { position: position[lane], normal: normal[lane], tangent: tangent[lane], bitangent: bitangent[lane], uv: uv[lane], quadric: quadric[lane], })
+} }
+lanes! { fn lanes_of_corner(values: &[single::Corner; LANES]) -> Corner {
+    let position = std::array::from_fn::<_, LANES, _>(|lane| values[lane].position);
+    let position_of_all = Vec3 { x: load(&std::array::from_fn(|lane| position[lane].x)), y: load(&std::array::from_fn(|lane| position[lane].y)), z: load(&std::array::from_fn(|lane| position[lane].z)) };
+    let normal = std::array::from_fn::<_, LANES, _>(|lane| values[lane].normal);
+    let normal_of_all = Vec3 { x: load(&std::array::from_fn(|lane| normal[lane].x)), y: load(&std::array::from_fn(|lane| normal[lane].y)), z: load(&std::array::from_fn(|lane| normal[lane].z)) };
+    let tangent = std::array::from_fn::<_, LANES, _>(|lane| values[lane].tangent);
+    let tangent_of_all = Vec3 { x: load(&std::array::from_fn(|lane| tangent[lane].x)), y: load(&std::array::from_fn(|lane| tangent[lane].y)), z: load(&std::array::from_fn(|lane| tangent[lane].z)) };
+    let bitangent = std::array::from_fn::<_, LANES, _>(|lane| values[lane].bitangent);
+    let bitangent_of_all = Vec3 { x: load(&std::array::from_fn(|lane| bitangent[lane].x)), y: load(&std::array::from_fn(|lane| bitangent[lane].y)), z: load(&std::array::from_fn(|lane| bitangent[lane].z)) };
+    let uv = std::array::from_fn::<_, LANES, _>(|lane| values[lane].uv);
+    let uv_of_all = Vec2 { x: load(&std::array::from_fn(|lane| uv[lane].x)), y: load(&std::array::from_fn(|lane| uv[lane].y)) };
+    let quadric = std::array::from_fn::<_, LANES, _>(|lane| values[lane].quadric);
+    let quadric_of_all = Vec3 { x: load(&std::array::from_fn(|lane| quadric[lane].x)), y: load(&std::array::from_fn(|lane| quadric[lane].y)), z: load(&std::array::from_fn(|lane| quadric[lane].z)) };
+    Corner { position: position_of_all, normal: normal_of_all, tangent: tangent_of_all, bitangent: bitangent_of_all, uv: uv_of_all, quadric: quadric_of_all }
+} }
+
+lanes! { fn singles_entered(value: &Entered) -> [single::Entered; LANES] {
+    let segments = row_u(value.segments);
+    let point = { let rows = (row(value.point.x), row(value.point.y), row(value.point.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
+    let uv = { let rows = (row(value.uv.x), row(value.uv.y)); std::array::from_fn::<_, LANES, _>(|lane| Vec2 { x: rows.0[lane], y: rows.1[lane] }) };
+    let tangent = { let rows = (row(value.tangent.x), row(value.tangent.y), row(value.tangent.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
+    let bitangent = { let rows = (row(value.bitangent.x), row(value.bitangent.y), row(value.bitangent.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
+    let normal = { let rows = (row(value.normal.x), row(value.normal.y), row(value.normal.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
+    let metric = { let rows = (row(value.metric.x), row(value.metric.y), row(value.metric.z), row(value.metric.w)); std::array::from_fn::<_, LANES, _>(|lane| Vec4 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane], w: rows.3[lane] }) };
+    let level = row_u(value.level);
+    let facing = { let rows = (row(value.facing.x), row(value.facing.y), row(value.facing.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
+    let span = { let rows = (row(value.span.x), row(value.span.y)); std::array::from_fn::<_, LANES, _>(|lane| Vec2 { x: rows.0[lane], y: rows.1[lane] }) };
+    let quadric = { let rows = (row(value.quadric.x), row(value.quadric.y), row(value.quadric.z), row(value.quadric.w)); std::array::from_fn::<_, LANES, _>(|lane| Vec4 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane], w: rows.3[lane] }) };
+    let footprint = row(value.footprint);
+    let fade = row(value.fade);
+    let depth = row(value.depth);
+    std::array::from_fn(|lane| single::Entered { segments: segments[lane], point: point[lane], uv: uv[lane], tangent: tangent[lane], bitangent: bitangent[lane], normal: normal[lane], metric: metric[lane], level: level[lane], facing: facing[lane], span: span[lane], quadric: quadric[lane], footprint: footprint[lane], fade: fade[lane], depth: depth[lane], })
+} }
+lanes! { fn lanes_of_entered(values: &[single::Entered; LANES]) -> Entered {
+    let segments = std::array::from_fn::<_, LANES, _>(|lane| values[lane].segments);
+    let segments_of_all = load_u(&std::array::from_fn(|lane| segments[lane]));
+    let point = std::array::from_fn::<_, LANES, _>(|lane| values[lane].point);
+    let point_of_all = Vec3 { x: load(&std::array::from_fn(|lane| point[lane].x)), y: load(&std::array::from_fn(|lane| point[lane].y)), z: load(&std::array::from_fn(|lane| point[lane].z)) };
+    let uv = std::array::from_fn::<_, LANES, _>(|lane| values[lane].uv);
+    let uv_of_all = Vec2 { x: load(&std::array::from_fn(|lane| uv[lane].x)), y: load(&std::array::from_fn(|lane| uv[lane].y)) };
+    let tangent = std::array::from_fn::<_, LANES, _>(|lane| values[lane].tangent);
+    let tangent_of_all = Vec3 { x: load(&std::array::from_fn(|lane| tangent[lane].x)), y: load(&std::array::from_fn(|lane| tangent[lane].y)), z: load(&std::array::from_fn(|lane| tangent[lane].z)) };
+    let bitangent = std::array::from_fn::<_, LANES, _>(|lane| values[lane].bitangent);
+    let bitangent_of_all = Vec3 { x: load(&std::array::from_fn(|lane| bitangent[lane].x)), y: load(&std::array::from_fn(|lane| bitangent[lane].y)), z: load(&std::array::from_fn(|lane| bitangent[lane].z)) };
+    let normal = std::array::from_fn::<_, LANES, _>(|lane| values[lane].normal);
+    let normal_of_all = Vec3 { x: load(&std::array::from_fn(|lane| normal[lane].x)), y: load(&std::array::from_fn(|lane| normal[lane].y)), z: load(&std::array::from_fn(|lane| normal[lane].z)) };
+    let metric = std::array::from_fn::<_, LANES, _>(|lane| values[lane].metric);
+    let metric_of_all = Vec4 { x: load(&std::array::from_fn(|lane| metric[lane].x)), y: load(&std::array::from_fn(|lane| metric[lane].y)), z: load(&std::array::from_fn(|lane| metric[lane].z)), w: load(&std::array::from_fn(|lane| metric[lane].w)) };
+    let level = std::array::from_fn::<_, LANES, _>(|lane| values[lane].level);
+    let level_of_all = load_u(&std::array::from_fn(|lane| level[lane]));
+    let facing = std::array::from_fn::<_, LANES, _>(|lane| values[lane].facing);
+    let facing_of_all = Vec3 { x: load(&std::array::from_fn(|lane| facing[lane].x)), y: load(&std::array::from_fn(|lane| facing[lane].y)), z: load(&std::array::from_fn(|lane| facing[lane].z)) };
+    let span = std::array::from_fn::<_, LANES, _>(|lane| values[lane].span);
+    let span_of_all = Vec2 { x: load(&std::array::from_fn(|lane| span[lane].x)), y: load(&std::array::from_fn(|lane| span[lane].y)) };
+    let quadric = std::array::from_fn::<_, LANES, _>(|lane| values[lane].quadric);
+    let quadric_of_all = Vec4 { x: load(&std::array::from_fn(|lane| quadric[lane].x)), y: load(&std::array::from_fn(|lane| quadric[lane].y)), z: load(&std::array::from_fn(|lane| quadric[lane].z)), w: load(&std::array::from_fn(|lane| quadric[lane].w)) };
+    let footprint = std::array::from_fn::<_, LANES, _>(|lane| values[lane].footprint);
+    let footprint_of_all = load(&std::array::from_fn(|lane| footprint[lane]));
+    let fade = std::array::from_fn::<_, LANES, _>(|lane| values[lane].fade);
+    let fade_of_all = load(&std::array::from_fn(|lane| fade[lane]));
+    let depth = std::array::from_fn::<_, LANES, _>(|lane| values[lane].depth);
+    let depth_of_all = load(&std::array::from_fn(|lane| depth[lane]));
+    Entered { segments: segments_of_all, point: point_of_all, uv: uv_of_all, tangent: tangent_of_all, bitangent: bitangent_of_all, normal: normal_of_all, metric: metric_of_all, level: level_of_all, facing: facing_of_all, span: span_of_all, quadric: quadric_of_all, footprint: footprint_of_all, fade: fade_of_all, depth: depth_of_all }
+} }
+
+lanes! { fn singles_hit(value: &Hit) -> [single::Hit; LANES] {
+    let found = row_u(value.found);
+    let exhausted = row_u(value.exhausted);
+    let uv = { let rows = (row(value.uv.x), row(value.uv.y)); std::array::from_fn::<_, LANES, _>(|lane| Vec2 { x: rows.0[lane], y: rows.1[lane] }) };
+    let height = row(value.height);
+    let t = row(value.t);
+    let cost = { let rows = (row_u(value.cost.x), row_u(value.cost.y), row_u(value.cost.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
+    std::array::from_fn(|lane| single::Hit { found: found[lane], exhausted: exhausted[lane], uv: uv[lane], height: height[lane], t: t[lane], cost: cost[lane], })
+} }
+lanes! { fn lanes_of_hit(values: &[single::Hit; LANES]) -> Hit {
+    let found = std::array::from_fn::<_, LANES, _>(|lane| values[lane].found);
+    let found_of_all = load_u(&std::array::from_fn(|lane| found[lane]));
+    let exhausted = std::array::from_fn::<_, LANES, _>(|lane| values[lane].exhausted);
+    let exhausted_of_all = load_u(&std::array::from_fn(|lane| exhausted[lane]));
+    let uv = std::array::from_fn::<_, LANES, _>(|lane| values[lane].uv);
+    let uv_of_all = Vec2 { x: load(&std::array::from_fn(|lane| uv[lane].x)), y: load(&std::array::from_fn(|lane| uv[lane].y)) };
+    let height = std::array::from_fn::<_, LANES, _>(|lane| values[lane].height);
+    let height_of_all = load(&std::array::from_fn(|lane| height[lane]));
+    let t = std::array::from_fn::<_, LANES, _>(|lane| values[lane].t);
+    let t_of_all = load(&std::array::from_fn(|lane| t[lane]));
+    let cost = std::array::from_fn::<_, LANES, _>(|lane| values[lane].cost);
+    let cost_of_all = Vec3 { x: load_u(&std::array::from_fn(|lane| cost[lane].x)), y: load_u(&std::array::from_fn(|lane| cost[lane].y)), z: load_u(&std::array::from_fn(|lane| cost[lane].z)) };
+    Hit { found: found_of_all, exhausted: exhausted_of_all, uv: uv_of_all, height: height_of_all, t: t_of_all, cost: cost_of_all }
+} }
+
+lanes! { fn singles_path(value: &Path) -> [single::Path; LANES] {
+    let uv = { let rows = (row(value.uv.x), row(value.uv.y)); std::array::from_fn::<_, LANES, _>(|lane| Vec2 { x: rows.0[lane], y: rows.1[lane] }) };
+    let duv = { let rows = (row(value.duv.x), row(value.duv.y)); std::array::from_fn::<_, LANES, _>(|lane| Vec2 { x: rows.0[lane], y: rows.1[lane] }) };
+    let h = { let rows = (row(value.h.x), row(value.h.y), row(value.h.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
+    let exit = row(value.exit);
+    let base = row(value.base);
+    let metric = { let rows = (row(value.metric.x), row(value.metric.y), row(value.metric.z), row(value.metric.w)); std::array::from_fn::<_, LANES, _>(|lane| Vec4 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane], w: rows.3[lane] }) };
+    let ray = row_u(value.ray);
+    let level = row_u(value.level);
+    let start = row(value.start);
+    let share = row(value.share);
+    std::array::from_fn(|lane| single::Path { uv: uv[lane], duv: duv[lane], h: h[lane], exit: exit[lane], base: base[lane], metric: metric[lane], ray: ray[lane], level: level[lane], start: start[lane], share: share[lane], })
+} }
+lanes! { fn lanes_of_path(values: &[single::Path; LANES]) -> Path {
+    let uv = std::array::from_fn::<_, LANES, _>(|lane| values[lane].uv);
+    let uv_of_all = Vec2 { x: load(&std::array::from_fn(|lane| uv[lane].x)), y: load(&std::array::from_fn(|lane| uv[lane].y)) };
+    let duv = std::array::from_fn::<_, LANES, _>(|lane| values[lane].duv);
+    let duv_of_all = Vec2 { x: load(&std::array::from_fn(|lane| duv[lane].x)), y: load(&std::array::from_fn(|lane| duv[lane].y)) };
+    let h = std::array::from_fn::<_, LANES, _>(|lane| values[lane].h);
+    let h_of_all = Vec3 { x: load(&std::array::from_fn(|lane| h[lane].x)), y: load(&std::array::from_fn(|lane| h[lane].y)), z: load(&std::array::from_fn(|lane| h[lane].z)) };
+    let exit = std::array::from_fn::<_, LANES, _>(|lane| values[lane].exit);
+    let exit_of_all = load(&std::array::from_fn(|lane| exit[lane]));
+    let base = std::array::from_fn::<_, LANES, _>(|lane| values[lane].base);
+    let base_of_all = load(&std::array::from_fn(|lane| base[lane]));
+    let metric = std::array::from_fn::<_, LANES, _>(|lane| values[lane].metric);
+    let metric_of_all = Vec4 { x: load(&std::array::from_fn(|lane| metric[lane].x)), y: load(&std::array::from_fn(|lane| metric[lane].y)), z: load(&std::array::from_fn(|lane| metric[lane].z)), w: load(&std::array::from_fn(|lane| metric[lane].w)) };
+    let ray = std::array::from_fn::<_, LANES, _>(|lane| values[lane].ray);
+    let ray_of_all = load_u(&std::array::from_fn(|lane| ray[lane]));
+    let level = std::array::from_fn::<_, LANES, _>(|lane| values[lane].level);
+    let level_of_all = load_u(&std::array::from_fn(|lane| level[lane]));
+    let start = std::array::from_fn::<_, LANES, _>(|lane| values[lane].start);
+    let start_of_all = load(&std::array::from_fn(|lane| start[lane]));
+    let share = std::array::from_fn::<_, LANES, _>(|lane| values[lane].share);
+    let share_of_all = load(&std::array::from_fn(|lane| share[lane]));
+    Path { uv: uv_of_all, duv: duv_of_all, h: h_of_all, exit: exit_of_all, base: base_of_all, metric: metric_of_all, ray: ray_of_all, level: level_of_all, start: start_of_all, share: share_of_all }
+} }
+
+lanes! { fn singles_shell(value: &Shell) -> [single::Shell; LANES] {
+    let heights = { let rows = (row(value.heights.x), row(value.heights.y)); std::array::from_fn::<_, LANES, _>(|lane| Vec2 { x: rows.0[lane], y: rows.1[lane] }) };
+    let order = row_u(value.order);
+    let lift = { let rows = (row(value.lift.x), row(value.lift.y), row(value.lift.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
+    std::array::from_fn(|lane| single::Shell { heights: heights[lane], order: order[lane], lift: lift[lane], })
+} }
+lanes! { fn lanes_of_shell(values: &[single::Shell; LANES]) -> Shell {
+    let heights = std::array::from_fn::<_, LANES, _>(|lane| values[lane].heights);
+    let heights_of_all = Vec2 { x: load(&std::array::from_fn(|lane| heights[lane].x)), y: load(&std::array::from_fn(|lane| heights[lane].y)) };
+    let order = std::array::from_fn::<_, LANES, _>(|lane| values[lane].order);
+    let order_of_all = load_u(&std::array::from_fn(|lane| order[lane]));
+    let lift = std::array::from_fn::<_, LANES, _>(|lane| values[lane].lift);
+    let lift_of_all = Vec3 { x: load(&std::array::from_fn(|lane| lift[lane].x)), y: load(&std::array::from_fn(|lane| lift[lane].y)), z: load(&std::array::from_fn(|lane| lift[lane].z)) };
+    Shell { heights: heights_of_all, order: order_of_all, lift: lift_of_all }
+} }
+
+lanes! { fn singles_pixel_in(value: &PixelIn) -> [single::PixelIn; LANES] {
+    let origin = { let rows = (row(value.origin.x), row(value.origin.y), row(value.origin.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
+    let direction = { let rows = (row(value.direction.x), row(value.direction.y), row(value.direction.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
+    std::array::from_fn(|lane| single::PixelIn { origin: origin[lane], direction: direction[lane], side: value.side, a: value.a, b: value.b, c: value.c, shell: value.shell, })
+} }
+lanes! { fn lanes_of_pixel_in(values: &[single::PixelIn; LANES]) -> PixelIn {
+    let origin = std::array::from_fn::<_, LANES, _>(|lane| values[lane].origin);
+    let origin_of_all = Vec3 { x: load(&std::array::from_fn(|lane| origin[lane].x)), y: load(&std::array::from_fn(|lane| origin[lane].y)), z: load(&std::array::from_fn(|lane| origin[lane].z)) };
+    let direction = std::array::from_fn::<_, LANES, _>(|lane| values[lane].direction);
+    let direction_of_all = Vec3 { x: load(&std::array::from_fn(|lane| direction[lane].x)), y: load(&std::array::from_fn(|lane| direction[lane].y)), z: load(&std::array::from_fn(|lane| direction[lane].z)) };
+    let side_of_all = values[0].side;
+    let a_of_all = values[0].a;
+    let b_of_all = values[0].b;
+    let c_of_all = values[0].c;
+    let shell_of_all = values[0].shell;
+    PixelIn { origin: origin_of_all, direction: direction_of_all, side: side_of_all, a: a_of_all, b: b_of_all, c: c_of_all, shell: shell_of_all }
+} }
+
+lanes! { fn singles_toward(value: &Toward) -> [single::Toward; LANES] {
+    let direction = { let rows = (row(value.direction.x), row(value.direction.y), row(value.direction.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
+    let falloff = row(value.falloff);
+    let distance = row(value.distance);
+    let radius = row(value.radius);
+    let number = row_u(value.number);
+    std::array::from_fn(|lane| single::Toward { direction: direction[lane], falloff: falloff[lane], distance: distance[lane], radius: radius[lane], number: number[lane], })
+} }
+lanes! { fn lanes_of_toward(values: &[single::Toward; LANES]) -> Toward {
+    let direction = std::array::from_fn::<_, LANES, _>(|lane| values[lane].direction);
+    let direction_of_all = Vec3 { x: load(&std::array::from_fn(|lane| direction[lane].x)), y: load(&std::array::from_fn(|lane| direction[lane].y)), z: load(&std::array::from_fn(|lane| direction[lane].z)) };
+    let falloff = std::array::from_fn::<_, LANES, _>(|lane| values[lane].falloff);
+    let falloff_of_all = load(&std::array::from_fn(|lane| falloff[lane]));
+    let distance = std::array::from_fn::<_, LANES, _>(|lane| values[lane].distance);
+    let distance_of_all = load(&std::array::from_fn(|lane| distance[lane]));
+    let radius = std::array::from_fn::<_, LANES, _>(|lane| values[lane].radius);
+    let radius_of_all = load(&std::array::from_fn(|lane| radius[lane]));
+    let number = std::array::from_fn::<_, LANES, _>(|lane| values[lane].number);
+    let number_of_all = load_u(&std::array::from_fn(|lane| number[lane]));
+    Toward { direction: direction_of_all, falloff: falloff_of_all, distance: distance_of_all, radius: radius_of_all, number: number_of_all }
+} }
+
+lanes! { pub fn load_path(block: &PathBlock, part: usize) -> Path {
+    Path {
+        uv: Vec2 { x: load(&block.uv[0].as_chunks().0[part]), y: load(&block.uv[1].as_chunks().0[part]) },
+        duv: Vec2 { x: load(&block.duv[0].as_chunks().0[part]), y: load(&block.duv[1].as_chunks().0[part]) },
+        h: Vec3 { x: load(&block.h[0].as_chunks().0[part]), y: load(&block.h[1].as_chunks().0[part]), z: load(&block.h[2].as_chunks().0[part]) },
+        exit: load(&block.exit.as_chunks().0[part]),
+        base: load(&block.base.as_chunks().0[part]),
+        metric: Vec4 { x: load(&block.metric[0].as_chunks().0[part]), y: load(&block.metric[1].as_chunks().0[part]), z: load(&block.metric[2].as_chunks().0[part]), w: load(&block.metric[3].as_chunks().0[part]) },
+        ray: load_u(&block.ray.as_chunks().0[part]),
+        level: load_u(&block.level.as_chunks().0[part]),
+        start: load(&block.start.as_chunks().0[part]),
+        share: load(&block.share.as_chunks().0[part]),
+    }
+} }
+lanes! { pub fn store_path(block: &mut PathBlock, part: usize, which: M, value: &Path) {
+    store(&mut block.uv[0].as_chunks_mut().0[part], which, value.uv.x);
+    store(&mut block.uv[1].as_chunks_mut().0[part], which, value.uv.y);
+    store(&mut block.duv[0].as_chunks_mut().0[part], which, value.duv.x);
+    store(&mut block.duv[1].as_chunks_mut().0[part], which, value.duv.y);
+    store(&mut block.h[0].as_chunks_mut().0[part], which, value.h.x);
+    store(&mut block.h[1].as_chunks_mut().0[part], which, value.h.y);
+    store(&mut block.h[2].as_chunks_mut().0[part], which, value.h.z);
+    store(&mut block.exit.as_chunks_mut().0[part], which, value.exit);
+    store(&mut block.base.as_chunks_mut().0[part], which, value.base);
+    store(&mut block.metric[0].as_chunks_mut().0[part], which, value.metric.x);
+    store(&mut block.metric[1].as_chunks_mut().0[part], which, value.metric.y);
+    store(&mut block.metric[2].as_chunks_mut().0[part], which, value.metric.z);
+    store(&mut block.metric[3].as_chunks_mut().0[part], which, value.metric.w);
+    store_u(&mut block.ray.as_chunks_mut().0[part], which, value.ray);
+    store_u(&mut block.level.as_chunks_mut().0[part], which, value.level);
+    store(&mut block.start.as_chunks_mut().0[part], which, value.start);
+    store(&mut block.share.as_chunks_mut().0[part], which, value.share);
+} }
+
+lanes! { pub fn load_hit(block: &HitBlock, part: usize) -> Hit {
+    Hit {
+        found: load_u(&block.found.as_chunks().0[part]),
+        exhausted: load_u(&block.exhausted.as_chunks().0[part]),
+        uv: Vec2 { x: load(&block.uv[0].as_chunks().0[part]), y: load(&block.uv[1].as_chunks().0[part]) },
+        height: load(&block.height.as_chunks().0[part]),
+        t: load(&block.t.as_chunks().0[part]),
+        cost: Vec3 { x: load_u(&block.cost[0].as_chunks().0[part]), y: load_u(&block.cost[1].as_chunks().0[part]), z: load_u(&block.cost[2].as_chunks().0[part]) },
+    }
+} }
+lanes! { pub fn store_hit(block: &mut HitBlock, part: usize, which: M, value: &Hit) {
+    store_u(&mut block.found.as_chunks_mut().0[part], which, value.found);
+    store_u(&mut block.exhausted.as_chunks_mut().0[part], which, value.exhausted);
+    store(&mut block.uv[0].as_chunks_mut().0[part], which, value.uv.x);
+    store(&mut block.uv[1].as_chunks_mut().0[part], which, value.uv.y);
+    store(&mut block.height.as_chunks_mut().0[part], which, value.height);
+    store(&mut block.t.as_chunks_mut().0[part], which, value.t);
+    store_u(&mut block.cost[0].as_chunks_mut().0[part], which, value.cost.x);
+    store_u(&mut block.cost[1].as_chunks_mut().0[part], which, value.cost.y);
+    store_u(&mut block.cost[2].as_chunks_mut().0[part], which, value.cost.z);
+} }
+
+lanes! { pub fn load_entered(block: &EnteredBlock, part: usize) -> Entered {
+    Entered {
+        segments: load_u(&block.segments.as_chunks().0[part]),
+        point: Vec3 { x: load(&block.point[0].as_chunks().0[part]), y: load(&block.point[1].as_chunks().0[part]), z: load(&block.point[2].as_chunks().0[part]) },
+        uv: Vec2 { x: load(&block.uv[0].as_chunks().0[part]), y: load(&block.uv[1].as_chunks().0[part]) },
+        tangent: Vec3 { x: load(&block.tangent[0].as_chunks().0[part]), y: load(&block.tangent[1].as_chunks().0[part]), z: load(&block.tangent[2].as_chunks().0[part]) },
+        bitangent: Vec3 { x: load(&block.bitangent[0].as_chunks().0[part]), y: load(&block.bitangent[1].as_chunks().0[part]), z: load(&block.bitangent[2].as_chunks().0[part]) },
+        normal: Vec3 { x: load(&block.normal[0].as_chunks().0[part]), y: load(&block.normal[1].as_chunks().0[part]), z: load(&block.normal[2].as_chunks().0[part]) },
+        metric: Vec4 { x: load(&block.metric[0].as_chunks().0[part]), y: load(&block.metric[1].as_chunks().0[part]), z: load(&block.metric[2].as_chunks().0[part]), w: load(&block.metric[3].as_chunks().0[part]) },
+        level: load_u(&block.level.as_chunks().0[part]),
+        facing: Vec3 { x: load(&block.facing[0].as_chunks().0[part]), y: load(&block.facing[1].as_chunks().0[part]), z: load(&block.facing[2].as_chunks().0[part]) },
+        span: Vec2 { x: load(&block.span[0].as_chunks().0[part]), y: load(&block.span[1].as_chunks().0[part]) },
+        quadric: Vec4 { x: load(&block.quadric[0].as_chunks().0[part]), y: load(&block.quadric[1].as_chunks().0[part]), z: load(&block.quadric[2].as_chunks().0[part]), w: load(&block.quadric[3].as_chunks().0[part]) },
+        footprint: load(&block.footprint.as_chunks().0[part]),
+        fade: load(&block.fade.as_chunks().0[part]),
+        depth: load(&block.depth.as_chunks().0[part]),
+    }
+} }
+lanes! { pub fn store_entered(block: &mut EnteredBlock, part: usize, which: M, value: &Entered) {
+    store_u(&mut block.segments.as_chunks_mut().0[part], which, value.segments);
+    store(&mut block.point[0].as_chunks_mut().0[part], which, value.point.x);
+    store(&mut block.point[1].as_chunks_mut().0[part], which, value.point.y);
+    store(&mut block.point[2].as_chunks_mut().0[part], which, value.point.z);
+    store(&mut block.uv[0].as_chunks_mut().0[part], which, value.uv.x);
+    store(&mut block.uv[1].as_chunks_mut().0[part], which, value.uv.y);
+    store(&mut block.tangent[0].as_chunks_mut().0[part], which, value.tangent.x);
+    store(&mut block.tangent[1].as_chunks_mut().0[part], which, value.tangent.y);
+    store(&mut block.tangent[2].as_chunks_mut().0[part], which, value.tangent.z);
+    store(&mut block.bitangent[0].as_chunks_mut().0[part], which, value.bitangent.x);
+    store(&mut block.bitangent[1].as_chunks_mut().0[part], which, value.bitangent.y);
+    store(&mut block.bitangent[2].as_chunks_mut().0[part], which, value.bitangent.z);
+    store(&mut block.normal[0].as_chunks_mut().0[part], which, value.normal.x);
+    store(&mut block.normal[1].as_chunks_mut().0[part], which, value.normal.y);
+    store(&mut block.normal[2].as_chunks_mut().0[part], which, value.normal.z);
+    store(&mut block.metric[0].as_chunks_mut().0[part], which, value.metric.x);
+    store(&mut block.metric[1].as_chunks_mut().0[part], which, value.metric.y);
+    store(&mut block.metric[2].as_chunks_mut().0[part], which, value.metric.z);
+    store(&mut block.metric[3].as_chunks_mut().0[part], which, value.metric.w);
+    store_u(&mut block.level.as_chunks_mut().0[part], which, value.level);
+    store(&mut block.facing[0].as_chunks_mut().0[part], which, value.facing.x);
+    store(&mut block.facing[1].as_chunks_mut().0[part], which, value.facing.y);
+    store(&mut block.facing[2].as_chunks_mut().0[part], which, value.facing.z);
+    store(&mut block.span[0].as_chunks_mut().0[part], which, value.span.x);
+    store(&mut block.span[1].as_chunks_mut().0[part], which, value.span.y);
+    store(&mut block.quadric[0].as_chunks_mut().0[part], which, value.quadric.x);
+    store(&mut block.quadric[1].as_chunks_mut().0[part], which, value.quadric.y);
+    store(&mut block.quadric[2].as_chunks_mut().0[part], which, value.quadric.z);
+    store(&mut block.quadric[3].as_chunks_mut().0[part], which, value.quadric.w);
+    store(&mut block.footprint.as_chunks_mut().0[part], which, value.footprint);
+    store(&mut block.fade.as_chunks_mut().0[part], which, value.fade);
+    store(&mut block.depth.as_chunks_mut().0[part], which, value.depth);
+} }
+
+lanes! { pub fn load_pixel_out(block: &PixelOutBlock, part: usize) -> PixelOut {
+    PixelOut {
+        color: Vec4 { x: load(&block.color[0].as_chunks().0[part]), y: load(&block.color[1].as_chunks().0[part]), z: load(&block.color[2].as_chunks().0[part]), w: load(&block.color[3].as_chunks().0[part]) },
+        hit: load_u(&block.hit.as_chunks().0[part]),
+        exhausted: load_u(&block.exhausted.as_chunks().0[part]),
+        uv: Vec2 { x: load(&block.uv[0].as_chunks().0[part]), y: load(&block.uv[1].as_chunks().0[part]) },
+        height: load(&block.height.as_chunks().0[part]),
+        position: Vec3 { x: load(&block.position[0].as_chunks().0[part]), y: load(&block.position[1].as_chunks().0[part]), z: load(&block.position[2].as_chunks().0[part]) },
+        normal: Vec3 { x: load(&block.normal[0].as_chunks().0[part]), y: load(&block.normal[1].as_chunks().0[part]), z: load(&block.normal[2].as_chunks().0[part]) },
+        depth: load(&block.depth.as_chunks().0[part]),
+        t: load(&block.t.as_chunks().0[part]),
+        cell: Vec2 { x: load_i(&block.cell[0].as_chunks().0[part]), y: load_i(&block.cell[1].as_chunks().0[part]) },
+        reads: load_u(&block.reads.as_chunks().0[part]),
+        steps: load_u(&block.steps.as_chunks().0[part]),
+        bytes: load_u(&block.bytes.as_chunks().0[part]),
+        lit: load(&block.lit.as_chunks().0[part]),
+        level: load_u(&block.level.as_chunks().0[part]),
+        z: load(&block.z.as_chunks().0[part]),
+        surface: load_u(&block.surface.as_chunks().0[part]),
+    }
+} }
+lanes! { pub fn store_pixel_out(block: &mut PixelOutBlock, part: usize, which: M, value: &PixelOut) {
+    store(&mut block.color[0].as_chunks_mut().0[part], which, value.color.x);
+    store(&mut block.color[1].as_chunks_mut().0[part], which, value.color.y);
+    store(&mut block.color[2].as_chunks_mut().0[part], which, value.color.z);
+    store(&mut block.color[3].as_chunks_mut().0[part], which, value.color.w);
+    store_u(&mut block.hit.as_chunks_mut().0[part], which, value.hit);
+    store_u(&mut block.exhausted.as_chunks_mut().0[part], which, value.exhausted);
+    store(&mut block.uv[0].as_chunks_mut().0[part], which, value.uv.x);
+    store(&mut block.uv[1].as_chunks_mut().0[part], which, value.uv.y);
+    store(&mut block.height.as_chunks_mut().0[part], which, value.height);
+    store(&mut block.position[0].as_chunks_mut().0[part], which, value.position.x);
+    store(&mut block.position[1].as_chunks_mut().0[part], which, value.position.y);
+    store(&mut block.position[2].as_chunks_mut().0[part], which, value.position.z);
+    store(&mut block.normal[0].as_chunks_mut().0[part], which, value.normal.x);
+    store(&mut block.normal[1].as_chunks_mut().0[part], which, value.normal.y);
+    store(&mut block.normal[2].as_chunks_mut().0[part], which, value.normal.z);
+    store(&mut block.depth.as_chunks_mut().0[part], which, value.depth);
+    store(&mut block.t.as_chunks_mut().0[part], which, value.t);
+    store_i(&mut block.cell[0].as_chunks_mut().0[part], which, value.cell.x);
+    store_i(&mut block.cell[1].as_chunks_mut().0[part], which, value.cell.y);
+    store_u(&mut block.reads.as_chunks_mut().0[part], which, value.reads);
+    store_u(&mut block.steps.as_chunks_mut().0[part], which, value.steps);
+    store_u(&mut block.bytes.as_chunks_mut().0[part], which, value.bytes);
+    store(&mut block.lit.as_chunks_mut().0[part], which, value.lit);
+    store_u(&mut block.level.as_chunks_mut().0[part], which, value.level);
+    store(&mut block.z.as_chunks_mut().0[part], which, value.z);
+    store_u(&mut block.surface.as_chunks_mut().0[part], which, value.surface);
+} }
+
+lanes! { fn quadratic(r: &Resources<'_>, c_a0: Vec3<F>, s_a1: F) -> F {
+    return add(c_a0.x, mul(s_a1, add(c_a0.y, mul(s_a1, c_a0.z))));
+} }
+lanes! { fn across_roots(r: &Resources<'_>, ray_a0: &Across) -> Vec3<F> {
+    return Vec3 { x: mul(ray_a0.sine, ray_a0.sine), y: sub(mul(mul(splat((-2.0f32)), ray_a0.mixed), ray_a0.sine), mul(mul(splat(4.0f32), ray_a0.across), ray_a0.descent)), z: sub(mul(ray_a0.mixed, ray_a0.mixed), mul(mul(splat(4.0f32), ray_a0.across), ray_a0.along)) };
+} }
+lanes! { fn across_discriminant(r: &Resources<'_>, ray_a0: &Across, t_a1: F) -> F {
+    let e_2 = across_roots(r, ray_a0);
+    let e_3 = quadratic(r, e_2, t_a1);
+    return e_3;
+} }
+lanes! { fn across_depth(r: &Resources<'_>, within: M, ray_a0: &Across, t_a1: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let c_6 = mul(t_a1, add(ray_a0.descent, mul(t_a1, ray_a0.along)));
+    let discriminant_7 = across_discriminant(r, ray_a0, t_a1);
+    let c1 = not(ge(discriminant_7, splat(0.0f32)));
+    ret = c_6;
+    ex = and_not(ex, c1);
+    let b_14 = sub(mul(t_a1, ray_a0.mixed), ray_a0.sine);
+    let root_15 = sqrt(discriminant_7);
+    let c2 = lt(b_14, splat(0.0f32));
+    ret = sel(and(ex, c2), div(mul(splat(2.0f32), c_6), sub(root_15, b_14)), ret);
+    ex = and_not(ex, c2);
+    let c3 = ne(ray_a0.across, splat(0.0f32));
+    ret = sel(and(ex, c3), div(sub(sub(splat(0.0f32), b_14), root_15), mul(splat(2.0f32), ray_a0.across)), ret);
+    ex = and_not(ex, c3);
+    return sel(ex, c_6, ret);
+} }
+lanes! { fn climb(r: &Resources<'_>, at_a0: &Entered, direction_a1: Vec3<F>) -> Vec3<F> {
+    let td_4 = add(add(add(mul(at_a0.tangent.x, direction_a1.x), mul(at_a0.tangent.y, direction_a1.y)), mul(at_a0.tangent.z, direction_a1.z)), splat(0.0f32));
+    let bd_6 = add(add(add(mul(at_a0.bitangent.x, direction_a1.x), mul(at_a0.bitangent.y, direction_a1.y)), mul(at_a0.bitangent.z, direction_a1.z)), splat(0.0f32));
+    let area_13 = sub(mul(at_a0.metric.x, at_a0.metric.z), mul(at_a0.metric.y, at_a0.metric.y));
+    let duv_26 = Vec2 { x: div(sub(mul(td_4, at_a0.metric.z), mul(bd_6, at_a0.metric.y)), area_13), y: div(sub(mul(bd_6, at_a0.metric.x), mul(td_4, at_a0.metric.y)), area_13) };
+    let e_29 = r.traced_scale_m();
+    return Vec3 { x: duv_26.x, y: duv_26.y, z: div(add(add(add(mul(at_a0.normal.x, direction_a1.x), mul(at_a0.normal.y, direction_a1.y)), mul(at_a0.normal.z, direction_a1.z)), splat(0.0f32)), splat(e_29)) };
+} }
+lanes! { fn quadric_slope(r: &Resources<'_>, quadric_a0: Vec3<F>, duv_a1: Vec2<F>) -> Vec2<F> {
+    return Vec2 { x: add(mul(mul(splat(2.0f32), quadric_a0.x), duv_a1.x), mul(quadric_a0.y, duv_a1.y)), y: add(mul(quadric_a0.y, duv_a1.x), mul(mul(splat(2.0f32), quadric_a0.z), duv_a1.y)) };
+} }
+lanes! { fn quadric_at(r: &Resources<'_>, quadric_a0: Vec3<F>, duv_a1: Vec2<F>) -> F {
+    return add(add(add(mul(quadric_a0.x, mul(duv_a1.x, duv_a1.x)), mul(quadric_a0.y, mul(duv_a1.x, duv_a1.y))), mul(quadric_a0.z, mul(duv_a1.y, duv_a1.y))), splat(0.0f32));
+} }
+lanes! { fn across_of(r: &Resources<'_>, at_a0: &Entered, direction_a1: Vec3<F>) -> Across {
+    let e_2 = climb(r, at_a0, direction_a1);
+    let descent_7 = sub(splat(0.0f32), add(add(add(mul(at_a0.normal.x, direction_a1.x), mul(at_a0.normal.y, direction_a1.y)), mul(at_a0.normal.z, direction_a1.z)), splat(0.0f32)));
+    let aside_10 = Vec3 { x: add(at_a0.normal.x, mul(direction_a1.x, descent_7)), y: add(at_a0.normal.y, mul(direction_a1.y, descent_7)), z: add(at_a0.normal.z, mul(direction_a1.z, descent_7)) };
+    let sine_13 = max_with(sqrt(add(add(mul(aside_10.x, aside_10.x), mul(aside_10.y, aside_10.y)), mul(aside_10.z, aside_10.z))), splat(0.0009765625f32));
+    let e_18 = climb(r, at_a0, Vec3 { x: div(aside_10.x, sine_13), y: div(aside_10.y, sine_13), z: div(aside_10.z, sine_13) });
+    let e_20 = quadric_slope(r, Vec3 { x: at_a0.quadric.x, y: at_a0.quadric.y, z: at_a0.quadric.z }, Vec2 { x: e_2.x, y: e_2.y });
+    let mixed_21 = add(add(mul(e_20.x, e_18.x), mul(e_20.y, e_18.y)), splat(0.0f32));
+    let e_22 = quadric_at(r, Vec3 { x: at_a0.quadric.x, y: at_a0.quadric.y, z: at_a0.quadric.z }, Vec2 { x: e_2.x, y: e_2.y });
+    let e_23 = quadric_at(r, Vec3 { x: at_a0.quadric.x, y: at_a0.quadric.y, z: at_a0.quadric.z }, Vec2 { x: e_18.x, y: e_18.y });
+    return Across { duv: Vec2 { x: e_2.x, y: e_2.y }, descent: descent_7, along: e_22, across: e_23, mixed: mixed_21, sine: sine_13, };
+} }
+lanes! { fn reached(r: &Resources<'_>, within: M, ray_a0: &Across, depth_a1: F, t_a2: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut both_v0: M = splat_m(false);
+    let e_3 = across_depth(r, ex, ray_a0, t_a2);
+    let off_5 = abs(sub(e_3, depth_a1));
+    let (b1, c2) = (ex, lt(t_a2, splat(3e38f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_10 = r.traced_scale_m();
+        both_v0 = sel_m(ex, le(off_5, mul(splat(0.0009765625f32), add(splat(e_10), abs(depth_a1)))), both_v0);
+    }
+    ex = and_not(b1, c2);
+    if any(ex) {
+        both_v0 = sel_m(ex, splat_m(false), both_v0);
+    }
+    ex = b1;
+    let e_17 = both_v0;
+    return sel(e_17, t_a2, splat(3e38f32));
+} }
+lanes! { fn bent_descent(r: &Resources<'_>, within: M, depth_a0: F, descent_a1: F, bend_a2: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut t_v0: F = splat(3e38f32);
+    let (b1, c2) = (ex, eq(bend_a2, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let c3 = gt(descent_a1, splat(0.0f32));
+        t_v0 = sel(and(ex, c3), div(depth_a0, descent_a1), t_v0);
+        let e_10 = t_v0;
+        ret = e_10;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    let discriminant_15 = add(mul(descent_a1, descent_a1), mul(mul(splat(4.0f32), bend_a2), depth_a0));
+    if none(ex) { return ret; }
+    let (b4, c5) = (ex, gt(discriminant_15, splat(0.0f32)));
+    ex = and(b4, c5);
+    if any(ex) {
+        let root_18 = sqrt(discriminant_15);
+        let n6 = div(sub(root_18, descent_a1), mul(splat(2.0f32), bend_a2));
+        t_v0 = sel(ex, sel(gt(descent_a1, splat(0.0f32)), div(mul(splat(2.0f32), depth_a0), add(descent_a1, root_18)), n6), t_v0);
+    }
+    ex = b4;
+    let e_29 = t_v0;
+    return sel(ex, e_29, ret);
+} }
+lanes! { fn down_across(r: &Resources<'_>, within: M, ray_a0: &Across, depth_a1: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let under_6 = mul(depth_a1, sub(ray_a0.sine, mul(depth_a1, ray_a0.across)));
+    let e_12 = bent_descent(r, ex, under_6, add(ray_a0.descent, mul(depth_a1, ray_a0.mixed)), ray_a0.along);
+    let e_13 = reached(r, ex, ray_a0, depth_a1, e_12);
+    return e_13;
+} }
+lanes! { fn down_along(r: &Resources<'_>, within: M, ray_a0: &Across, depth_a1: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let e_4 = bent_descent(r, ex, depth_a1, ray_a0.descent, ray_a0.along);
+    let e_5 = reached(r, ex, ray_a0, depth_a1, e_4);
+    return e_5;
+} }
+lanes! { fn first_root(r: &Resources<'_>, within: M, c_a0: Vec3<F>, span_a1: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut a_v0: F = splat(3e38f32);
+    let mut b_v1: F = splat(3e38f32);
+    let discriminant_10 = sub(mul(c_a0.y, c_a0.y), mul(mul(splat(4.0f32), c_a0.z), c_a0.x));
+    let (b1, c2) = (ex, ge(discriminant_10, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let root_13 = sqrt(discriminant_10);
+        let q_23 = mul(splat((-0.5f32)), add(c_a0.y, sel(ge(c_a0.y, splat(0.0f32)), root_13, sub(splat(0.0f32), root_13))));
+        let c3 = ne(c_a0.z, splat(0.0f32));
+        a_v0 = sel(c3, div(q_23, c_a0.z), a_v0);
+        let c4 = ne(q_23, splat(0.0f32));
+        b_v1 = sel(c4, div(c_a0.x, q_23), b_v1);
+        let e_37 = a_v0;
+        let e_38 = a_v0;
+        a_v0 = sel(ge(e_38, splat(0.0f32)), e_37, splat(3e38f32));
+        let e_43 = b_v1;
+        let e_44 = b_v1;
+        b_v1 = sel(ge(e_44, splat(0.0f32)), e_43, splat(3e38f32));
+        let e_49 = a_v0;
+        let e_50 = b_v1;
+        let first_51 = min(e_49, e_50);
+        let (b5, c6) = (ex, le(first_51, span_a1));
+        ex = and(b5, c6);
+        if any(ex) {
+            ret = first_51;
+            ex = no_lane();
+        }
+        ex = and_not(b5, c6);
+    }
+    let x7 = ex;
+    ex = and_not(b1, c2);
+    ex = or(ex, x7);
+    if none(ex) { return ret; }
+    let e_53 = quadratic(r, c_a0, span_a1);
+    let c8 = le(e_53, splat(0.0f32));
+    ret = sel(and(ex, c8), span_a1, ret);
+    ex = and_not(ex, c8);
+    return sel(ex, splat(3e38f32), ret);
+} }
+lanes! { fn jumps_below(r: &Resources<'_>, within: M, ray_a0: &Across, depth_a1: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut both_v0: M = splat_m(false);
+    let e_2 = across_roots(r, ray_a0);
+    let t_4 = first_root(r, ex, e_2, splat(3e38f32));
+    both_v0 = and(lt(t_4, splat(3e38f32)), ge(mul(t_4, add(ray_a0.descent, mul(t_4, ray_a0.along))), depth_a1));
+    let below_16 = both_v0;
+    return sel(below_16, t_4, splat(3e38f32));
+} }
+lanes! { fn across_span(r: &Resources<'_>, within: M, at_a0: &Entered, ray_a1: &Across, eye_a2: F) -> Vec2<F> {
+    let mut ex = within;
+    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut both_v0: M = splat_m(false);
+    let mut both_v1: M = splat_m(false);
+    let mut leave_v2: F = splat(0f32);
+    let nowhere_5 = Vec2 { x: 1.0f32, y: (-1.0f32) };
+    let scale_6 = r.traced_scale_m();
+    let over_11 = mul(sub(at_a0.quadric.w, splat(1.0f32)), splat(scale_6));
+    let e_12 = down_across(r, ex, ray_a1, over_11);
+    let e_13 = down_along(r, ex, ray_a1, over_11);
+    let e_15 = jumps_below(r, ex, ray_a1, over_11);
+    let begin_16 = min(min(e_12, e_13), e_15);
+    both_v1 = and(ge(at_a0.quadric.w, splat(1.0f32)), lt(begin_16, splat(0.0f32)));
+    let e_30 = both_v1;
+    both_v0 = or(not(lt(begin_16, splat(3e38f32))), e_30);
+    let e_32 = both_v0;
+    let c1 = e_32;
+    ret = Vec2 { x: splat(nowhere_5.x), y: splat(nowhere_5.y) };
+    ex = and_not(ex, c1);
+    let enter_33 = max(begin_16, eye_a2);
+    let floor_34 = mul(at_a0.quadric.w, splat(scale_6));
+    if none(ex) { return ret; }
+    let by_across_35 = down_across(r, ex, ray_a1, floor_34);
+    let by_along_36 = down_along(r, ex, ray_a1, floor_34);
+    let by_jump_37 = jumps_below(r, ex, ray_a1, floor_34);
+    leave_v2 = sel(gt(by_across_35, enter_33), by_across_35, splat(3e38f32));
+    let e_42 = leave_v2;
+    leave_v2 = min(e_42, sel(gt(by_along_36, enter_33), by_along_36, splat(3e38f32)));
+    let e_47 = leave_v2;
+    leave_v2 = min(e_47, sel(gt(by_jump_37, enter_33), by_jump_37, splat(3e38f32)));
+    let (b2, c3) = (ex, lt(ray_a1.along, splat(0.0f32)));
+    ex = and(b2, c3);
+    if any(ex) {
+        let under_62 = add(mul(ray_a1.descent, ray_a1.descent), mul(mul(splat(4.0f32), ray_a1.along), over_11));
+        let c4 = ge(under_62, splat(0.0f32));
+        let e_65 = leave_v2;
+        leave_v2 = sel(and(ex, c4), min(e_65, div(add(ray_a1.descent, sqrt(under_62)), mul(splat((-2.0f32)), ray_a1.along))), leave_v2);
+    }
+    ex = b2;
+    let e_74 = leave_v2;
+    let c5 = not(lt(e_74, splat(3e38f32)));
+    let y6 = Vec2 { x: splat(nowhere_5.x), y: splat(nowhere_5.y) };
+    ret = Vec2 { x: sel(and(ex, c5), y6.x, ret.x), y: sel(and(ex, c5), y6.y, ret.y) };
+    ex = and_not(ex, c5);
+    let e_78 = leave_v2;
+    let e_79 = leave_v2;
+    let y7 = Vec2 { x: enter_33, y: add(e_78, mul(sub(e_79, enter_33), splat(1e-6f32))) };
+    return Vec2 { x: sel(ex, y7.x, ret.x), y: sel(ex, y7.y, ret.y) };
+} }
+lanes! { fn from_tangent_space(r: &Resources<'_>, at_a0: &Entered, n_a1: Vec3<F>) -> Vec3<F> {
+    let length1 = sqrt(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)));
+    let along_u_3 = Vec3 { x: div(at_a0.tangent.x, length1), y: div(at_a0.tangent.y, length1), z: div(at_a0.tangent.z, length1) };
+    let length2 = sqrt(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)));
+    let along_v_5 = Vec3 { x: div(at_a0.bitangent.x, length2), y: div(at_a0.bitangent.y, length2), z: div(at_a0.bitangent.z, length2) };
+    return Vec3 { x: add(sub(mul(along_u_3.x, n_a1.x), mul(along_v_5.x, n_a1.y)), mul(at_a0.normal.x, n_a1.z)), y: add(sub(mul(along_u_3.y, n_a1.x), mul(along_v_5.y, n_a1.y)), mul(at_a0.normal.y, n_a1.z)), z: add(sub(mul(along_u_3.z, n_a1.x), mul(along_v_5.z, n_a1.y)), mul(at_a0.normal.z, n_a1.z)) };
+} }
+lanes! { fn cell_of(r: &Resources<'_>, point_a0: Vec2<F>) -> Vec2<F> {
+    return Vec2 { x: min_with(max_with(floor(point_a0.x), splat((-1073741800.0f32))), splat(1073741800.0f32)), y: min_with(max_with(floor(point_a0.y), splat((-1073741800.0f32))), splat(1073741800.0f32)) };
+} }
+lanes! { fn wrap_index(r: &Resources<'_>, within: M, i_a0: I, n_a1: I) -> I {
+    let mut ex = within;
+    let mut ret: I = splat_i(0i32);
+    let mut both_v0: M = splat_m(false);
+    if (r.surface_settings.wrap == 1u32) {
+        return min_i(max_i(i_a0, splat_i(0i32)), sub_i(n_a1, splat_i(1i32)));
+    }
+    both_v0 = and(ge_i(i_a0, splat_i(0i32)), lt_i(i_a0, n_a1));
+    let e_17 = both_v0;
+    let c1 = e_17;
+    ret = i_a0;
+    ex = and_not(ex, c1);
+    if (r.surface_settings.wrap == 0u32) {
+        if none(ex) { return ret; }
+        return sel_i(ex, rem_i(add_i(rem_i(i_a0, n_a1), n_a1), n_a1), ret);
+    }
+    let period_27 = mul_i(splat_i(2i32), n_a1);
+    if none(ex) { return ret; }
+    let folded_30 = rem_i(add_i(rem_i(i_a0, period_27), period_27), period_27);
+    return sel_i(ex, sel_i(lt_i(folded_30, n_a1), folded_30, sub_i(sub_i(period_27, splat_i(1i32)), folded_30)), ret);
+} }
+lanes! { fn texels_around(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, n_a1: Vec2<I>) -> Around {
+    let mut ex = within;
+    let mut ret: Around = zero_around();
+    let point_7 = Vec2 { x: sub(mul(uv_a0.x, f_of_i(n_a1.x)), splat(0.5f32)), y: sub(mul(uv_a0.y, f_of_i(n_a1.y)), splat(0.5f32)) };
+    let cell_8 = cell_of(r, point_7);
+    let i_9 = Vec2 { x: i_of_small(cell_8.x), y: i_of_small(cell_8.y) };
+    let e_12 = wrap_index(r, ex, i_9.x, n_a1.x);
+    let e_17 = wrap_index(r, ex, add_i(i_9.x, splat_i(1i32)), n_a1.x);
+    let e_21 = wrap_index(r, ex, i_9.y, n_a1.y);
+    let e_26 = wrap_index(r, ex, add_i(i_9.y, splat_i(1i32)), n_a1.y);
+    return Around { columns: Vec2 { x: e_12, y: e_17 }, rows: Vec2 { x: e_21, y: e_26 }, part: Vec2 { x: sub(point_7.x, cell_8.x), y: sub(point_7.y, cell_8.y) }, };
+} }
+lanes! { fn level_texels(r: &Resources<'_>, finest_a0: Vec2<u32>, level_a1: U) -> Vec2<I> {
+    return Vec2 { x: max_i(i_of_u(shr_u(splat_u(finest_a0.x), i_of_u(level_a1))), splat_i(1i32)), y: max_i(i_of_u(shr_u(splat_u(finest_a0.y), i_of_u(level_a1))), splat_i(1i32)) };
+} }
+lanes! { fn height_texels(r: &Resources<'_>, level_a0: U) -> Vec2<I> {
+    let e_4 = level_texels(r, r.surface_settings.height_size, level_a0);
+    return e_4;
+} }
+lanes! { fn bilinear(r: &Resources<'_>, h00_a0: Vec4<F>, h10_a1: Vec4<F>, h01_a2: Vec4<F>, h11_a3: Vec4<F>, part_a4: Vec2<F>) -> Vec4<F> {
+    let top_8 = Vec4 { x: add(h00_a0.x, mul(sub(h10_a1.x, h00_a0.x), part_a4.x)), y: add(h00_a0.y, mul(sub(h10_a1.y, h00_a0.y), part_a4.x)), z: add(h00_a0.z, mul(sub(h10_a1.z, h00_a0.z), part_a4.x)), w: add(h00_a0.w, mul(sub(h10_a1.w, h00_a0.w), part_a4.x)) };
+    let bottom_12 = Vec4 { x: add(h01_a2.x, mul(sub(h11_a3.x, h01_a2.x), part_a4.x)), y: add(h01_a2.y, mul(sub(h11_a3.y, h01_a2.y), part_a4.x)), z: add(h01_a2.z, mul(sub(h11_a3.z, h01_a2.z), part_a4.x)), w: add(h01_a2.w, mul(sub(h11_a3.w, h01_a2.w), part_a4.x)) };
+    return Vec4 { x: add(top_8.x, mul(sub(bottom_12.x, top_8.x), part_a4.y)), y: add(top_8.y, mul(sub(bottom_12.y, top_8.y), part_a4.y)), z: add(top_8.z, mul(sub(bottom_12.z, top_8.z), part_a4.y)), w: add(top_8.w, mul(sub(bottom_12.w, top_8.w), part_a4.y)) };
+} }
+lanes! { fn decoded(r: &Resources<'_>, texel_a0: Vec4<F>, map_a1: &single::MapSettings) -> Vec4<F> {
+    if (map_a1.coded == 1u32) {
+        return Vec4 { x: add(splat(map_a1.low.x), mul(splat(map_a1.step.x), floor(add(mul(texel_a0.x, splat(255.0f32)), splat(0.5f32))))), y: add(splat(map_a1.low.y), mul(splat(map_a1.step.y), floor(add(mul(texel_a0.y, splat(255.0f32)), splat(0.5f32))))), z: add(splat(map_a1.low.z), mul(splat(map_a1.step.z), floor(add(mul(texel_a0.z, splat(255.0f32)), splat(0.5f32))))), w: add(splat(map_a1.low.w), mul(splat(map_a1.step.w), floor(add(mul(texel_a0.w, splat(255.0f32)), splat(0.5f32))))) };
+    }
+    return texel_a0;
+} }
+lanes! { fn ambient_texel(r: &Resources<'_>, within: M, place_a0: Vec2<I>, layer_a1: i32, level_a2: I) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_4 = map_texel_of_each(&r.ambient_map, ex, place_a0.x, place_a0.y, splat_i(layer_a1), level_a2);
+    let e_9 = decoded(r, e_4, &r.surface_settings.maps[4]);
+    return e_9;
+} }
+lanes! { fn ambient_texel_between(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: U) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_2 = height_texels(r, level_a1);
+    let at_3 = texels_around(r, ex, uv_a0, e_2);
+    let k_4 = i_of_u(level_a1);
+    let e_11 = ambient_texel(r, ex, Vec2 { x: at_3.columns.x, y: at_3.rows.x }, 0i32, k_4);
+    let e_18 = ambient_texel(r, ex, Vec2 { x: at_3.columns.y, y: at_3.rows.x }, 0i32, k_4);
+    let e_25 = ambient_texel(r, ex, Vec2 { x: at_3.columns.x, y: at_3.rows.y }, 0i32, k_4);
+    let e_32 = ambient_texel(r, ex, Vec2 { x: at_3.columns.y, y: at_3.rows.y }, 0i32, k_4);
+    let e_34 = bilinear(r, e_11, e_18, e_25, e_32, Vec2 { x: at_3.part.x, y: at_3.part.y });
+    return e_34;
+} }
+lanes! { fn ambient_bent_normal(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>, params_a5: Vec4<f32>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let e_8 = ambient_texel_between(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.level);
+    let sky_10 = from_tangent_space(r, at_a0, Vec3 { x: e_8.x, y: e_8.y, z: e_8.z });
+    let e_18 = max_with(add(add(add(mul(normal_a2.x, sky_10.x), mul(normal_a2.y, sky_10.y)), mul(normal_a2.z, sky_10.z)), splat(0.0f32)), splat(0.0f32));
+    return Vec3 { x: mul(mul(splat(r.frame.ambient.x), color_a4.x), e_18), y: mul(mul(splat(r.frame.ambient.y), color_a4.y), e_18), z: mul(mul(splat(r.frame.ambient.z), color_a4.z), e_18) };
+} }
+lanes! { fn ambient_bounce(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>, params_a5: Vec4<f32>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let e_13 = ambient_texel_between(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.level);
+    return Vec3 { x: mul(mul(splat(r.frame.ambient.x), color_a4.x), e_13.x), y: mul(mul(splat(r.frame.ambient.y), color_a4.y), e_13.x), z: mul(mul(splat(r.frame.ambient.z), color_a4.z), e_13.x) };
+} }
+lanes! { fn ambient_constant(r: &Resources<'_>, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>, params_a5: Vec4<f32>) -> Vec3<F> {
+    return Vec3 { x: mul(splat(r.frame.ambient.x), color_a4.x), y: mul(splat(r.frame.ambient.y), color_a4.y), z: mul(splat(r.frame.ambient.z), color_a4.z) };
+} }
+stage! { fn levels_of(r: &Resources<'_>, within: M, footprint_a0: F, count_a1: u32) -> Levels {
+    let mut ex = within;
+    let mut ret: Levels = zero_levels();
+    let mut texels_v0: F = splat(0f32);
+    let mut level_v1: U = splat_u(0u32);
+    let mut both_v2: M = splat_m(false);
+    let mut both_v3: M = splat_m(false);
+    texels_v0 = footprint_a0;
+    let b2 = ex;
+    'l1: loop {
+        let e_5 = texels_v0;
+        let e_10 = level_v1;
+        both_v2 = and(ge(e_5, splat(2.0f32)), lt_u(add_u(e_10, splat_u(1u32)), splat_u(count_a1)));
+        let e_15 = both_v2;
+        let c3 = e_15;
+        ex = and(ex, c3);
+        let e_16 = texels_v0;
+        texels_v0 = sel(ex, mul(e_16, splat(0.5f32)), texels_v0);
+        let e_19 = level_v1;
+        level_v1 = sel_u(ex, add_u(e_19, splat_u(1u32)), level_v1);
+        if none(ex) { break 'l1; }
+    }
+    ex = b2;
+    let e_22 = texels_v0;
+    let e_27 = level_v1;
+    both_v3 = and(gt(e_22, splat(1.0f32)), lt_u(add_u(e_27, splat_u(1u32)), splat_u(count_a1)));
+    let e_32 = both_v3;
+    let (b4, c5) = (ex, e_32);
+    ex = and(b4, c5);
+    if any(ex) {
+        let e_33 = level_v1;
+        let e_34 = texels_v0;
+        ret = Levels { fine: e_33, part: sub(e_34, splat(1.0f32)), };
+        ex = no_lane();
+    }
+    ex = and_not(b4, c5);
+    let e_38 = level_v1;
+    return sel_levels(ex, &Levels { fine: e_38, part: splat(0.0f32), }, &ret);
+} }
+lanes! { fn face_place(r: &Resources<'_>, within: M, d_a0: Vec3<F>) -> FacePlace {
+    let mut ex = within;
+    let mut ret: FacePlace = zero_face_place();
+    let mut both_v0: M = splat_m(false);
+    let size_1 = Vec3 { x: abs(d_a0.x), y: abs(d_a0.y), z: abs(d_a0.z) };
+    both_v0 = and(ge(size_1.x, size_1.y), ge(size_1.x, size_1.z));
+    let e_11 = both_v0;
+    let (b1, c2) = (ex, e_11);
+    ex = and(b1, c2);
+    if any(ex) {
+        let (b3, c4) = (ex, gt(d_a0.x, splat(0.0f32)));
+        ex = and(b3, c4);
+        if any(ex) {
+            ret = FacePlace { face: splat_i(0i32), place: Vec2 { x: div(neg(d_a0.z), size_1.x), y: div(neg(d_a0.y), size_1.x) }, };
+            ex = no_lane();
+        }
+        ex = and_not(b3, c4);
+        ret = sel_face_place(ex, &FacePlace { face: splat_i(1i32), place: Vec2 { x: div(d_a0.z, size_1.x), y: div(neg(d_a0.y), size_1.x) }, }, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let (b5, c6) = (ex, ge(size_1.y, size_1.z));
+    ex = and(b5, c6);
+    if any(ex) {
+        let (b7, c8) = (ex, gt(d_a0.y, splat(0.0f32)));
+        ex = and(b7, c8);
+        if any(ex) {
+            ret = sel_face_place(ex, &FacePlace { face: splat_i(2i32), place: Vec2 { x: div(d_a0.x, size_1.y), y: div(d_a0.z, size_1.y) }, }, &ret);
+            ex = no_lane();
+        }
+        ex = and_not(b7, c8);
+        ret = sel_face_place(ex, &FacePlace { face: splat_i(3i32), place: Vec2 { x: div(d_a0.x, size_1.y), y: div(neg(d_a0.z), size_1.y) }, }, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b5, c6);
+    if none(ex) { return ret; }
+    let (b9, c10) = (ex, gt(d_a0.z, splat(0.0f32)));
+    ex = and(b9, c10);
+    if any(ex) {
+        ret = sel_face_place(ex, &FacePlace { face: splat_i(4i32), place: Vec2 { x: div(d_a0.x, size_1.z), y: div(neg(d_a0.y), size_1.z) }, }, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b9, c10);
+    return sel_face_place(ex, &FacePlace { face: splat_i(5i32), place: Vec2 { x: div(neg(d_a0.x), size_1.z), y: div(neg(d_a0.y), size_1.z) }, }, &ret);
+} }
+lanes! { fn environment_texel_lll(r: &Resources<'_>, within: M, place_a0: Vec2<I>, face_a1: I, level_a2: I) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_4 = map_texel_of_each(&r.environment_map, ex, place_a0.x, place_a0.y, face_a1, level_a2);
+    let e_9 = decoded(r, e_4, &r.surface_settings.maps[5]);
+    return e_9;
+} }
+lanes! { fn environment_texel_lls(r: &Resources<'_>, within: M, place_a0: Vec2<I>, face_a1: I, level_a2: i32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_4 = map_texel_of_each(&r.environment_map, ex, place_a0.x, place_a0.y, face_a1, splat_i(level_a2));
+    let e_9 = decoded(r, e_4, &r.surface_settings.maps[5]);
+    return e_9;
+} }
+lanes! { fn environment_of_level_ll(r: &Resources<'_>, within: M, direction_a0: Vec3<F>, level_a1: U) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let at_2 = face_place(r, ex, direction_a0);
+    let last_11 = sub_i(max_i(i_of_u(shr_u(splat_u(r.surface_settings.environment_side), i_of_u(level_a1))), splat_i(1i32)), splat_i(1i32));
+    let e_19 = mul(splat(0.5f32), f_of_i(last_11));
+    let point_20 = Vec2 { x: mul(add(at_2.place.x, splat(1.0f32)), e_19), y: mul(add(at_2.place.y, splat(1.0f32)), e_19) };
+    let most_25 = f_of_i(max_i(sub_i(last_11, splat_i(1i32)), splat_i(0i32)));
+    let corner_31 = Vec2 { x: min(max_with(floor(point_20.x), splat(0.0f32)), most_25), y: min(max_with(floor(point_20.y), splat(0.0f32)), most_25) };
+    let texel_32 = Vec2 { x: i_of_f(corner_31.x), y: i_of_f(corner_31.y) };
+    let k_33 = i_of_u(level_a1);
+    let e_35 = environment_texel_lll(r, ex, texel_32, at_2.face, k_33);
+    let e_41 = environment_texel_lll(r, ex, Vec2 { x: add_i(texel_32.x, splat_i(1i32)), y: add_i(texel_32.y, splat_i(0i32)) }, at_2.face, k_33);
+    let e_47 = environment_texel_lll(r, ex, Vec2 { x: add_i(texel_32.x, splat_i(0i32)), y: add_i(texel_32.y, splat_i(1i32)) }, at_2.face, k_33);
+    let e_53 = environment_texel_lll(r, ex, Vec2 { x: add_i(texel_32.x, splat_i(1i32)), y: add_i(texel_32.y, splat_i(1i32)) }, at_2.face, k_33);
+    let e_55 = bilinear(r, e_35, e_41, e_47, e_53, Vec2 { x: sub(point_20.x, corner_31.x), y: sub(point_20.y, corner_31.y) });
+    return Vec3 { x: e_55.x, y: e_55.y, z: e_55.z };
+} }
+lanes! { fn environment_of_level_ls(r: &Resources<'_>, within: M, direction_a0: Vec3<F>, level_a1: u32) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let at_2 = face_place(r, ex, direction_a0);
+    let last_11 = (r.surface_settings.environment_side.unbounded_shr(level_a1) as i32).max(1i32).wrapping_sub(1i32);
+    let e_19 = (0.5f32 * (last_11 as f32));
+    let point_20 = Vec2 { x: mul(add(at_2.place.x, splat(1.0f32)), splat(e_19)), y: mul(add(at_2.place.y, splat(1.0f32)), splat(e_19)) };
+    let most_25 = (last_11.wrapping_sub(1i32).max(0i32) as f32);
+    let corner_31 = Vec2 { x: min(max_with(floor(point_20.x), splat(0.0f32)), splat(most_25)), y: min(max_with(floor(point_20.y), splat(0.0f32)), splat(most_25)) };
+    let texel_32 = Vec2 { x: i_of_f(corner_31.x), y: i_of_f(corner_31.y) };
+    let k_33 = (level_a1 as i32);
+    let e_35 = environment_texel_lls(r, ex, texel_32, at_2.face, k_33);
+    let e_41 = environment_texel_lls(r, ex, Vec2 { x: add_i(texel_32.x, splat_i(1i32)), y: add_i(texel_32.y, splat_i(0i32)) }, at_2.face, k_33);
+    let e_47 = environment_texel_lls(r, ex, Vec2 { x: add_i(texel_32.x, splat_i(0i32)), y: add_i(texel_32.y, splat_i(1i32)) }, at_2.face, k_33);
+    let e_53 = environment_texel_lls(r, ex, Vec2 { x: add_i(texel_32.x, splat_i(1i32)), y: add_i(texel_32.y, splat_i(1i32)) }, at_2.face, k_33);
+    let e_55 = bilinear(r, e_35, e_41, e_47, e_53, Vec2 { x: sub(point_20.x, corner_31.x), y: sub(point_20.y, corner_31.y) });
+    return Vec3 { x: e_55.x, y: e_55.y, z: e_55.z };
+} }
+lanes! { fn environment_in_lobe(r: &Resources<'_>, within: M, direction_a0: Vec3<F>, deviation_a1: F) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let width_12 = mul(deviation_a1, splat((1.2247449f32 * (1u32.unbounded_shl(r.surface_settings.environment_levels.wrapping_sub(1u32)) as f32))));
+    let levels_16 = levels_of(r, ex, width_12, r.surface_settings.environment_levels);
+    let fine_18 = environment_of_level_ll(r, ex, direction_a0, levels_16.fine);
+    let (b1, c2) = (ex, gt(levels_16.part, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_25 = environment_of_level_ll(r, ex, direction_a0, add_u(levels_16.fine, splat_u(1u32)));
+        ret = Vec3 { x: add(fine_18.x, mul(sub(e_25.x, fine_18.x), levels_16.part)), y: add(fine_18.y, mul(sub(e_25.y, fine_18.y), levels_16.part)), z: add(fine_18.z, mul(sub(e_25.z, fine_18.z), levels_16.part)) };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    let y3 = fine_18;
+    return Vec3 { x: sel(ex, y3.x, ret.x), y: sel(ex, y3.y, ret.y), z: sel(ex, y3.z, ret.z) };
+} }
+lanes! { fn environment_on(r: &Resources<'_>, within: M, normal_a0: Vec3<F>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let e_6 = environment_of_level_ls(r, ex, normal_a0, r.surface_settings.environment_levels.wrapping_sub(1u32));
+    return e_6;
+} }
+lanes! { fn ambient_environment(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>, params_a5: Vec4<f32>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut light_v0: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mean_6 = sqrt(add(add(mul(normal_a2.x, normal_a2.x), mul(normal_a2.y, normal_a2.y)), mul(normal_a2.z, normal_a2.z)));
+    let length1 = sqrt(add(add(mul(normal_a2.x, normal_a2.x), mul(normal_a2.y, normal_a2.y)), mul(normal_a2.z, normal_a2.z)));
+    let n_7 = Vec3 { x: div(normal_a2.x, length1), y: div(normal_a2.y, length1), z: div(normal_a2.z, length1) };
+    let cosine_11 = min_with(max_with(add(add(add(mul(n_7.x, view_a3.x), mul(n_7.y, view_a3.y)), mul(n_7.z, view_a3.z)), splat(0.0f32)), splat(0.0f32)), splat(1.0f32));
+    let eta_16 = (1.0f32 / r.surface_settings.ior);
+    let inside_26 = sqrt(max_with(sub(splat(1.0f32), mul(splat((eta_16 * eta_16)), sub(splat(1.0f32), mul(cosine_11, cosine_11)))), splat(0.0f32)));
+    let across_33 = div(sub(cosine_11, mul(splat(r.surface_settings.ior), inside_26)), max_with(add(cosine_11, mul(splat(r.surface_settings.ior), inside_26)), splat(1e-6f32)));
+    let along_40 = div(sub(mul(splat(r.surface_settings.ior), cosine_11), inside_26), max_with(add(mul(splat(r.surface_settings.ior), cosine_11), inside_26), splat(1e-6f32)));
+    let waves_41 = Vec2 { x: across_33, y: along_40 };
+    let reflected_44 = mul(splat(0.5f32), add(add(mul(waves_41.x, waves_41.x), mul(waves_41.y, waves_41.y)), splat(0.0f32)));
+    let lean_60 = sqrt(add(splat((2.0f32 / ((r.surface_settings.shininess as f32) + 2.0f32))), mul(splat(2.0f32), max_with(sub(splat(1.0f32), mean_6), splat(0.0f32)))));
+    let e_62 = mul(splat(2.0f32), cosine_11);
+    let mirrored_64 = Vec3 { x: sub(mul(n_7.x, e_62), view_a3.x), y: sub(mul(n_7.y, e_62), view_a3.y), z: sub(mul(n_7.z, e_62), view_a3.z) };
+    let e_67 = environment_in_lobe(r, ex, mirrored_64, mul(splat(2.0f32), lean_60));
+    light_v0 = Vec3 { x: mul(e_67.x, reflected_44), y: mul(e_67.y, reflected_44), z: mul(e_67.z, reflected_44) };
+    let e_73 = light_v0;
+    let e_74 = environment_on(r, ex, n_7);
+    let e_77 = sub(splat(1.0f32), reflected_44);
+    light_v0 = Vec3 { x: add(e_73.x, mul(mul(e_74.x, color_a4.x), e_77)), y: add(e_73.y, mul(mul(e_74.y, color_a4.y), e_77)), z: add(e_73.z, mul(mul(e_74.z, color_a4.z), e_77)) };
+    if (r.surface_settings.transmission > 0.0f32) {
+        let e_83 = sub(mul(splat(eta_16), cosine_11), inside_26);
+        let refracted_86 = Vec3 { x: sub(mul(n_7.x, e_83), mul(view_a3.x, splat(eta_16))), y: sub(mul(n_7.y, e_83), mul(view_a3.y, splat(eta_16))), z: sub(mul(n_7.z, e_83), mul(view_a3.z, splat(eta_16))) };
+        let seen_90 = environment_in_lobe(r, ex, refracted_86, mul(splat((1.0f32 - eta_16)), lean_60));
+        let e_91 = light_v0;
+        let e_94 = mul(splat(r.surface_settings.transmission), sub(splat(1.0f32), reflected_44));
+        light_v0 = Vec3 { x: add(e_91.x, mul(seen_90.x, e_94)), y: add(e_91.y, mul(seen_90.y, e_94)), z: add(e_91.z, mul(seen_90.z, e_94)) };
+    }
+    let e_97 = light_v0;
+    return Vec3 { x: mul(e_97.x, splat(params_a5.x)), y: mul(e_97.y, splat(params_a5.x)), z: mul(e_97.z, splat(params_a5.x)) };
+} }
+lanes! { fn ambient_occlusion(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>, params_a5: Vec4<f32>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let e_13 = ambient_texel_between(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.level);
+    return Vec3 { x: mul(mul(splat(r.frame.ambient.x), color_a4.x), e_13.x), y: mul(mul(splat(r.frame.ambient.y), color_a4.y), e_13.x), z: mul(mul(splat(r.frame.ambient.z), color_a4.z), e_13.x) };
+} }
+lanes! { fn ambient_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    match r.surface_settings.choices[8].number {
+        0u32 => {
+            let e_15 = ambient_constant(r, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[8].params);
+            return e_15;
+        }
+        1u32 => {
+            let e_21 = ambient_occlusion(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[8].params);
+            return e_21;
+        }
+        2u32 => {
+            let e_27 = ambient_bent_normal(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[8].params);
+            return e_27;
+        }
+        3u32 => {
+            let e_33 = ambient_bounce(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[8].params);
+            return e_33;
+        }
+        _ => {
+            let e_39 = ambient_environment(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[8].params);
+            return e_39;
+        }
+    }
+} }
+lanes! { fn lift_of(r: &Resources<'_>, lift_a0: Vec3<f32>, w_a1: Vec3<F>) -> F {
+    return add(add(mul(mul(splat(lift_a0.x), w_a1.y), w_a1.z), mul(mul(splat(lift_a0.y), w_a1.z), w_a1.x)), mul(mul(splat(lift_a0.z), w_a1.x), w_a1.y));
+} }
+lanes! { fn bent_exit(r: &Resources<'_>, within: M, h_a0: Vec3<F>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut exit_v0: F = splat(3e38f32);
+    let floor_5 = add(h_a0.x, splat(1e-6f32));
+    let under_13 = sub(mul(h_a0.y, h_a0.y), mul(mul(splat(4.0f32), h_a0.z), floor_5));
+    let (b1, c2) = (ex, ge(under_13, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let (b3, c4) = (ex, lt(h_a0.y, splat(0.0f32)));
+        ex = and(b3, c4);
+        if any(ex) {
+            exit_v0 = sel(ex, div(mul(splat(2.0f32), floor_5), sub(sqrt(under_13), h_a0.y)), exit_v0);
+        }
+        ex = and_not(b3, c4);
+        if any(ex) {
+            let c5 = lt(h_a0.z, splat(0.0f32));
+            exit_v0 = sel(and(ex, c5), div(add(h_a0.y, sqrt(under_13)), mul(splat((-2.0f32)), h_a0.z)), exit_v0);
+        }
+        ex = b3;
+    }
+    ex = b1;
+    let room_37 = sub(splat(1.0f32), h_a0.x);
+    let above_45 = add(mul(h_a0.y, h_a0.y), mul(mul(splat(4.0f32), h_a0.z), room_37));
+    let (b6, c7) = (ex, ge(above_45, splat(0.0f32)));
+    ex = and(b6, c7);
+    if any(ex) {
+        let (b8, c9) = (ex, gt(h_a0.y, splat(0.0f32)));
+        ex = and(b8, c9);
+        if any(ex) {
+            let e_51 = exit_v0;
+            exit_v0 = sel(ex, min(e_51, div(mul(splat(2.0f32), room_37), add(h_a0.y, sqrt(above_45)))), exit_v0);
+        }
+        ex = and_not(b8, c9);
+        if any(ex) {
+            let c10 = gt(h_a0.z, splat(0.0f32));
+            let e_62 = exit_v0;
+            exit_v0 = sel(and(ex, c10), min(e_62, div(sub(sqrt(above_45), h_a0.y), mul(splat(2.0f32), h_a0.z))), exit_v0);
+        }
+        ex = b8;
+    }
+    ex = b6;
+    let e_71 = exit_v0;
+    return e_71;
+} }
+lanes! { fn height_size(r: &Resources<'_>, level_a0: U) -> Vec2<F> {
+    let e_1 = height_texels(r, level_a0);
+    return Vec2 { x: f_of_i(e_1.x), y: f_of_i(e_1.y) };
+} }
+lanes! { fn path_height(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
+    return add(path_a0.h.x, mul(t_a1, add(path_a0.h.y, mul(t_a1, path_a0.h.z))));
+} }
+lanes! { fn height_cell_ll(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: U) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let n_2 = height_texels(r, level_a1);
+    let k_3 = i_of_u(level_a1);
+    let i0_6 = wrap_index(r, ex, cell_a0.x, n_2.x);
+    let i1_11 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), n_2.x);
+    let j0_14 = wrap_index(r, ex, cell_a0.y, n_2.y);
+    let j1_19 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), n_2.y);
+    let e_22 = height_texel_of_each(&r.height_map, ex, i0_6, j0_14, k_3);
+    let e_26 = height_texel_of_each(&r.height_map, ex, i1_11, j0_14, k_3);
+    let e_30 = height_texel_of_each(&r.height_map, ex, i0_6, j1_19, k_3);
+    let e_34 = height_texel_of_each(&r.height_map, ex, i1_11, j1_19, k_3);
+    return Vec4 { x: e_22.x, y: e_26.x, z: e_30.x, w: e_34.x };
+} }
+lanes! { fn height_cell_ls(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let n_2 = height_texels(r, splat_u(level_a1));
+    let k_3 = (level_a1 as i32);
+    let i0_6 = wrap_index(r, ex, cell_a0.x, n_2.x);
+    let i1_11 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), n_2.x);
+    let j0_14 = wrap_index(r, ex, cell_a0.y, n_2.y);
+    let j1_19 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), n_2.y);
+    let e_22 = height_texel(&r.height_map, i0_6, j0_14, k_3);
+    let e_26 = height_texel(&r.height_map, i1_11, j0_14, k_3);
+    let e_30 = height_texel(&r.height_map, i0_6, j1_19, k_3);
+    let e_34 = height_texel(&r.height_map, i1_11, j1_19, k_3);
+    return Vec4 { x: e_22.x, y: e_26.x, z: e_30.x, w: e_34.x };
+} }
+lanes! { fn height_at_ll(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: U) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let e_2 = height_size(r, level_a1);
+    let point_7 = Vec2 { x: sub(mul(uv_a0.x, e_2.x), splat(0.5f32)), y: sub(mul(uv_a0.y, e_2.y), splat(0.5f32)) };
+    let cell_8 = cell_of(r, point_7);
+    let f_9 = Vec2 { x: sub(point_7.x, cell_8.x), y: sub(point_7.y, cell_8.y) };
+    let h_11 = height_cell_ll(r, ex, Vec2 { x: i_of_small(cell_8.x), y: i_of_small(cell_8.y) }, level_a1);
+    let top_18 = add(h_11.x, mul(sub(h_11.y, h_11.x), f_9.x));
+    let bottom_25 = add(h_11.z, mul(sub(h_11.w, h_11.z), f_9.x));
+    return add(top_18, mul(sub(bottom_25, top_18), f_9.y));
+} }
+lanes! { fn height_at_ls(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: u32) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let e_2 = height_size(r, splat_u(level_a1));
+    let point_7 = Vec2 { x: sub(mul(uv_a0.x, e_2.x), splat(0.5f32)), y: sub(mul(uv_a0.y, e_2.y), splat(0.5f32)) };
+    let cell_8 = cell_of(r, point_7);
+    let f_9 = Vec2 { x: sub(point_7.x, cell_8.x), y: sub(point_7.y, cell_8.y) };
+    let h_11 = height_cell_ls(r, ex, Vec2 { x: i_of_small(cell_8.x), y: i_of_small(cell_8.y) }, level_a1);
+    let top_18 = add(h_11.x, mul(sub(h_11.y, h_11.x), f_9.x));
+    let bottom_25 = add(h_11.z, mul(sub(h_11.w, h_11.z), f_9.x));
+    return add(top_18, mul(sub(bottom_25, top_18), f_9.y));
+} }
+lanes! { fn path_uv(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> Vec2<F> {
+    return Vec2 { x: add(path_a0.uv.x, mul(path_a0.duv.x, t_a1)), y: add(path_a0.uv.y, mul(path_a0.duv.y, t_a1)) };
+} }
+lanes! { fn path_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let e_2 = path_height(r, path_a0, t_a1);
+    let e_3 = path_uv(r, path_a0, t_a1);
+    let e_5 = height_at_ll(r, ex, e_3, path_a0.level);
+    return sub(e_2, e_5);
+} }
+lanes! { fn gap_to(r: &Resources<'_>, path_a0: &Path, grid_a1: &Grid, cell_a2: Vec2<F>, h_a3: Vec4<F>, t_a4: f32) -> Vec3<F> {
+    let bx_7 = sub(h_a3.y, h_a3.x);
+    let by_10 = sub(h_a3.z, h_a3.x);
+    let twist_17 = add(sub(h_a3.x, h_a3.y), sub(h_a3.w, h_a3.z));
+    let at_22 = Vec2 { x: add(sub(grid_a1.origin.x, cell_a2.x), mul(grid_a1.step.x, splat(t_a4))), y: add(sub(grid_a1.origin.y, cell_a2.y), mul(grid_a1.step.y, splat(t_a4))) };
+    let z_32 = add(path_a0.h.x, mul(splat(t_a4), add(path_a0.h.y, mul(splat(t_a4), path_a0.h.z))));
+    let dz_40 = add(path_a0.h.y, mul(splat((2.0f32 * t_a4)), path_a0.h.z));
+    return Vec3 { x: sub(z_32, add(add(add(h_a3.x, mul(bx_7, at_22.x)), mul(by_10, at_22.y)), mul(mul(twist_17, at_22.x), at_22.y))), y: sub(dz_40, add(add(mul(bx_7, grid_a1.step.x), mul(by_10, grid_a1.step.y)), mul(twist_17, add(mul(at_22.x, grid_a1.step.y), mul(at_22.y, grid_a1.step.x))))), z: sub(path_a0.h.z, mul(mul(twist_17, grid_a1.step.x), grid_a1.step.y)) };
+} }
+lanes! { fn cell_leave(r: &Resources<'_>, within: M, grid_a0: &Grid, cell_a1: Vec2<F>) -> Vec2<F> {
+    let mut ex = within;
+    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut leave_v0: Vec2<F> = Vec2 { x: splat(3e38f32), y: splat(3e38f32) };
+    let c1 = gt(grid_a0.step.x, splat(0.0f32));
+    leave_v0.x = sel(c1, div(sub(add(cell_a1.x, splat(1.0f32)), grid_a0.origin.x), grid_a0.step.x), leave_v0.x);
+    let c2 = lt(grid_a0.step.x, splat(0.0f32));
+    leave_v0.x = sel(c2, div(sub(cell_a1.x, grid_a0.origin.x), grid_a0.step.x), leave_v0.x);
+    let c3 = gt(grid_a0.step.y, splat(0.0f32));
+    leave_v0.y = sel(c3, div(sub(add(cell_a1.y, splat(1.0f32)), grid_a0.origin.y), grid_a0.step.y), leave_v0.y);
+    let c4 = lt(grid_a0.step.y, splat(0.0f32));
+    leave_v0.y = sel(c4, div(sub(cell_a1.y, grid_a0.origin.y), grid_a0.step.y), leave_v0.y);
+    let e_58 = leave_v0;
+    return e_58;
+} }
+lanes! { fn cell_slopes(r: &Resources<'_>, h_a0: Vec4<F>, part_a1: Vec2<F>) -> Vec2<F> {
+    let top_4 = sub(h_a0.y, h_a0.x);
+    let left_7 = sub(h_a0.z, h_a0.x);
+    let twist_11 = sub(sub(h_a0.w, h_a0.z), top_4);
+    return Vec2 { x: add(top_4, mul(twist_11, part_a1.y)), y: add(left_7, mul(twist_11, part_a1.x)) };
+} }
+lanes! { fn inside_unit(r: &Resources<'_>, within: M, x0_a0: F, dx_a1: F, interval_a2: Vec2<F>) -> Vec2<F> {
+    let mut ex = within;
+    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut both_v0: M = splat_m(false);
+    let (b1, c2) = (ex, eq(dx_a1, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        both_v0 = or(lt(x0_a0, splat(0.0f32)), gt(x0_a0, splat(1.0f32)));
+        let e_13 = both_v0;
+        let (b3, c4) = (ex, e_13);
+        ex = and(b3, c4);
+        if any(ex) {
+            ret = Vec2 { x: splat(1.0f32), y: splat((-1.0f32)) };
+            ex = no_lane();
+        }
+        ex = and_not(b3, c4);
+        let y5 = interval_a2;
+        ret = Vec2 { x: sel(ex, y5.x, ret.x), y: sel(ex, y5.y, ret.y) };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    let a_19 = div(sub(splat(0.0f32), x0_a0), dx_a1);
+    let b_22 = div(sub(splat(1.0f32), x0_a0), dx_a1);
+    let y6 = Vec2 { x: max(interval_a2.x, min(a_19, b_22)), y: min(interval_a2.y, max(a_19, b_22)) };
+    return Vec2 { x: sel(ex, y6.x, ret.x), y: sel(ex, y6.y, ret.y) };
+} }
+lanes! { fn path_from(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> Path {
+    let mut rest_v0: Path = zero_path();
+    rest_v0 = *path_a0;
+    let e_4 = path_uv(r, path_a0, t_a1);
+    rest_v0.uv = e_4;
+    rest_v0.h = Vec3 { x: add(path_a0.h.x, mul(t_a1, add(path_a0.h.y, mul(t_a1, path_a0.h.z)))), y: add(path_a0.h.y, mul(mul(splat(2.0f32), t_a1), path_a0.h.z)), z: path_a0.h.z };
+    rest_v0.exit = sub(path_a0.exit, t_a1);
+    rest_v0.start = add(path_a0.start, t_a1);
+    let e_33 = rest_v0;
+    return e_33;
+} }
+lanes! { fn grid_of(r: &Resources<'_>, path_a0: &Path) -> Grid {
+    let size_2 = height_size(r, path_a0.level);
+    return Grid { origin: Vec2 { x: sub(mul(path_a0.uv.x, size_2.x), splat(0.5f32)), y: sub(mul(path_a0.uv.y, size_2.y), splat(0.5f32)) }, step: Vec2 { x: mul(path_a0.duv.x, size_2.x), y: mul(path_a0.duv.y, size_2.y) }, };
+} }
+lanes! { fn color_at(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: U) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_5 = level_texels(r, r.surface_settings.color_size, level_a1);
+    let at_6 = texels_around(r, ex, uv_a0, e_5);
+    let k_7 = i_of_u(level_a1);
+    let e_14 = color_texel_of_each(&r.color_map, ex, at_6.columns.x, at_6.rows.x, splat_i(0i32), k_7);
+    let e_21 = color_texel_of_each(&r.color_map, ex, at_6.columns.y, at_6.rows.x, splat_i(0i32), k_7);
+    let e_28 = color_texel_of_each(&r.color_map, ex, at_6.columns.x, at_6.rows.y, splat_i(0i32), k_7);
+    let e_35 = color_texel_of_each(&r.color_map, ex, at_6.columns.y, at_6.rows.y, splat_i(0i32), k_7);
+    let e_37 = bilinear(r, e_14, e_21, e_28, e_35, Vec2 { x: at_6.part.x, y: at_6.part.y });
+    return e_37;
+} }
+lanes! { fn color_or_white(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, footprint_a1: F) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    if (r.surface_settings.has_color != 1u32) {
+        return Vec3 { x: splat(1.0f32), y: splat(1.0f32), z: splat(1.0f32) };
+    }
+    let levels_18 = levels_of(r, ex, mul(footprint_a1, splat(r.surface_settings.color_texels)), r.surface_settings.color_levels);
+    let e_20 = color_at(r, ex, uv_a0, levels_18.fine);
+    let (b1, c2) = (ex, gt(levels_18.part, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_28 = color_at(r, ex, uv_a0, add_u(levels_18.fine, splat_u(1u32)));
+        ret = Vec3 { x: add(e_20.x, mul(sub(e_28.x, e_20.x), levels_18.part)), y: add(e_20.y, mul(sub(e_28.y, e_20.y), levels_18.part)), z: add(e_20.z, mul(sub(e_28.z, e_20.z), levels_18.part)) };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    let y3 = Vec3 { x: e_20.x, y: e_20.y, z: e_20.z };
+    return Vec3 { x: sel(ex, y3.x, ret.x), y: sel(ex, y3.y, ret.y), z: sel(ex, y3.z, ret.z) };
+} }
+lanes! { fn plane_distance(r: &Resources<'_>, pixel_a0: &PixelIn, normal_a1: Vec3<F>) -> F {
+    return div(add(add(add(mul(normal_a1.x, sub(splat(pixel_a0.a.position.x), pixel_a0.origin.x)), mul(normal_a1.y, sub(splat(pixel_a0.a.position.y), pixel_a0.origin.y))), mul(normal_a1.z, sub(splat(pixel_a0.a.position.z), pixel_a0.origin.z))), splat(0.0f32)), add(add(add(mul(normal_a1.x, pixel_a0.direction.x), mul(normal_a1.y, pixel_a0.direction.y)), mul(normal_a1.z, pixel_a0.direction.z)), splat(0.0f32)));
+} }
+lanes! { fn depth_in_samples(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered) -> F {
+    let t_3 = plane_distance(r, pixel_a0, Vec3 { x: at_a1.facing.x, y: at_a1.facing.y, z: at_a1.facing.z });
+    let e_13 = Vec3 { x: add(splat(r.frame.eye_right.x), mul(splat(r.frame.right.x), t_3)), y: add(splat(r.frame.eye_right.y), mul(splat(r.frame.right.y), t_3)), z: add(splat(r.frame.eye_right.z), mul(splat(r.frame.right.z), t_3)) };
+    let width_18 = mul(sqrt(add(add(mul(e_13.x, e_13.x), mul(e_13.y, e_13.y)), mul(e_13.z, e_13.z))), splat(r.frame.sample_width));
+    return div(splat(r.surface_settings.scale_m), width_18);
+} }
+lanes! { fn depth_on_ray(r: &Resources<'_>, pixel_a0: &PixelIn, path_a1: &Path, hit_a2: &Hit) -> F {
+    return div(add(path_a1.start, hit_a2.t), sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z))));
+} }
+lanes! { fn footprint_axis(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, normal_a2: Vec3<F>, t_a3: F, origin_a4: Vec3<f32>, direction_a5: Vec3<f32>) -> Vec2<F> {
+    let aside_7 = Vec3 { x: add(splat(origin_a4.x), mul(splat(direction_a5.x), t_a3)), y: add(splat(origin_a4.y), mul(splat(direction_a5.y), t_a3)), z: add(splat(origin_a4.z), mul(splat(direction_a5.z), t_a3)) };
+    let along_11 = div(add(add(add(mul(normal_a2.x, aside_7.x), mul(normal_a2.y, aside_7.y)), mul(normal_a2.z, aside_7.z)), splat(0.0f32)), add(add(add(mul(normal_a2.x, pixel_a0.direction.x), mul(normal_a2.y, pixel_a0.direction.y)), mul(normal_a2.z, pixel_a0.direction.z)), splat(0.0f32)));
+    let e_15 = climb(r, at_a1, Vec3 { x: sub(aside_7.x, mul(pixel_a0.direction.x, along_11)), y: sub(aside_7.y, mul(pixel_a0.direction.y, along_11)), z: sub(aside_7.z, mul(pixel_a0.direction.z, along_11)) });
+    return Vec2 { x: mul(e_15.x, splat((r.surface_settings.height_size.x as f32))), y: mul(e_15.y, splat((r.surface_settings.height_size.y as f32))) };
+} }
+lanes! { fn footprint_of(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, anisotropy_a2: f32) -> F {
+    let t_4 = plane_distance(r, pixel_a0, Vec3 { x: at_a1.facing.x, y: at_a1.facing.y, z: at_a1.facing.z });
+    let right_13 = footprint_axis(r, pixel_a0, at_a1, Vec3 { x: at_a1.facing.x, y: at_a1.facing.y, z: at_a1.facing.z }, t_4, Vec3 { x: r.frame.eye_right.x, y: r.frame.eye_right.y, z: r.frame.eye_right.z }, Vec3 { x: r.frame.right.x, y: r.frame.right.y, z: r.frame.right.z });
+    let down_22 = footprint_axis(r, pixel_a0, at_a1, Vec3 { x: at_a1.facing.x, y: at_a1.facing.y, z: at_a1.facing.z }, t_4, Vec3 { x: r.frame.eye_down.x, y: r.frame.eye_down.y, z: r.frame.eye_down.z }, Vec3 { x: r.frame.down.x, y: r.frame.down.y, z: r.frame.down.z });
+    let both_23 = Vec4 { x: right_13.x, y: right_13.y, z: down_22.x, w: down_22.y };
+    let sum_24 = add(add(add(add(mul(both_23.x, both_23.x), mul(both_23.y, both_23.y)), mul(both_23.z, both_23.z)), mul(both_23.w, both_23.w)), splat(0.0f32));
+    let area_31 = sub(mul(right_13.x, down_22.y), mul(right_13.y, down_22.x));
+    let apart_41 = sqrt(max_with(mul(sub(sum_24, mul(splat(2.0f32), area_31)), add(sum_24, mul(splat(2.0f32), area_31))), splat(0.0f32)));
+    let longer_44 = mul(splat(0.5f32), add(sum_24, apart_41));
+    let shorter_46 = div(mul(area_31, area_31), longer_44);
+    let squared_49 = max(shorter_46, div(longer_44, splat((anisotropy_a2 * anisotropy_a2))));
+    return mul(sqrt(squared_49), splat(r.frame.sample_width));
+} }
+lanes! { fn detail_fade(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, params_a2: Vec4<f32>) -> Detail {
+    let mut ex = within;
+    let mut ret: Detail = zero_detail();
+    let footprint_4 = footprint_of(r, pixel_a0, at_a1, params_a2.x);
+    let begin_7 = (params_a2.z * params_a2.w);
+    let e_8 = depth_in_samples(r, pixel_a0, at_a1);
+    let part_14 = div(sub(splat(begin_7), e_8), splat((begin_7 - params_a2.z).max(1e-6f32)));
+    let e_20 = levels_of(r, ex, div(footprint_4, splat(params_a2.y)), r.surface_settings.height_levels);
+    return Detail { level: e_20.fine, footprint: footprint_4, fade: min_with(max_with(part_14, splat(0.0f32)), splat(0.99902344f32)), };
+} }
+lanes! { fn detail_footprint(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, params_a2: Vec4<f32>) -> Detail {
+    let mut ex = within;
+    let mut ret: Detail = zero_detail();
+    let footprint_4 = footprint_of(r, pixel_a0, at_a1, params_a2.x);
+    let e_10 = levels_of(r, ex, div(footprint_4, splat(params_a2.y)), r.surface_settings.height_levels);
+    return Detail { level: e_10.fine, footprint: footprint_4, fade: splat(0.0f32), };
+} }
+lanes! { fn detail_none(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, params_a2: Vec4<f32>) -> Detail {
+    return Detail { level: splat_u(0u32), footprint: splat(0.0f32), fade: splat(0.0f32), };
+} }
+lanes! { fn detail_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered) -> Detail {
+    let mut ex = within;
+    let mut ret: Detail = zero_detail();
+    match r.surface_settings.choices[2].number {
+        0u32 => {
+            let e_12 = detail_none(r, pixel_a0, at_a1, r.surface_settings.choices[2].params);
+            return e_12;
+        }
+        1u32 => {
+            let e_18 = detail_footprint(r, ex, pixel_a0, at_a1, r.surface_settings.choices[2].params);
+            return e_18;
+        }
+        _ => {
+            let e_24 = detail_fade(r, ex, pixel_a0, at_a1, r.surface_settings.choices[2].params);
+            return e_24;
+        }
+    }
+} }
+lanes! { fn detail_texel(r: &Resources<'_>, within: M, place_a0: Vec2<I>, layer_a1: I, level_a2: I) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_4 = map_texel_of_each(&r.detail_map, ex, place_a0.x, place_a0.y, layer_a1, level_a2);
+    let e_9 = decoded(r, e_4, &r.surface_settings.maps[0]);
+    return e_9;
+} }
+lanes! { fn detail_texel_between(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, layer_a1: I, level_a2: U) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_3 = height_texels(r, level_a2);
+    let at_4 = texels_around(r, ex, uv_a0, e_3);
+    let k_7 = i_of_u(sub_u(level_a2, splat_u(2u32)));
+    let e_13 = detail_texel(r, ex, Vec2 { x: at_4.columns.x, y: at_4.rows.x }, layer_a1, k_7);
+    let e_19 = detail_texel(r, ex, Vec2 { x: at_4.columns.y, y: at_4.rows.x }, layer_a1, k_7);
+    let e_25 = detail_texel(r, ex, Vec2 { x: at_4.columns.x, y: at_4.rows.y }, layer_a1, k_7);
+    let e_31 = detail_texel(r, ex, Vec2 { x: at_4.columns.y, y: at_4.rows.y }, layer_a1, k_7);
+    let e_33 = bilinear(r, e_13, e_19, e_25, e_31, Vec2 { x: at_4.part.x, y: at_4.part.y });
+    return e_33;
+} }
+lanes! { fn eighth_turn(r: &Resources<'_>, tangent_a0: F) -> F {
+    let s_1 = mul(tangent_a0, tangent_a0);
+    let series_14 = add(splat(0.999866f32), mul(s_1, add(splat((-0.3302995f32)), mul(s_1, add(splat(0.180141f32), mul(s_1, add(splat((-0.085133f32)), mul(s_1, splat(0.0208351f32)))))))));
+    return mul(mul(tangent_a0, series_14), splat(0.15915494f32));
+} }
+lanes! { fn plane_normal(r: &Resources<'_>, pixel_a0: &PixelIn) -> Vec3<F> {
+    let e_5 = Vec3 { x: (pixel_a0.b.position.x - pixel_a0.a.position.x), y: (pixel_a0.b.position.y - pixel_a0.a.position.y), z: (pixel_a0.b.position.z - pixel_a0.a.position.z) };
+    let e_8 = Vec3 { x: (pixel_a0.c.position.x - pixel_a0.a.position.x), y: (pixel_a0.c.position.y - pixel_a0.a.position.y), z: (pixel_a0.c.position.z - pixel_a0.a.position.z) };
+    return Vec3 { x: splat((e_5.y * e_8.z - e_5.z * e_8.y)), y: splat((e_5.z * e_8.x - e_5.x * e_8.z)), z: splat((e_5.x * e_8.y - e_5.y * e_8.x)) };
+} }
+lanes! { fn plane_weights(r: &Resources<'_>, pixel_a0: &PixelIn, normal_a1: Vec3<F>, point_a2: Vec3<F>) -> Vec3<F> {
+    let nn_5 = add(add(add(mul(normal_a1.x, normal_a1.x), mul(normal_a1.y, normal_a1.y)), mul(normal_a1.z, normal_a1.z)), splat(0.0f32));
+    let from_a_6 = Vec3 { x: sub(point_a2.x, splat(pixel_a0.a.position.x)), y: sub(point_a2.y, splat(pixel_a0.a.position.y)), z: sub(point_a2.z, splat(pixel_a0.a.position.z)) };
+    let e_9 = Vec3 { x: (pixel_a0.c.position.x - pixel_a0.a.position.x), y: (pixel_a0.c.position.y - pixel_a0.a.position.y), z: (pixel_a0.c.position.z - pixel_a0.a.position.z) };
+    let wb_12 = div(add(add(add(mul(sub(mul(from_a_6.y, splat(e_9.z)), mul(from_a_6.z, splat(e_9.y))), normal_a1.x), mul(sub(mul(from_a_6.z, splat(e_9.x)), mul(from_a_6.x, splat(e_9.z))), normal_a1.y)), mul(sub(mul(from_a_6.x, splat(e_9.y)), mul(from_a_6.y, splat(e_9.x))), normal_a1.z)), splat(0.0f32)), nn_5);
+    let e_15 = Vec3 { x: (pixel_a0.b.position.x - pixel_a0.a.position.x), y: (pixel_a0.b.position.y - pixel_a0.a.position.y), z: (pixel_a0.b.position.z - pixel_a0.a.position.z) };
+    let wc_18 = div(add(add(add(mul(sub(mul(splat(e_15.y), from_a_6.z), mul(splat(e_15.z), from_a_6.y)), normal_a1.x), mul(sub(mul(splat(e_15.z), from_a_6.x), mul(splat(e_15.x), from_a_6.z)), normal_a1.y)), mul(sub(mul(splat(e_15.x), from_a_6.y), mul(splat(e_15.y), from_a_6.x)), normal_a1.z)), splat(0.0f32)), nn_5);
+    return Vec3 { x: sub(sub(splat(1.0f32), wb_12), wc_18), y: wb_12, z: wc_18 };
+} }
+lanes! { fn surface_plane_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut both_v0: M = splat_m(false);
+    let n_2 = plane_normal(r, pixel_a0);
+    let e_5 = plane_distance(r, pixel_a0, n_2);
+    let point_7 = Vec3 { x: add(pixel_a0.origin.x, mul(pixel_a0.direction.x, e_5)), y: add(pixel_a0.origin.y, mul(pixel_a0.direction.y, e_5)), z: add(pixel_a0.origin.z, mul(pixel_a0.direction.z, e_5)) };
+    let w_8 = plane_weights(r, pixel_a0, n_2, point_7);
+    let uv_22 = Vec2 { x: add(add(mul(splat(pixel_a0.a.uv.x), w_8.x), mul(splat(pixel_a0.b.uv.x), w_8.y)), mul(splat(pixel_a0.c.uv.x), w_8.z)), y: add(add(mul(splat(pixel_a0.a.uv.y), w_8.x), mul(splat(pixel_a0.b.uv.y), w_8.y)), mul(splat(pixel_a0.c.uv.y), w_8.z)) };
+    let tangent_33 = Vec3 { x: add(add(mul(splat(pixel_a0.a.tangent.x), w_8.x), mul(splat(pixel_a0.b.tangent.x), w_8.y)), mul(splat(pixel_a0.c.tangent.x), w_8.z)), y: add(add(mul(splat(pixel_a0.a.tangent.y), w_8.x), mul(splat(pixel_a0.b.tangent.y), w_8.y)), mul(splat(pixel_a0.c.tangent.y), w_8.z)), z: add(add(mul(splat(pixel_a0.a.tangent.z), w_8.x), mul(splat(pixel_a0.b.tangent.z), w_8.y)), mul(splat(pixel_a0.c.tangent.z), w_8.z)) };
+    let bitangent_44 = Vec3 { x: add(add(mul(splat(pixel_a0.a.bitangent.x), w_8.x), mul(splat(pixel_a0.b.bitangent.x), w_8.y)), mul(splat(pixel_a0.c.bitangent.x), w_8.z)), y: add(add(mul(splat(pixel_a0.a.bitangent.y), w_8.x), mul(splat(pixel_a0.b.bitangent.y), w_8.y)), mul(splat(pixel_a0.c.bitangent.y), w_8.z)), z: add(add(mul(splat(pixel_a0.a.bitangent.z), w_8.x), mul(splat(pixel_a0.b.bitangent.z), w_8.y)), mul(splat(pixel_a0.c.bitangent.z), w_8.z)) };
+    let e_55 = Vec3 { x: add(add(mul(splat(pixel_a0.a.normal.x), w_8.x), mul(splat(pixel_a0.b.normal.x), w_8.y)), mul(splat(pixel_a0.c.normal.x), w_8.z)), y: add(add(mul(splat(pixel_a0.a.normal.y), w_8.x), mul(splat(pixel_a0.b.normal.y), w_8.y)), mul(splat(pixel_a0.c.normal.y), w_8.z)), z: add(add(mul(splat(pixel_a0.a.normal.z), w_8.x), mul(splat(pixel_a0.b.normal.z), w_8.y)), mul(splat(pixel_a0.c.normal.z), w_8.z)) };
+    let length1 = sqrt(add(add(mul(e_55.x, e_55.x), mul(e_55.y, e_55.y)), mul(e_55.z, e_55.z)));
+    let e_56 = Vec3 { x: div(e_55.x, length1), y: div(e_55.y, length1), z: div(e_55.z, length1) };
+    let normal_58 = Vec3 { x: mul(e_56.x, splat(pixel_a0.side)), y: mul(e_56.y, splat(pixel_a0.side)), z: mul(e_56.z, splat(pixel_a0.side)) };
+    let tt_59 = add(add(add(mul(tangent_33.x, tangent_33.x), mul(tangent_33.y, tangent_33.y)), mul(tangent_33.z, tangent_33.z)), splat(0.0f32));
+    let tb_60 = add(add(add(mul(tangent_33.x, bitangent_44.x), mul(tangent_33.y, bitangent_44.y)), mul(tangent_33.z, bitangent_44.z)), splat(0.0f32));
+    let bb_61 = add(add(add(mul(bitangent_44.x, bitangent_44.x), mul(bitangent_44.y, bitangent_44.y)), mul(bitangent_44.z, bitangent_44.z)), splat(0.0f32));
+    let area_64 = sub(mul(tt_59, bb_61), mul(tb_60, tb_60));
+    let metric_68 = Vec4 { x: tt_59, y: tb_60, z: bb_61, w: splat(r.surface_settings.scale_m) };
+    let e_71 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let descent_76 = sub(splat(0.0f32), add(add(add(mul(normal_58.x, div(pixel_a0.direction.x, e_71)), mul(normal_58.y, div(pixel_a0.direction.y, e_71))), mul(normal_58.z, div(pixel_a0.direction.z, e_71))), splat(0.0f32)));
+    both_v0 = and(gt(area_64, splat(0.0f32)), gt(descent_76, splat(0.0f32)));
+    let e_86 = both_v0;
+    let segments_87 = sel_u(e_86, splat_u(1u32), splat_u(0u32));
+    return Entered { segments: segments_87, point: point_7, uv: uv_22, tangent: tangent_33, bitangent: bitangent_44, normal: normal_58, metric: metric_68, level: splat_u(0u32), facing: n_2, span: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, quadric: Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) }, footprint: splat(0.0f32), fade: splat(0.0f32), depth: splat(0.0f32), };
+} }
+stage! { fn surface_prism_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
+    if none(within) { return zero_entered(); }
+    let pixel_a0 = singles_pixel_in(pixel_a0);
+    let one = |lane: usize| r.surface_prism_enter(pixel_a0[lane], params_a1);
+    let mut rest = bits_of(within);
+    let mut results = [one(rest.trailing_zeros() as usize); LANES];
+    rest &= rest - 1;
+    while rest != 0 {
+        let lane = rest.trailing_zeros() as usize;
+        results[lane] = one(lane);
+        rest &= rest - 1;
+    }
+    lanes_of_entered(&results)
+} }
+lanes! { fn weight_at(r: &Resources<'_>, order_a0: u32, weights_a1: Vec3<F>) -> F {
+    let corner_3 = (order_a0 & 3u32);
+    return sel(splat_m((corner_3 == 0u32)), weights_a1.x, sel(splat_m((corner_3 == 1u32)), weights_a1.y, weights_a1.z));
+} }
+lanes! { fn ordered_weights(r: &Resources<'_>, shell_a0: &single::Shell, weights_a1: Vec3<F>) -> Vec3<F> {
+    let e_3 = weight_at(r, shell_a0.order, weights_a1);
+    let e_7 = weight_at(r, shell_a0.order.unbounded_shr(2u32), weights_a1);
+    let e_11 = weight_at(r, shell_a0.order.unbounded_shr(4u32), weights_a1);
+    return Vec3 { x: e_3, y: e_7, z: e_11 };
+} }
+lanes! { fn quadric_of(r: &Resources<'_>, pixel_a0: &PixelIn, point_a1: Vec3<F>, lift_a2: f32) -> Vec4<F> {
+    let mut height_v0: f32 = 0f32;
+    let e_3 = plane_normal(r, pixel_a0);
+    let w_4 = plane_weights(r, pixel_a0, e_3, point_a1);
+    let quadric_18 = Vec3 { x: add(add(mul(splat(pixel_a0.a.quadric.x), w_4.x), mul(splat(pixel_a0.b.quadric.x), w_4.y)), mul(splat(pixel_a0.c.quadric.x), w_4.z)), y: add(add(mul(splat(pixel_a0.a.quadric.y), w_4.x), mul(splat(pixel_a0.b.quadric.y), w_4.y)), mul(splat(pixel_a0.c.quadric.y), w_4.z)), z: add(add(mul(splat(pixel_a0.a.quadric.z), w_4.x), mul(splat(pixel_a0.b.quadric.z), w_4.y)), mul(splat(pixel_a0.c.quadric.z), w_4.z)) };
+    let e_19 = r.base_height();
+    height_v0 = e_19;
+    if ((r.surface_settings.bias_m + r.surface_settings.scale_m) > 0.0f32) {
+        let e_30 = height_v0;
+        height_v0 = (if (pixel_a0.side > 0.0f32) { 1.0f32 } else { ((2.0f32 * e_30) - 1.0f32) });
+    }
+    let e_43 = ordered_weights(r, &pixel_a0.shell, w_4);
+    let e_44 = lift_of(r, Vec3 { x: pixel_a0.shell.lift.x, y: pixel_a0.shell.lift.y, z: pixel_a0.shell.lift.z }, e_43);
+    let lifted_47 = mul(e_44, splat((lift_a2 * pixel_a0.side)));
+    let e_50 = height_v0;
+    let e_51 = r.traced_scale_m();
+    return Vec4 { x: mul(quadric_18.x, splat(pixel_a0.side)), y: mul(quadric_18.y, splat(pixel_a0.side)), z: mul(quadric_18.z, splat(pixel_a0.side)), w: sub(splat(e_50), div(lifted_47, splat(e_51))) };
+} }
+lanes! { fn surface_quadric_vertical_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut at_v0: Entered = zero_entered();
+    let e_2 = surface_plane_enter(r, ex, pixel_a0, params_a1);
+    at_v0 = e_2;
+    let e_6 = at_v0.point;
+    let e_8 = quadric_of(r, pixel_a0, e_6, params_a1.y);
+    at_v0.quadric = e_8;
+    let e_11 = at_v0.metric.x;
+    let e_14 = at_v0.metric.z;
+    let e_18 = at_v0.metric.y;
+    let e_21 = at_v0.metric.y;
+    let area_23 = sub(mul(e_11, e_14), mul(e_18, e_21));
+    at_v0.segments = sel_u(gt(area_23, splat(0.0f32)), splat_u(1u32), splat_u(0u32));
+    let e_30 = at_v0;
+    return e_30;
+} }
+lanes! { fn surface_quadric_perpendicular_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut at_v0: Entered = zero_entered();
+    let e_2 = surface_quadric_vertical_enter(r, ex, pixel_a0, params_a1);
+    at_v0 = e_2;
+    let along_5 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let e_6 = at_v0;
+    let ray_10 = across_of(r, &e_6, Vec3 { x: div(pixel_a0.direction.x, along_5), y: div(pixel_a0.direction.y, along_5), z: div(pixel_a0.direction.z, along_5) });
+    let e_11 = plane_normal(r, pixel_a0);
+    let e_12 = plane_distance(r, pixel_a0, e_11);
+    let eye_15 = sub(splat(0.0f32), mul(e_12, along_5));
+    let e_17 = at_v0;
+    let e_18 = across_span(r, ex, &e_17, &ray_10, eye_15);
+    at_v0.span = e_18;
+    let e_22 = at_v0.segments;
+    let e_28 = at_v0.span.y;
+    let e_31 = at_v0.span.x;
+    at_v0.segments = sel_u(gt(e_28, e_31), mul_u(e_22, splat_u((params_a1.z as u32))), splat_u(0u32));
+    let e_34 = at_v0;
+    return e_34;
+} }
+stage! { fn surface_tetrahedra_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
+    if none(within) { return zero_entered(); }
+    let pixel_a0 = singles_pixel_in(pixel_a0);
+    let one = |lane: usize| r.surface_tetrahedra_enter(pixel_a0[lane], params_a1);
+    let mut rest = bits_of(within);
+    let mut results = [one(rest.trailing_zeros() as usize); LANES];
+    rest &= rest - 1;
+    while rest != 0 {
+        let lane = rest.trailing_zeros() as usize;
+        results[lane] = one(lane);
+        rest &= rest - 1;
+    }
+    lanes_of_entered(&results)
+} }
+lanes! { fn facet_distance(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, normal_a1: Vec3<F>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let a_5 = Vec3 { x: sub(splat(pixel_a0.a.position.x), pixel_a0.origin.x), y: sub(splat(pixel_a0.a.position.y), pixel_a0.origin.y), z: sub(splat(pixel_a0.a.position.z), pixel_a0.origin.z) };
+    let b_9 = Vec3 { x: sub(splat(pixel_a0.b.position.x), pixel_a0.origin.x), y: sub(splat(pixel_a0.b.position.y), pixel_a0.origin.y), z: sub(splat(pixel_a0.b.position.z), pixel_a0.origin.z) };
+    let c_13 = Vec3 { x: sub(splat(pixel_a0.c.position.x), pixel_a0.origin.x), y: sub(splat(pixel_a0.c.position.y), pixel_a0.origin.y), z: sub(splat(pixel_a0.c.position.z), pixel_a0.origin.z) };
+    let e_17 = add(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)), splat(0.0f32));
+    let along_19 = Vec3 { x: div(pixel_a0.direction.x, e_17), y: div(pixel_a0.direction.y, e_17), z: div(pixel_a0.direction.z, e_17) };
+    let places_23 = Vec3 { x: add(add(add(mul(a_5.x, along_19.x), mul(a_5.y, along_19.y)), mul(a_5.z, along_19.z)), splat(0.0f32)), y: add(add(add(mul(b_9.x, along_19.x), mul(b_9.y, along_19.y)), mul(b_9.z, along_19.z)), splat(0.0f32)), z: add(add(add(mul(c_13.x, along_19.x), mul(c_13.y, along_19.y)), mul(c_13.z, along_19.z)), splat(0.0f32)) };
+    let least_28 = min(min(places_23.x, places_23.y), places_23.z);
+    let most_33 = max(max(places_23.x, places_23.y), places_23.z);
+    let across_35 = add(add(add(mul(normal_a1.x, pixel_a0.direction.x), mul(normal_a1.y, pixel_a0.direction.y)), mul(normal_a1.z, pixel_a0.direction.z)), splat(0.0f32));
+    let c1 = eq(across_35, splat(0.0f32));
+    ret = least_28;
+    ex = and_not(ex, c1);
+    return sel(ex, min(max(div(add(add(add(mul(normal_a1.x, a_5.x), mul(normal_a1.y, a_5.y)), mul(normal_a1.z, a_5.z)), splat(0.0f32)), across_35), least_28), most_33), ret);
+} }
+lanes! { fn is_on_map(r: &Resources<'_>, uv_a0: Vec2<F>) -> M {
+    let mut both_v0: M = splat_m(false);
+    let beyond_11 = sub(max(abs(sub(uv_a0.x, splat(0.5f32))), abs(sub(uv_a0.y, splat(0.5f32)))), splat(0.5f32));
+    if !(r.surface_settings.wrap != 1u32) {
+        both_v0 = le(beyond_11, splat(1e-6f32));
+    } else {
+        both_v0 = splat_m(true);
+    }
+    let e_23 = both_v0;
+    return e_23;
+} }
+lanes! { fn surface_facets_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut both_v0: M = splat_m(false);
+    let n_2 = plane_normal(r, pixel_a0);
+    let e_5 = facet_distance(r, ex, pixel_a0, n_2);
+    let point_7 = Vec3 { x: add(pixel_a0.origin.x, mul(pixel_a0.direction.x, e_5)), y: add(pixel_a0.origin.y, mul(pixel_a0.direction.y, e_5)), z: add(pixel_a0.origin.z, mul(pixel_a0.direction.z, e_5)) };
+    let e_8 = plane_weights(r, pixel_a0, n_2, point_7);
+    let inside_13 = Vec3 { x: max_with(e_8.x, splat(0.0f32)), y: max_with(e_8.y, splat(0.0f32)), z: max_with(e_8.z, splat(0.0f32)) };
+    let e_18 = add(add(inside_13.x, inside_13.y), inside_13.z);
+    let w_20 = Vec3 { x: div(inside_13.x, e_18), y: div(inside_13.y, e_18), z: div(inside_13.z, e_18) };
+    let uv_34 = Vec2 { x: add(add(mul(splat(pixel_a0.a.uv.x), w_20.x), mul(splat(pixel_a0.b.uv.x), w_20.y)), mul(splat(pixel_a0.c.uv.x), w_20.z)), y: add(add(mul(splat(pixel_a0.a.uv.y), w_20.x), mul(splat(pixel_a0.b.uv.y), w_20.y)), mul(splat(pixel_a0.c.uv.y), w_20.z)) };
+    let tangent_48 = Vec3 { x: add(add(mul(splat(pixel_a0.a.tangent.x), w_20.x), mul(splat(pixel_a0.b.tangent.x), w_20.y)), mul(splat(pixel_a0.c.tangent.x), w_20.z)), y: add(add(mul(splat(pixel_a0.a.tangent.y), w_20.x), mul(splat(pixel_a0.b.tangent.y), w_20.y)), mul(splat(pixel_a0.c.tangent.y), w_20.z)), z: add(add(mul(splat(pixel_a0.a.tangent.z), w_20.x), mul(splat(pixel_a0.b.tangent.z), w_20.y)), mul(splat(pixel_a0.c.tangent.z), w_20.z)) };
+    let bitangent_62 = Vec3 { x: add(add(mul(splat(pixel_a0.a.bitangent.x), w_20.x), mul(splat(pixel_a0.b.bitangent.x), w_20.y)), mul(splat(pixel_a0.c.bitangent.x), w_20.z)), y: add(add(mul(splat(pixel_a0.a.bitangent.y), w_20.x), mul(splat(pixel_a0.b.bitangent.y), w_20.y)), mul(splat(pixel_a0.c.bitangent.y), w_20.z)), z: add(add(mul(splat(pixel_a0.a.bitangent.z), w_20.x), mul(splat(pixel_a0.b.bitangent.z), w_20.y)), mul(splat(pixel_a0.c.bitangent.z), w_20.z)) };
+    let sum_78 = Vec3 { x: mul(add(add(mul(splat(pixel_a0.a.normal.x), w_20.x), mul(splat(pixel_a0.b.normal.x), w_20.y)), mul(splat(pixel_a0.c.normal.x), w_20.z)), splat(pixel_a0.side)), y: mul(add(add(mul(splat(pixel_a0.a.normal.y), w_20.x), mul(splat(pixel_a0.b.normal.y), w_20.y)), mul(splat(pixel_a0.c.normal.y), w_20.z)), splat(pixel_a0.side)), z: mul(add(add(mul(splat(pixel_a0.a.normal.z), w_20.x), mul(splat(pixel_a0.b.normal.z), w_20.y)), mul(splat(pixel_a0.c.normal.z), w_20.z)), splat(pixel_a0.side)) };
+    let tt_79 = add(add(add(mul(tangent_48.x, tangent_48.x), mul(tangent_48.y, tangent_48.y)), mul(tangent_48.z, tangent_48.z)), splat(0.0f32));
+    let tb_80 = add(add(add(mul(tangent_48.x, bitangent_62.x), mul(tangent_48.y, bitangent_62.y)), mul(tangent_48.z, bitangent_62.z)), splat(0.0f32));
+    let bb_81 = add(add(add(mul(bitangent_62.x, bitangent_62.x), mul(bitangent_62.y, bitangent_62.y)), mul(bitangent_62.z, bitangent_62.z)), splat(0.0f32));
+    let (b1, c2) = (ex, gt(add(add(add(mul(n_2.x, n_2.x), mul(n_2.y, n_2.y)), mul(n_2.z, n_2.z)), splat(0.0f32)), splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_89 = is_on_map(r, uv_34);
+        both_v0 = sel_m(ex, e_89, both_v0);
+    }
+    ex = and_not(b1, c2);
+    if any(ex) {
+        both_v0 = sel_m(ex, splat_m(false), both_v0);
+    }
+    ex = b1;
+    let e_91 = both_v0;
+    let length3 = sqrt(add(add(mul(sum_78.x, sum_78.x), mul(sum_78.y, sum_78.y)), mul(sum_78.z, sum_78.z)));
+    let e_93 = Vec3 { x: div(sum_78.x, length3), y: div(sum_78.y, length3), z: div(sum_78.z, length3) };
+    return Entered { segments: sel_u(e_91, splat_u(1u32), splat_u(0u32)), point: point_7, uv: uv_34, tangent: tangent_48, bitangent: bitangent_62, normal: e_93, metric: Vec4 { x: tt_79, y: tb_80, z: bb_81, w: splat(r.surface_settings.scale_m) }, level: splat_u(0u32), facing: n_2, span: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, quadric: Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) }, footprint: splat(0.0f32), fade: splat(0.0f32), depth: splat(0.0f32), };
+} }
+lanes! { fn surface_enter_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    match r.surface_settings.choices[1].number {
+        0u32 => {
+            let e_11 = surface_plane_enter(r, ex, pixel_a0, r.surface_settings.choices[1].params);
+            return e_11;
+        }
+        1u32 => {
+            let e_17 = surface_prism_enter(r, ex, pixel_a0, r.surface_settings.choices[1].params);
+            return e_17;
+        }
+        2u32 => {
+            let e_23 = surface_quadric_perpendicular_enter(r, ex, pixel_a0, r.surface_settings.choices[1].params);
+            return e_23;
+        }
+        3u32 => {
+            let e_29 = surface_quadric_vertical_enter(r, ex, pixel_a0, r.surface_settings.choices[1].params);
+            return e_29;
+        }
+        4u32 => {
+            let e_35 = surface_tetrahedra_enter(r, ex, pixel_a0, r.surface_settings.choices[1].params);
+            return e_35;
+        }
+        _ => {
+            let e_41 = surface_facets_enter(r, ex, pixel_a0, r.surface_settings.choices[1].params);
+            return e_41;
+        }
+    }
+} }
+stage! { pub(super) fn enter_relief(r: &Resources<'_>, within: M, pixel_a0: &PixelIn) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut at_v0: Entered = zero_entered();
+    let e_1 = surface_enter_stage(r, ex, pixel_a0);
+    at_v0 = e_1;
+    let e_4 = at_v0.segments;
+    let (b1, c2) = (ex, eq_u(e_4, splat_u(0u32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_7 = at_v0;
+        ret = e_7;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    let e_8 = at_v0;
+    if none(ex) { return ret; }
+    let detail_9 = detail_stage(r, ex, pixel_a0, &e_8);
+    at_v0.level = detail_9.level;
+    at_v0.footprint = detail_9.footprint;
+    at_v0.fade = detail_9.fade;
+    let e_16 = at_v0;
+    return sel_entered(ex, &e_16, &ret);
+} }
+lanes! { fn facing_four(r: &Resources<'_>, middle_a0: F, along_a1: F, across_a2: F) -> Vec4<F> {
+    let x_4 = mul(along_a1, splat(1.7320508f32));
+    let y_6 = mul(across_a2, splat(1.7320508f32));
+    return Vec4 { x: max_with(add(middle_a0, x_4), splat(0.0f32)), y: max_with(sub(middle_a0, x_4), splat(0.0f32)), z: max_with(add(middle_a0, y_6), splat(0.0f32)), w: max_with(sub(middle_a0, y_6), splat(0.0f32)) };
+} }
+lanes! { fn normal_at_lsl(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, layer_a1: i32, level_a2: U) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_6 = level_texels(r, r.surface_settings.normal_size, level_a2);
+    let at_7 = texels_around(r, ex, uv_a0, e_6);
+    let k_8 = i_of_u(level_a2);
+    let e_15 = color_texel_of_each(&r.normal_map, ex, at_7.columns.x, at_7.rows.x, splat_i(layer_a1), k_8);
+    let e_22 = color_texel_of_each(&r.normal_map, ex, at_7.columns.y, at_7.rows.x, splat_i(layer_a1), k_8);
+    let e_29 = color_texel_of_each(&r.normal_map, ex, at_7.columns.x, at_7.rows.y, splat_i(layer_a1), k_8);
+    let e_36 = color_texel_of_each(&r.normal_map, ex, at_7.columns.y, at_7.rows.y, splat_i(layer_a1), k_8);
+    let e_38 = bilinear(r, e_15, e_22, e_29, e_36, Vec2 { x: at_7.part.x, y: at_7.part.y });
+    return e_38;
+} }
+lanes! { fn normal_at_lss(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, layer_a1: i32, level_a2: u32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_6 = level_texels(r, r.surface_settings.normal_size, splat_u(level_a2));
+    let at_7 = texels_around(r, ex, uv_a0, e_6);
+    let k_8 = (level_a2 as i32);
+    let e_15 = color_texel(&r.normal_map, at_7.columns.x, at_7.rows.x, layer_a1, k_8);
+    let e_22 = color_texel(&r.normal_map, at_7.columns.y, at_7.rows.x, layer_a1, k_8);
+    let e_29 = color_texel(&r.normal_map, at_7.columns.x, at_7.rows.y, layer_a1, k_8);
+    let e_36 = color_texel(&r.normal_map, at_7.columns.y, at_7.rows.y, layer_a1, k_8);
+    let e_38 = bilinear(r, e_15, e_22, e_29, e_36, Vec2 { x: at_7.part.x, y: at_7.part.y });
+    return e_38;
+} }
+lanes! { fn slope_beside(r: &Resources<'_>, within: M, own_a0: F, beside_a1: F, rate_a2: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let a_3 = mul(own_a0, rate_a2);
+    let b_4 = mul(beside_a1, rate_a2);
+    let along_7 = add(splat(1.0f32), mul(a_3, b_4));
+    let apart_9 = abs(sub(a_3, b_4));
+    let c1 = le(apart_9, mul(splat(0.5f32), along_7));
+    ret = beside_a1;
+    ex = and_not(ex, c1);
+    let c2 = ge(apart_9, mul(splat(1.0f32), along_7));
+    ret = sel(and(ex, c2), own_a0, ret);
+    ex = and_not(ex, c2);
+    let part_20 = div(sub(div(apart_9, along_7), splat(0.5f32)), splat(0.5f32));
+    return sel(ex, add(beside_a1, mul(sub(own_a0, beside_a1), part_20)), ret);
+} }
+lanes! { fn slopes_between_creases(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>) -> Vec2<F> {
+    let mut ex = within;
+    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let size_3 = height_size(r, splat_u(0u32));
+    let point_8 = Vec2 { x: sub(mul(uv_a1.x, size_3.x), splat(0.5f32)), y: sub(mul(uv_a1.y, size_3.y), splat(0.5f32)) };
+    let cell_9 = cell_of(r, point_8);
+    let part_10 = Vec2 { x: sub(point_8.x, cell_9.x), y: sub(point_8.y, cell_9.y) };
+    let i_11 = Vec2 { x: i_of_small(cell_9.x), y: i_of_small(cell_9.y) };
+    let e_13 = height_cell_ls(r, ex, i_11, 0u32);
+    let own_14 = cell_slopes(r, e_13, part_10);
+    let e_20 = height_cell_ls(r, ex, Vec2 { x: sub_i(i_11.x, splat_i(1i32)), y: sub_i(i_11.y, splat_i(0i32)) }, 0u32);
+    let e_21 = cell_slopes(r, e_20, part_10);
+    let e_28 = height_cell_ls(r, ex, Vec2 { x: add_i(i_11.x, splat_i(1i32)), y: add_i(i_11.y, splat_i(0i32)) }, 0u32);
+    let e_29 = cell_slopes(r, e_28, part_10);
+    let e_36 = height_cell_ls(r, ex, Vec2 { x: sub_i(i_11.x, splat_i(0i32)), y: sub_i(i_11.y, splat_i(1i32)) }, 0u32);
+    let e_37 = cell_slopes(r, e_36, part_10);
+    let e_44 = height_cell_ls(r, ex, Vec2 { x: add_i(i_11.x, splat_i(0i32)), y: add_i(i_11.y, splat_i(1i32)) }, 0u32);
+    let e_45 = cell_slopes(r, e_44, part_10);
+    let rate_u_54 = div(mul(size_3.x, splat(r.surface_settings.scale_m)), sqrt(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z))));
+    let rate_v_62 = div(mul(size_3.y, splat(r.surface_settings.scale_m)), sqrt(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z))));
+    let e_64 = slope_beside(r, ex, own_14.x, e_21.x, rate_u_54);
+    let e_66 = slope_beside(r, ex, own_14.y, e_37.y, rate_v_62);
+    let before_67 = Vec2 { x: e_64, y: e_66 };
+    let e_69 = slope_beside(r, ex, own_14.x, e_29.x, rate_u_54);
+    let e_71 = slope_beside(r, ex, own_14.y, e_45.y, rate_v_62);
+    let behind_72 = Vec2 { x: e_69, y: e_71 };
+    return Vec2 { x: mul(splat(0.5f32), add(add(own_14.x, before_67.x), mul(sub(behind_72.x, before_67.x), part_10.x))), y: mul(splat(0.5f32), add(add(own_14.y, before_67.y), mul(sub(behind_72.y, before_67.y), part_10.y))) };
+} }
+lanes! { fn normal_of_slopes(r: &Resources<'_>, at_a0: &Entered, slope_u_a1: F, slope_v_a2: F) -> Vec3<F> {
+    let along_u_6 = Vec3 { x: add(at_a0.tangent.x, mul(at_a0.normal.x, slope_u_a1)), y: add(at_a0.tangent.y, mul(at_a0.normal.y, slope_u_a1)), z: add(at_a0.tangent.z, mul(at_a0.normal.z, slope_u_a1)) };
+    let along_v_10 = Vec3 { x: add(at_a0.bitangent.x, mul(at_a0.normal.x, slope_v_a2)), y: add(at_a0.bitangent.y, mul(at_a0.normal.y, slope_v_a2)), z: add(at_a0.bitangent.z, mul(at_a0.normal.z, slope_v_a2)) };
+    let e_11 = Vec3 { x: sub(mul(along_v_10.y, along_u_6.z), mul(along_v_10.z, along_u_6.y)), y: sub(mul(along_v_10.z, along_u_6.x), mul(along_v_10.x, along_u_6.z)), z: sub(mul(along_v_10.x, along_u_6.y), mul(along_v_10.y, along_u_6.x)) };
+    let length1 = sqrt(add(add(mul(e_11.x, e_11.x), mul(e_11.y, e_11.y)), mul(e_11.z, e_11.z)));
+    let across_12 = Vec3 { x: div(e_11.x, length1), y: div(e_11.y, length1), z: div(e_11.z, length1) };
+    let e_19 = sel(ge(add(add(add(mul(across_12.x, at_a0.normal.x), mul(across_12.y, at_a0.normal.y)), mul(across_12.z, at_a0.normal.z)), splat(0.0f32)), splat(0.0f32)), splat(1.0f32), splat((-1.0f32)));
+    return Vec3 { x: mul(across_12.x, e_19), y: mul(across_12.y, e_19), z: mul(across_12.z, e_19) };
+} }
+lanes! { fn normal_from_height(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let size_3 = height_size(r, splat_u(0u32));
+    if (r.surface_settings.has_creases == 1u32) {
+        let e_9 = slopes_between_creases(r, ex, at_a0, uv_a1);
+        let slopes_14 = Vec2 { x: mul(mul(e_9.x, size_3.x), splat(r.surface_settings.scale_m)), y: mul(mul(e_9.y, size_3.y), splat(r.surface_settings.scale_m)) };
+        let e_17 = normal_of_slopes(r, at_a0, slopes_14.x, slopes_14.y);
+        return e_17;
+    }
+    let du_22 = Vec2 { x: div(splat(1.0f32), size_3.x), y: splat(0.0f32) };
+    let dv_27 = Vec2 { x: splat(0.0f32), y: div(splat(1.0f32), size_3.y) };
+    let e_30 = height_at_ls(r, ex, Vec2 { x: add(uv_a1.x, du_22.x), y: add(uv_a1.y, du_22.y) }, 0u32);
+    let e_33 = height_at_ls(r, ex, Vec2 { x: sub(uv_a1.x, du_22.x), y: sub(uv_a1.y, du_22.y) }, 0u32);
+    let rise_u_34 = sub(e_30, e_33);
+    let e_37 = height_at_ls(r, ex, Vec2 { x: add(uv_a1.x, dv_27.x), y: add(uv_a1.y, dv_27.y) }, 0u32);
+    let e_40 = height_at_ls(r, ex, Vec2 { x: sub(uv_a1.x, dv_27.x), y: sub(uv_a1.y, dv_27.y) }, 0u32);
+    let rise_v_41 = sub(e_37, e_40);
+    let slope_u_49 = mul(rise_u_34, mul(mul(splat(0.5f32), size_3.x), splat(r.surface_settings.scale_m)));
+    let slope_v_57 = mul(rise_v_41, mul(mul(splat(0.5f32), size_3.y), splat(r.surface_settings.scale_m)));
+    let e_58 = normal_of_slopes(r, at_a0, slope_u_49, slope_v_57);
+    return e_58;
+} }
+lanes! { fn finest_normal(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    if (r.surface_settings.has_normal == 1u32) {
+        let e_9 = normal_at_lss(r, ex, uv_a1, 0i32, 0u32);
+        let e_11 = from_tangent_space(r, at_a0, Vec3 { x: e_9.x, y: e_9.y, z: e_9.z });
+        let length1 = sqrt(add(add(mul(e_11.x, e_11.x), mul(e_11.y, e_11.y)), mul(e_11.z, e_11.z)));
+        let e_12 = Vec3 { x: div(e_11.x, length1), y: div(e_11.y, length1), z: div(e_11.z, length1) };
+        return e_12;
+    }
+    let e_13 = normal_from_height(r, ex, at_a0, uv_a1);
+    return e_13;
+} }
+lanes! { fn surface_plane_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let mut enter_v0: F = splat(0f32);
+    let mut leave_v1: F = splat(0f32);
+    let mut interval_v2: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let along_5 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let direction_8 = Vec3 { x: div(pixel_a0.direction.x, along_5), y: div(pixel_a0.direction.y, along_5), z: div(pixel_a0.direction.z, along_5) };
+    let e_9 = climb(r, at_a1, direction_8);
+    let descent_14 = sub(splat(0.0f32), add(add(add(mul(at_a1.normal.x, direction_8.x), mul(at_a1.normal.y, direction_8.y)), mul(at_a1.normal.z, direction_8.z)), splat(0.0f32)));
+    let scale_15 = r.traced_scale_m();
+    let base_height_16 = r.base_height();
+    let slope_19 = div(sub(splat(0.0f32), descent_14), splat(scale_15));
+    let e_20 = plane_normal(r, pixel_a0);
+    let e_21 = plane_distance(r, pixel_a0, e_20);
+    let distance_22 = mul(e_21, along_5);
+    let eye_24 = sub(splat(0.0f32), distance_22);
+    let top_28 = div(splat(((base_height_16 - 1.0f32) * scale_15)), descent_14);
+    enter_v0 = max(top_28, eye_24);
+    leave_v1 = div(splat((base_height_16 * scale_15)), descent_14);
+    let e_34 = leave_v1;
+    let e_35 = leave_v1;
+    leave_v1 = add(e_34, mul(sub(e_35, top_28), splat(1e-6f32)));
+    if (r.surface_settings.wrap == 1u32) {
+        let e_48 = enter_v0;
+        let e_49 = leave_v1;
+        let e_51 = inside_unit(r, ex, at_a1.uv.x, e_9.x, Vec2 { x: e_48, y: e_49 });
+        interval_v2 = e_51;
+        let e_56 = interval_v2;
+        let e_57 = inside_unit(r, ex, at_a1.uv.y, e_9.y, e_56);
+        interval_v2 = e_57;
+        let e_59 = interval_v2.x;
+        enter_v0 = e_59;
+        let e_61 = interval_v2.y;
+        leave_v1 = e_61;
+    }
+    let e_62 = enter_v0;
+    let e_65 = enter_v0;
+    let entry_height_68 = sel(eq(e_65, top_28), splat(1.0f32), add(splat(base_height_16), mul(slope_19, e_62)));
+    let e_69 = enter_v0;
+    let base_74 = min_with(max_with(sub(splat(0.0f32), e_69), splat((-3e38f32))), splat(3e38f32));
+    let e_76 = enter_v0;
+    let e_81 = leave_v1;
+    let e_82 = enter_v0;
+    let e_87 = enter_v0;
+    return Path { uv: Vec2 { x: add(at_a1.uv.x, mul(e_9.x, e_76)), y: add(at_a1.uv.y, mul(e_9.y, e_76)) }, duv: Vec2 { x: e_9.x, y: e_9.y }, h: Vec3 { x: entry_height_68, y: slope_19, z: splat(0.0f32) }, exit: sub(e_81, e_82), base: base_74, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: add(distance_22, e_87), share: splat(1.0f32), };
+} }
+stage! { fn surface_prism_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+    if none(within) { return zero_path(); }
+    let pixel_a0 = singles_pixel_in(pixel_a0);
+    let at_a1 = singles_entered(at_a1);
+    let one = |lane: usize| r.surface_prism_segment(pixel_a0[lane], at_a1[lane], k_a2, params_a3);
+    let mut rest = bits_of(within);
+    let mut results = [one(rest.trailing_zeros() as usize); LANES];
+    rest &= rest - 1;
+    while rest != 0 {
+        let lane = rest.trailing_zeros() as usize;
+        results[lane] = one(lane);
+        rest &= rest - 1;
+    }
+    lanes_of_path(&results)
+} }
+lanes! { fn surface_quadric_perpendicular_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let mut begin_v0: F = splat(0f32);
+    let mut end_v1: F = splat(0f32);
+    let mut both_v2: M = splat_m(false);
+    let mut path_v3: Path = zero_path();
+    let mut inside_v4: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let along_5 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let ray_9 = across_of(r, at_a1, Vec3 { x: div(pixel_a0.direction.x, along_5), y: div(pixel_a0.direction.y, along_5), z: div(pixel_a0.direction.z, along_5) });
+    let scale_10 = r.traced_scale_m();
+    let e_11 = plane_normal(r, pixel_a0);
+    let e_12 = plane_distance(r, pixel_a0, e_11);
+    let distance_13 = mul(e_12, along_5);
+    let whole_18 = sub(at_a1.span.y, at_a1.span.x);
+    let first_25 = add(at_a1.span.x, mul(whole_18, splat(((k_a2 as f32) / params_a3.z))));
+    let last_34 = add(at_a1.span.x, mul(whole_18, splat(((k_a2.wrapping_add(1u32) as f32) / params_a3.z))));
+    let long_35 = sub(last_34, first_25);
+    let e_38 = across_depth(r, ex, &ray_9, first_25);
+    begin_v0 = sub(at_a1.quadric.w, div(e_38, splat(scale_10)));
+    if (k_a2 == 0u32) {
+        let e_44 = begin_v0;
+        begin_v0 = min_with(e_44, splat(1.0f32));
+    }
+    let e_52 = across_depth(r, ex, &ray_9, mul(splat(0.5f32), add(first_25, last_34)));
+    let middle_54 = sub(at_a1.quadric.w, div(e_52, splat(scale_10)));
+    let e_57 = across_depth(r, ex, &ray_9, last_34);
+    end_v1 = sub(at_a1.quadric.w, div(e_57, splat(scale_10)));
+    if (k_a2.wrapping_add(1u32) == (params_a3.z as u32)) {
+        let e_68 = end_v1;
+        both_v2 = lt(e_68, splat(0.5f32));
+    } else {
+        both_v2 = splat_m(false);
+    }
+    let e_72 = both_v2;
+    let c1 = e_72;
+    let e_73 = end_v1;
+    end_v1 = sel(c1, min_with(e_73, splat((-1e-6f32))), end_v1);
+    let e_76 = begin_v0;
+    let e_77 = end_v1;
+    let bend_83 = mul(splat(2.0f32), sub(add(e_76, e_77), mul(splat(2.0f32), middle_54)));
+    let e_84 = end_v1;
+    let e_85 = begin_v0;
+    let slope_87 = sub(sub(e_84, e_85), bend_83);
+    let base_92 = min_with(max_with(sub(splat(0.0f32), first_25), splat((-3e38f32))), splat(3e38f32));
+    let e_98 = begin_v0;
+    path_v3 = Path { uv: Vec2 { x: add(at_a1.uv.x, mul(ray_9.duv.x, first_25)), y: add(at_a1.uv.y, mul(ray_9.duv.y, first_25)) }, duv: Vec2 { x: ray_9.duv.x, y: ray_9.duv.y }, h: Vec3 { x: e_98, y: div(slope_87, long_35), z: div(bend_83, mul(long_35, long_35)) }, exit: long_35, base: base_92, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: add(distance_13, first_25), share: splat((1.0f32 / params_a3.z)), };
+    inside_v4 = Vec2 { x: splat(0.0f32), y: long_35 };
+    if (r.surface_settings.wrap == 1u32) {
+        let e_122 = path_v3.uv.x;
+        let e_125 = inside_v4;
+        let e_126 = inside_unit(r, ex, e_122, ray_9.duv.x, e_125);
+        inside_v4 = e_126;
+        let e_129 = path_v3.uv.y;
+        let e_132 = inside_v4;
+        let e_133 = inside_unit(r, ex, e_129, ray_9.duv.y, e_132);
+        inside_v4 = e_133;
+        let e_136 = inside_v4.y;
+        path_v3.exit = e_136;
+        let e_137 = path_v3;
+        let e_139 = inside_v4.x;
+        let e_140 = path_from(r, &e_137, e_139);
+        path_v3 = e_140;
+    }
+    let e_142 = path_v3.exit;
+    let c2 = not(gt(e_142, splat(0.0f32)));
+    path_v3.exit = sel(c2, splat(0.0f32), path_v3.exit);
+    let e_148 = path_v3;
+    return e_148;
+} }
+lanes! { fn surface_quadric_vertical_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let mut both_v0: M = splat_m(false);
+    let mut both_v1: M = splat_m(false);
+    let mut enter_v2: F = splat(0f32);
+    let mut leave_v3: F = splat(0f32);
+    let mut interval_v4: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut path_v5: Path = zero_path();
+    let mut both_v6: M = splat_m(false);
+    let along_5 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let direction_8 = Vec3 { x: div(pixel_a0.direction.x, along_5), y: div(pixel_a0.direction.y, along_5), z: div(pixel_a0.direction.z, along_5) };
+    let e_9 = climb(r, at_a1, direction_8);
+    let descent_14 = sub(splat(0.0f32), add(add(add(mul(at_a1.normal.x, direction_8.x), mul(at_a1.normal.y, direction_8.y)), mul(at_a1.normal.z, direction_8.z)), splat(0.0f32)));
+    let scale_15 = r.traced_scale_m();
+    let slope_20 = div(sub(splat(0.0f32), descent_14), splat(scale_15));
+    let bend_23 = quadric_at(r, Vec3 { x: at_a1.quadric.x, y: at_a1.quadric.y, z: at_a1.quadric.z }, Vec2 { x: e_9.x, y: e_9.y });
+    let curve_26 = div(sub(splat(0.0f32), bend_23), splat(scale_15));
+    let e_27 = plane_normal(r, pixel_a0);
+    let e_28 = plane_distance(r, pixel_a0, e_27);
+    let distance_29 = mul(e_28, along_5);
+    let eye_31 = sub(splat(0.0f32), distance_29);
+    let top_35 = bent_descent(r, ex, mul(sub(at_a1.quadric.w, splat(1.0f32)), splat(scale_15)), descent_14, bend_23);
+    both_v1 = or(lt(at_a1.quadric.w, splat(1.0f32)), ge(top_35, splat(0.0f32)));
+    let e_48 = both_v1;
+    both_v0 = and(lt(top_35, splat(3e38f32)), e_48);
+    let comes_down_50 = both_v0;
+    enter_v2 = max(top_35, eye_31);
+    let e_53 = enter_v2;
+    let e_54 = enter_v2;
+    let e_59 = enter_v2;
+    let begin_62 = sel(eq(e_59, top_35), splat(1.0f32), add(at_a1.quadric.w, mul(e_53, add(slope_20, mul(curve_26, e_54)))));
+    let e_63 = enter_v2;
+    let e_66 = enter_v2;
+    let e_70 = bent_exit(r, ex, Vec3 { x: begin_62, y: add(slope_20, mul(mul(splat(2.0f32), curve_26), e_66)), z: curve_26 });
+    leave_v3 = add(e_63, e_70);
+    let c1 = eq(bend_23, splat(0.0f32));
+    leave_v3 = sel(c1, div(mul(at_a1.quadric.w, splat(scale_15)), descent_14), leave_v3);
+    let e_77 = leave_v3;
+    let e_78 = leave_v3;
+    leave_v3 = sel(c1, add(e_77, mul(sub(e_78, top_35), splat(1e-6f32))), leave_v3);
+    if (r.surface_settings.wrap == 1u32) {
+        let e_91 = enter_v2;
+        let e_92 = leave_v3;
+        let e_94 = inside_unit(r, ex, at_a1.uv.x, e_9.x, Vec2 { x: e_91, y: e_92 });
+        interval_v4 = e_94;
+        let e_99 = interval_v4;
+        let e_100 = inside_unit(r, ex, at_a1.uv.y, e_9.y, e_99);
+        interval_v4 = e_100;
+        let e_102 = interval_v4.x;
+        enter_v2 = e_102;
+        let e_104 = interval_v4.y;
+        leave_v3 = e_104;
+    }
+    let e_105 = enter_v2;
+    let e_106 = enter_v2;
+    let e_111 = enter_v2;
+    let entry_height_114 = sel(eq(e_111, top_35), splat(1.0f32), add(at_a1.quadric.w, mul(e_105, add(slope_20, mul(curve_26, e_106)))));
+    let e_115 = enter_v2;
+    let base_120 = min_with(max_with(sub(splat(0.0f32), e_115), splat((-3e38f32))), splat(3e38f32));
+    let e_122 = enter_v2;
+    let e_127 = enter_v2;
+    let e_131 = leave_v3;
+    let e_132 = enter_v2;
+    let e_137 = enter_v2;
+    path_v5 = Path { uv: Vec2 { x: add(at_a1.uv.x, mul(e_9.x, e_122)), y: add(at_a1.uv.y, mul(e_9.y, e_122)) }, duv: Vec2 { x: e_9.x, y: e_9.y }, h: Vec3 { x: entry_height_114, y: add(slope_20, mul(mul(splat(2.0f32), curve_26), e_127)), z: curve_26 }, exit: sub(e_131, e_132), base: base_120, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: add(distance_29, e_137), share: splat(1.0f32), };
+    let e_147 = path_v5.exit;
+    both_v6 = or(not(comes_down_50), not(gt(e_147, splat(0.0f32))));
+    let e_152 = both_v6;
+    let c2 = e_152;
+    path_v5.exit = sel(c2, splat(0.0f32), path_v5.exit);
+    let e_155 = path_v5;
+    return e_155;
+} }
+stage! { fn surface_tetrahedra_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+    if none(within) { return zero_path(); }
+    let pixel_a0 = singles_pixel_in(pixel_a0);
+    let at_a1 = singles_entered(at_a1);
+    let one = |lane: usize| r.surface_tetrahedra_segment(pixel_a0[lane], at_a1[lane], k_a2, params_a3);
+    let mut rest = bits_of(within);
+    let mut results = [one(rest.trailing_zeros() as usize); LANES];
+    rest &= rest - 1;
+    while rest != 0 {
+        let lane = rest.trailing_zeros() as usize;
+        results[lane] = one(lane);
+        rest &= rest - 1;
+    }
+    lanes_of_path(&results)
+} }
+lanes! { fn surface_facets_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let e_4 = plane_normal(r, pixel_a0);
+    let e_5 = facet_distance(r, ex, pixel_a0, e_4);
+    let start_8 = mul(e_5, sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z))));
+    let height_11 = height_at_ll(r, ex, Vec2 { x: at_a1.uv.x, y: at_a1.uv.y }, at_a1.level);
+    let duv_14 = Vec2 { x: 0.0f32, y: 0.0f32 };
+    return Path { uv: Vec2 { x: at_a1.uv.x, y: at_a1.uv.y }, duv: Vec2 { x: splat(duv_14.x), y: splat(duv_14.y) }, h: Vec3 { x: height_11, y: splat(0.0f32), z: splat(0.0f32) }, exit: splat(1.0f32), base: splat(0.0f32), metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: start_8, share: splat(1.0f32), };
+} }
+lanes! { fn surface_segment_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    match r.surface_settings.choices[1].number {
+        0u32 => {
+            let e_13 = surface_plane_segment(r, ex, pixel_a0, at_a1, k_a2, r.surface_settings.choices[1].params);
+            return e_13;
+        }
+        1u32 => {
+            let e_19 = surface_prism_segment(r, ex, pixel_a0, at_a1, k_a2, r.surface_settings.choices[1].params);
+            return e_19;
+        }
+        2u32 => {
+            let e_25 = surface_quadric_perpendicular_segment(r, ex, pixel_a0, at_a1, k_a2, r.surface_settings.choices[1].params);
+            return e_25;
+        }
+        3u32 => {
+            let e_31 = surface_quadric_vertical_segment(r, ex, pixel_a0, at_a1, k_a2, r.surface_settings.choices[1].params);
+            return e_31;
+        }
+        4u32 => {
+            let e_37 = surface_tetrahedra_segment(r, ex, pixel_a0, at_a1, k_a2, r.surface_settings.choices[1].params);
+            return e_37;
+        }
+        _ => {
+            let e_43 = surface_facets_segment(r, ex, pixel_a0, at_a1, k_a2, r.surface_settings.choices[1].params);
+            return e_43;
+        }
+    }
+} }
+lanes! { fn path_slope(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
+    return add(path_a0.h.y, mul(mul(splat(2.0f32), t_a1), path_a0.h.z));
+} }
+lanes! { fn flattened(r: &Resources<'_>, within: M, path_a0: &Path, middle_a1: f32, part_a2: F) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let mut start_v0: F = splat(0.0f32);
+    let kept_4 = sub(splat(1.0f32), part_a2);
+    let top_8 = add(splat(middle_a1), mul(splat((1.0f32 - middle_a1)), kept_4));
+    let above_11 = sub(path_a0.h.x, top_8);
+    let begins_13 = gt(above_11, splat(0.0f32));
+    let (b1, c2) = (ex, begins_13);
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_22 = first_root(r, ex, Vec3 { x: above_11, y: path_a0.h.y, z: path_a0.h.z }, path_a0.exit);
+        start_v0 = sel(ex, min(e_22, path_a0.exit), start_v0);
+    }
+    ex = b1;
+    let height_31 = sel(begins_13, splat(1.0f32), add(splat(middle_a1), div(sub(path_a0.h.x, splat(middle_a1)), kept_4)));
+    let e_32 = start_v0;
+    let e_33 = path_slope(r, path_a0, e_32);
+    let h_38 = Vec3 { x: height_31, y: div(e_33, kept_4), z: div(path_a0.h.z, kept_4) };
+    let e_40 = start_v0;
+    let rest_41 = sub(path_a0.exit, e_40);
+    let e_48 = first_root(r, ex, Vec3 { x: max_with(h_38.x, splat(0.0f32)), y: h_38.y, z: h_38.z }, rest_41);
+    let exit_51 = min(mul(e_48, splat(1.000001f32)), rest_41);
+    let e_53 = start_v0;
+    let base_57 = min_with(max_with(sub(path_a0.base, e_53), splat((-3e38f32))), splat(3e38f32));
+    let e_58 = start_v0;
+    let e_59 = path_uv(r, path_a0, e_58);
+    let e_65 = start_v0;
+    return Path { uv: e_59, duv: Vec2 { x: path_a0.duv.x, y: path_a0.duv.y }, h: h_38, exit: exit_51, base: base_57, metric: Vec4 { x: path_a0.metric.x, y: path_a0.metric.y, z: path_a0.metric.z, w: path_a0.metric.w }, ray: path_a0.ray, level: path_a0.level, start: add(path_a0.start, e_65), share: path_a0.share, };
+} }
+stage! { pub(super) fn segment_of(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let mut path_v0: Path = zero_path();
+    let e_3 = surface_segment_stage(r, ex, pixel_a0, at_a1, k_a2);
+    path_v0 = e_3;
+    let (b1, c2) = (ex, gt(at_a1.fade, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_8 = path_v0;
+        let e_13 = flattened(r, ex, &e_8, r.surface_settings.mean_height, at_a1.fade);
+        path_v0 = sel_path(ex, &e_13, &path_v0);
+        let e_16 = path_v0.h.x;
+        let c3 = not(gt(e_16, splat(0.0f32)));
+        path_v0.exit = sel(and(ex, c3), splat(0.0f32), path_v0.exit);
+    }
+    ex = b1;
+    let e_22 = path_v0;
+    return e_22;
+} }
+lanes! { fn surface_plane_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
+    return *hit_a3;
+} }
+stage! { fn surface_prism_polish(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
+    if none(within) { return zero_hit(); }
+    let pixel_a0 = singles_pixel_in(pixel_a0);
+    let at_a1 = singles_entered(at_a1);
+    let path_a2 = singles_path(path_a2);
+    let hit_a3 = singles_hit(hit_a3);
+    let one = |lane: usize| r.surface_prism_polish(pixel_a0[lane], at_a1[lane], path_a2[lane], hit_a3[lane], params_a4);
+    let mut rest = bits_of(within);
+    let mut results = [one(rest.trailing_zeros() as usize); LANES];
+    rest &= rest - 1;
+    while rest != 0 {
+        let lane = rest.trailing_zeros() as usize;
+        results[lane] = one(lane);
+        rest &= rest - 1;
+    }
+    lanes_of_hit(&results)
+} }
+lanes! { fn surface_quadric_perpendicular_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
+    return *hit_a3;
+} }
+lanes! { fn surface_quadric_vertical_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
+    return *hit_a3;
+} }
+stage! { fn surface_tetrahedra_polish(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
+    if none(within) { return zero_hit(); }
+    let pixel_a0 = singles_pixel_in(pixel_a0);
+    let at_a1 = singles_entered(at_a1);
+    let path_a2 = singles_path(path_a2);
+    let hit_a3 = singles_hit(hit_a3);
+    let one = |lane: usize| r.surface_tetrahedra_polish(pixel_a0[lane], at_a1[lane], path_a2[lane], hit_a3[lane], params_a4);
+    let mut rest = bits_of(within);
+    let mut results = [one(rest.trailing_zeros() as usize); LANES];
+    rest &= rest - 1;
+    while rest != 0 {
+        let lane = rest.trailing_zeros() as usize;
+        results[lane] = one(lane);
+        rest &= rest - 1;
+    }
+    lanes_of_hit(&results)
+} }
+lanes! { fn surface_facets_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
+    return *hit_a3;
+} }
+lanes! { fn surface_polish_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Hit {
+    let mut ex = within;
+    let mut ret: Hit = zero_hit();
+    match r.surface_settings.choices[1].number {
+        0u32 => {
+            let e_14 = surface_plane_polish(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_14;
+        }
+        1u32 => {
+            let e_20 = surface_prism_polish(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_20;
+        }
+        2u32 => {
+            let e_26 = surface_quadric_perpendicular_polish(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_26;
+        }
+        3u32 => {
+            let e_32 = surface_quadric_vertical_polish(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_32;
+        }
+        4u32 => {
+            let e_38 = surface_tetrahedra_polish(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_38;
+        }
+        _ => {
+            let e_44 = surface_facets_polish(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_44;
+        }
+    }
+} }
+lanes! { fn polish_hit(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Hit {
+    let mut ex = within;
+    let mut ret: Hit = zero_hit();
+    let e_4 = surface_polish_stage(r, ex, pixel_a0, at_a1, path_a2, hit_a3);
+    return e_4;
+} }
+lanes! { fn key_of(r: &Resources<'_>, depth_a0: F) -> F {
+    return div(splat(r.frame.near), add(splat(r.frame.near), max_with(depth_a0, splat(0.0f32))));
+} }
+stage! { fn is_in_hole(r: &Resources<'_>, within: M, uv_a0: Vec2<F>) -> M {
+    if none(within) { return splat_m(false); }
+    let uv_a0 = { let rows = (row(uv_a0.x), row(uv_a0.y)); std::array::from_fn::<_, LANES, _>(|lane| Vec2 { x: rows.0[lane], y: rows.1[lane] }) };
+    let one = |lane: usize| r.is_in_hole(uv_a0[lane]);
+    let mut rest = bits_of(within);
+    let mut results = [one(rest.trailing_zeros() as usize); LANES];
+    rest &= rest - 1;
+    while rest != 0 {
+        let lane = rest.trailing_zeros() as usize;
+        results[lane] = one(lane);
+        rest &= rest - 1;
+    }
+    load_m(&std::array::from_fn(|lane| results[lane]))
+} }
+lanes! { fn in_hole(r: &Resources<'_>, within: M, uv_a0: Vec2<F>) -> M {
+    let mut ex = within;
+    let mut ret: M = splat_m(false);
+    if (r.surface_settings.has_holes != 1u32) {
+        return splat_m(false);
+    }
+    let e_7 = is_in_hole(r, ex, uv_a0);
+    return e_7;
+} }
+stage! { pub(super) fn hit_on_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, found_a3: &Hit, k_a4: u32) -> FirstHit {
+    let mut ex = within;
+    let mut ret: FirstHit = zero_first_hit();
+    let mut first_v0: FirstHit = zero_first_hit();
+    first_v0 = FirstHit { hit: *found_a3, segment: splat_u(k_a4), key: splat(0.0f32), };
+    let (b1, c2) = (ex, eq_u(found_a3.found, splat_u(1u32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let hit_11 = polish_hit(r, ex, pixel_a0, at_a1, path_a2, found_a3);
+        let e_12 = depth_on_ray(r, pixel_a0, path_a2, &hit_11);
+        let e_13 = key_of(r, e_12);
+        first_v0 = sel_first_hit(ex, &FirstHit { hit: hit_11, segment: splat_u(k_a4), key: e_13, }, &first_v0);
+        let e_16 = in_hole(r, ex, Vec2 { x: hit_11.uv.x, y: hit_11.uv.y });
+        let c3 = e_16;
+        first_v0.hit.found = sel_u(and(ex, c3), splat_u(0u32), first_v0.hit.found);
+    }
+    ex = b1;
+    let e_20 = first_v0;
+    return e_20;
+} }
+lanes! { fn near_uv(r: &Resources<'_>, uv_a0: Vec2<F>) -> Vec2<F> {
+    if (r.surface_settings.wrap == 0u32) {
+        return Vec2 { x: sub(uv_a0.x, floor(uv_a0.x)), y: sub(uv_a0.y, floor(uv_a0.y)) };
+    }
+    if (r.surface_settings.wrap == 2u32) {
+        return Vec2 { x: sub(uv_a0.x, mul(splat(2.0f32), floor(mul(splat(0.5f32), uv_a0.x)))), y: sub(uv_a0.y, mul(splat(2.0f32), floor(mul(splat(0.5f32), uv_a0.y)))) };
+    }
+    return uv_a0;
+} }
+lanes! { fn from_hit(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let change_4 = climb(r, at_a0, Vec3 { x: light_a2.direction.x, y: light_a2.direction.y, z: light_a2.direction.z });
+    let uv_6 = near_uv(r, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y });
+    let e_8 = height_at_ll(r, ex, uv_6, at_a0.level);
+    let h_11 = Vec3 { x: e_8, y: change_4.z, z: splat(0.0f32) };
+    return Path { uv: uv_6, duv: Vec2 { x: change_4.x, y: change_4.y }, h: h_11, exit: splat(0.0f32), base: splat(0.0f32), metric: Vec4 { x: at_a0.metric.x, y: at_a0.metric.y, z: at_a0.metric.z, w: at_a0.metric.w }, ray: splat_u(1u32), level: at_a0.level, start: splat(0.0f32), share: splat(1.0f32), };
+} }
+lanes! { fn way_out(r: &Resources<'_>, within: M, path_a0: &Path, light_a1: &Toward) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut way_v0: F = splat(0f32);
+    let mut interval_v1: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    way_v0 = min(div(sub(splat(1.0f32), path_a0.h.x), path_a0.h.y), light_a1.distance);
+    if (r.surface_settings.wrap == 1u32) {
+        let e_21 = way_v0;
+        let e_24 = inside_unit(r, ex, path_a0.uv.x, path_a0.duv.x, Vec2 { x: splat(0.0f32), y: e_21 });
+        interval_v1 = e_24;
+        let e_30 = interval_v1;
+        let e_31 = inside_unit(r, ex, path_a0.uv.y, path_a0.duv.y, e_30);
+        interval_v1 = e_31;
+        let e_33 = interval_v1.y;
+        way_v0 = e_33;
+    }
+    let e_34 = way_v0;
+    return e_34;
+} }
+lanes! { fn light_ray(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward) -> LightRay {
+    let mut ex = within;
+    let mut ret: LightRay = zero_light_ray();
+    let mut both_v0: M = splat_m(false);
+    let way_3 = from_hit(r, ex, at_a0, hit_a1, light_a2);
+    let (b1, c2) = (ex, not(gt(way_3.h.y, splat(0.0f32))));
+    ex = and(b1, c2);
+    if any(ex) {
+        ret = LightRay { state: splat_u(1u32), path: way_3, };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let exit_11 = way_out(r, ex, &way_3, light_a2);
+    let (b3, c4) = (ex, not(gt(exit_11, splat(0.0f32))));
+    ex = and(b3, c4);
+    if any(ex) {
+        ret = sel_light_ray(ex, &LightRay { state: splat_u(0u32), path: way_3, }, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b3, c4);
+    if none(ex) { return ret; }
+    let grid_17 = grid_of(r, &way_3);
+    let cell_19 = cell_of(r, Vec2 { x: grid_17.origin.x, y: grid_17.origin.y });
+    let leave_20 = cell_leave(r, ex, &grid_17, cell_19);
+    let end_26 = max_with(min(min(leave_20.x, leave_20.y), exit_11), splat(0.0f32));
+    let e_29 = height_cell_ll(r, ex, Vec2 { x: i_of_small(cell_19.x), y: i_of_small(cell_19.y) }, way_3.level);
+    let c_31 = gap_to(r, &way_3, &grid_17, cell_19, e_29, 0.0f32);
+    both_v0 = or(lt(c_31.y, splat(0.0f32)), lt(add(c_31.y, mul(c_31.z, end_26)), splat(0.0f32)));
+    let e_45 = both_v0;
+    let (b5, c6) = (ex, e_45);
+    ex = and(b5, c6);
+    if any(ex) {
+        ret = sel_light_ray(ex, &LightRay { state: splat_u(1u32), path: way_3, }, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b5, c6);
+    if none(ex) { return ret; }
+    let (b7, c8) = (ex, ge(end_26, exit_11));
+    ex = and(b7, c8);
+    if any(ex) {
+        ret = sel_light_ray(ex, &LightRay { state: splat_u(0u32), path: way_3, }, &ret);
+        ex = no_lane();
+    }
+    ex = and_not(b7, c8);
+    if none(ex) { return ret; }
+    let start_51 = path_uv(r, &way_3, end_26);
+    let gap_56 = mul(end_26, add(c_31.y, mul(c_31.z, end_26)));
+    let e_58 = height_at_ll(r, ex, start_51, way_3.level);
+    let h_65 = Vec3 { x: add(add(e_58, gap_56), splat(9.536743e-7f32)), y: way_3.h.y, z: splat(0.0f32) };
+    let path_73 = Path { uv: start_51, duv: Vec2 { x: way_3.duv.x, y: way_3.duv.y }, h: h_65, exit: sub(exit_11, end_26), base: splat(0.0f32), metric: Vec4 { x: way_3.metric.x, y: way_3.metric.y, z: way_3.metric.z, w: way_3.metric.w }, ray: way_3.ray, level: way_3.level, start: end_26, share: splat(1.0f32), };
+    return sel_light_ray(ex, &LightRay { state: splat_u(2u32), path: path_73, }, &ret);
+} }
+lanes! { fn has_table(r: &Resources<'_>, levels_a0: &Levels) -> M {
+    return ge_u(levels_a0.fine, splat_u(2u32));
+} }
+lanes! { fn mean_of_five(r: &Resources<'_>, middle_a0: F, four_a1: F) -> F {
+    return add(mul(middle_a0, splat(0.33333334f32)), mul(four_a1, splat(0.16666667f32)));
+} }
+lanes! { fn means_of_one(r: &Resources<'_>, n_a0: Vec3<F>) -> Normals {
+    let upright_3 = max_with(n_a0.z, splat(0.05f32));
+    let slope_10 = Vec2 { x: div(neg(n_a0.x), upright_3), y: div(neg(n_a0.y), upright_3) };
+    let square_12 = Vec2 { x: mul(mul(slope_10.x, slope_10.x), upright_3), y: mul(mul(slope_10.y, slope_10.y), upright_3) };
+    return Normals { first: Vec4 { x: n_a0.x, y: n_a0.y, z: n_a0.z, w: slope_10.x }, second: Vec4 { x: square_12.x, y: mul(mul(slope_10.x, slope_10.y), upright_3), z: square_12.y, w: slope_10.y }, };
+} }
+lanes! { fn no_table(r: &Resources<'_>) -> SeenTable {
+    let none_3 = Vec3 { x: 0.0f32, y: 0.0f32, z: 0.0f32 };
+    return SeenTable { mean: Vec3 { x: splat(none_3.x), y: splat(none_3.y), z: splat(none_3.z) }, squares: Vec3 { x: splat(none_3.x), y: splat(none_3.y), z: splat(none_3.z) }, products: Vec3 { x: splat(none_3.x), y: splat(none_3.y), z: splat(none_3.z) }, };
+} }
+lanes! { fn one_seen(r: &Resources<'_>, normal_a0: Vec3<F>) -> SeenNormals {
+    let nothing_3 = Vec2 { x: 0.0f32, y: 0.0f32 };
+    let none_7 = Vec3 { x: 0.0f32, y: 0.0f32, z: 0.0f32 };
+    let parts_12 = Vec4 { x: 0.0f32, y: 0.0f32, z: 0.0f32, w: 0.0f32 };
+    let table_13 = no_table(r);
+    return SeenNormals { normal: normal_a0, length: splat(1.0f32), differ: splat_u(0u32), middle: Vec3 { x: splat(none_7.x), y: splat(none_7.y), z: splat(none_7.z) }, along: Vec3 { x: splat(none_7.x), y: splat(none_7.y), z: splat(none_7.z) }, across: Vec3 { x: splat(none_7.x), y: splat(none_7.y), z: splat(none_7.z) }, slope: Vec2 { x: splat(nothing_3.x), y: splat(nothing_3.y) }, slope_along: Vec2 { x: splat(nothing_3.x), y: splat(nothing_3.y) }, slope_across: Vec2 { x: splat(nothing_3.x), y: splat(nothing_3.y) }, upright: splat(1.0f32), middle_seen: splat(0.0f32), others_seen: Vec4 { x: splat(parts_12.x), y: splat(parts_12.y), z: splat(parts_12.z), w: splat(parts_12.w) }, table_part: splat(0.0f32), table: table_13, };
+} }
+lanes! { fn to_tangent_space(r: &Resources<'_>, at_a0: &Entered, v_a1: Vec3<F>) -> Vec3<F> {
+    let length1 = sqrt(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)));
+    let along_u_3 = Vec3 { x: div(at_a0.tangent.x, length1), y: div(at_a0.tangent.y, length1), z: div(at_a0.tangent.z, length1) };
+    let length2 = sqrt(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)));
+    let along_v_5 = Vec3 { x: div(at_a0.bitangent.x, length2), y: div(at_a0.bitangent.y, length2), z: div(at_a0.bitangent.z, length2) };
+    return Vec3 { x: add(add(add(mul(along_u_3.x, v_a1.x), mul(along_u_3.y, v_a1.y)), mul(along_u_3.z, v_a1.z)), splat(0.0f32)), y: neg(add(add(add(mul(along_v_5.x, v_a1.x), mul(along_v_5.y, v_a1.y)), mul(along_v_5.z, v_a1.z)), splat(0.0f32))), z: add(add(add(mul(at_a0.normal.x, v_a1.x), mul(at_a0.normal.y, v_a1.y)), mul(at_a0.normal.z, v_a1.z)), splat(0.0f32)) };
+} }
+lanes! { fn normals_of_level(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>, level_a2: U) -> Normals {
+    let mut ex = within;
+    let mut ret: Normals = zero_normals();
+    let (b1, c2) = (ex, eq_u(level_a2, splat_u(0u32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_5 = finest_normal(r, ex, at_a0, uv_a1);
+        let e_6 = to_tangent_space(r, at_a0, e_5);
+        let e_7 = means_of_one(r, e_6);
+        ret = e_7;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if (r.surface_settings.has_normal == 1u32) {
+        if none(ex) { return ret; }
+        let e_14 = normal_at_lsl(r, ex, uv_a1, 0i32, level_a2);
+        let e_16 = normal_at_lsl(r, ex, uv_a1, 1i32, level_a2);
+        return sel_normals(ex, &Normals { first: e_14, second: e_16, }, &ret);
+    }
+    let length3 = sqrt(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)));
+    let e_23 = Vec3 { x: div(at_a0.tangent.x, length3), y: div(at_a0.tangent.y, length3), z: div(at_a0.tangent.z, length3) };
+    let x_30 = div(mul(splat(r.surface_settings.normal_tile_m.x), add(add(add(mul(e_23.x, at_a0.tangent.x), mul(e_23.y, at_a0.tangent.y)), mul(e_23.z, at_a0.tangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)), splat(0.0f32)));
+    let length4 = sqrt(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)));
+    let e_33 = Vec3 { x: div(at_a0.bitangent.x, length4), y: div(at_a0.bitangent.y, length4), z: div(at_a0.bitangent.z, length4) };
+    let y_40 = div(mul(splat(r.surface_settings.normal_tile_m.y), add(add(add(mul(e_33.x, at_a0.bitangent.x), mul(e_33.y, at_a0.bitangent.y)), mul(e_33.z, at_a0.bitangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)), splat(0.0f32)));
+    if none(ex) { return ret; }
+    let first_44 = normal_at_lsl(r, ex, uv_a1, 0i32, sub_u(level_a2, splat_u(1u32)));
+    let second_48 = normal_at_lsl(r, ex, uv_a1, 1i32, sub_u(level_a2, splat_u(1u32)));
+    let flatter_54 = Vec3 { x: mul(first_44.x, x_30), y: mul(first_44.y, y_40), z: first_44.z };
+    let longer_60 = sqrt(div(add(add(add(mul(first_44.x, first_44.x), mul(first_44.y, first_44.y)), mul(first_44.z, first_44.z)), splat(0.0f32)), add(add(add(mul(flatter_54.x, flatter_54.x), mul(flatter_54.y, flatter_54.y)), mul(flatter_54.z, flatter_54.z)), splat(0.0f32))));
+    let squares_71 = Vec3 { x: mul(mul(mul(second_48.x, x_30), x_30), longer_60), y: mul(mul(mul(second_48.y, x_30), y_40), longer_60), z: mul(mul(mul(second_48.z, y_40), y_40), longer_60) };
+    return sel_normals(ex, &Normals { first: Vec4 { x: mul(flatter_54.x, longer_60), y: mul(flatter_54.y, longer_60), z: mul(flatter_54.z, longer_60), w: mul(first_44.w, x_30) }, second: Vec4 { x: squares_71.x, y: squares_71.y, z: squares_71.z, w: mul(second_48.w, y_40) }, }, &ret);
+} }
+lanes! { fn sum_of_four(r: &Resources<'_>, four_a0: Vec4<F>) -> F {
+    return add(add(four_a0.x, four_a0.y), add(four_a0.z, four_a0.w));
+} }
+lanes! { fn seen_normals(r: &Resources<'_>, at_a0: &Entered, normals_a1: &Normals, view_a2: Vec3<F>) -> SeenNormals {
+    let slope_7 = Vec2 { x: normals_a1.first.w, y: normals_a1.second.w };
+    let upright_10 = max_with(normals_a1.first.z, splat(0.05f32));
+    let x_12 = div(normals_a1.first.x, upright_10);
+    let y_14 = div(normals_a1.first.y, upright_10);
+    let a_23 = max_with(sqrt(max_with(sub(div(normals_a1.second.x, upright_10), mul(x_12, x_12)), splat(0.0f32))), splat(0.0001f32));
+    let b_28 = div(sub(div(normals_a1.second.y, upright_10), mul(x_12, y_14)), a_23);
+    let spread_34 = max_with(sub(div(normals_a1.second.z, upright_10), mul(y_14, y_14)), splat(0.0f32));
+    let d_41 = max_with(sqrt(max_with(sub(spread_34, mul(b_28, b_28)), splat(0.0f32))), splat(0.0001f32));
+    let with_x_50 = Vec3 { x: sub(neg(normals_a1.second.x), mul(normals_a1.first.x, slope_7.x)), y: sub(neg(normals_a1.second.y), mul(normals_a1.first.y, slope_7.x)), z: sub(neg(normals_a1.first.x), mul(normals_a1.first.z, slope_7.x)) };
+    let with_y_59 = Vec3 { x: sub(neg(normals_a1.second.y), mul(normals_a1.first.x, slope_7.y)), y: sub(neg(normals_a1.second.z), mul(normals_a1.first.y, slope_7.y)), z: sub(neg(normals_a1.first.y), mul(normals_a1.first.z, slope_7.y)) };
+    let most_64 = min_with(sqrt(add(mul(a_23, a_23), spread_34)), splat(1.0f32));
+    let e_67 = max(a_23, div(sqrt(add(add(mul(with_x_50.x, with_x_50.x), mul(with_x_50.y, with_x_50.y)), mul(with_x_50.z, with_x_50.z))), most_64));
+    let along_69 = Vec3 { x: div(with_x_50.x, e_67), y: div(with_x_50.y, e_67), z: div(with_x_50.z, e_67) };
+    let rest_71 = Vec3 { x: sub(with_y_59.x, mul(along_69.x, b_28)), y: sub(with_y_59.y, mul(along_69.y, b_28)), z: sub(with_y_59.z, mul(along_69.z, b_28)) };
+    let e_74 = max(d_41, div(sqrt(add(add(mul(rest_71.x, rest_71.x), mul(rest_71.y, rest_71.y)), mul(rest_71.z, rest_71.z))), most_64));
+    let across_76 = Vec3 { x: div(rest_71.x, e_74), y: div(rest_71.y, e_74), z: div(rest_71.z, e_74) };
+    let v_77 = to_tangent_space(r, at_a0, view_a2);
+    let middle_81 = sub(v_77.z, add(add(mul(v_77.x, slope_7.x), mul(v_77.y, slope_7.y)), splat(0.0f32)));
+    let four_91 = facing_four(r, middle_81, neg(add(mul(v_77.x, a_23), mul(v_77.y, b_28))), neg(mul(v_77.y, d_41)));
+    let one_93 = max_with(middle_81, splat(0.0f32));
+    let e_94 = sum_of_four(r, four_91);
+    let e_95 = mean_of_five(r, one_93, e_94);
+    let all_97 = max_with(e_95, splat(0.001f32));
+    let e_101 = div(sub(four_91.x, four_91.y), all_97);
+    let e_106 = div(sub(four_91.z, four_91.w), all_97);
+    let aside_108 = Vec3 { x: add(mul(along_69.x, e_101), mul(across_76.x, e_106)), y: add(mul(along_69.y, e_101), mul(across_76.y, e_106)), z: add(mul(along_69.z, e_101), mul(across_76.z, e_106)) };
+    let mean_113 = from_tangent_space(r, at_a0, Vec3 { x: add(normals_a1.first.x, mul(aside_108.x, splat(0.28867513f32))), y: add(normals_a1.first.y, mul(aside_108.y, splat(0.28867513f32))), z: add(normals_a1.first.z, mul(aside_108.z, splat(0.28867513f32))) });
+    let length1 = sqrt(add(add(mul(mean_113.x, mean_113.x), mul(mean_113.y, mean_113.y)), mul(mean_113.z, mean_113.z)));
+    let e_114 = Vec3 { x: div(mean_113.x, length1), y: div(mean_113.y, length1), z: div(mean_113.z, length1) };
+    let e_133 = no_table(r);
+    return SeenNormals { normal: e_114, length: min_with(sqrt(add(add(mul(mean_113.x, mean_113.x), mul(mean_113.y, mean_113.y)), mul(mean_113.z, mean_113.z))), splat(1.0f32)), differ: splat_u(1u32), middle: Vec3 { x: normals_a1.first.x, y: normals_a1.first.y, z: normals_a1.first.z }, along: along_69, across: across_76, slope: slope_7, slope_along: Vec2 { x: a_23, y: b_28 }, slope_across: Vec2 { x: splat(0.0f32), y: d_41 }, upright: mul(max_with(v_77.z, splat(0.0f32)), max_with(v_77.z, splat(0.0f32))), middle_seen: div(one_93, all_97), others_seen: Vec4 { x: div(four_91.x, all_97), y: div(four_91.y, all_97), z: div(four_91.z, all_97), w: div(four_91.w, all_97) }, table_part: splat(0.0f32), table: e_133, };
+} }
+lanes! { fn table_part(r: &Resources<'_>, at_a0: &Entered) -> F {
+    if (r.surface_settings.has_normal == 1u32) {
+        return splat(0.0f32);
+    }
+    return mul(at_a0.fade, min_with(max_with(sub(mul(at_a0.footprint, splat(0.25f32)), splat(1.0f32)), splat(0.0f32)), splat(1.0f32)));
+} }
+lanes! { fn with_table(r: &Resources<'_>, at_a0: &Entered, seen_a1: &SeenNormals, table_a2: &SeenTable, part_a3: F) -> SeenNormals {
+    let mut told_v0: SeenNormals = zero_seen_normals();
+    told_v0 = *seen_a1;
+    let before_7 = Vec3 { x: mul(seen_a1.normal.x, seen_a1.length), y: mul(seen_a1.normal.y, seen_a1.length), z: mul(seen_a1.normal.z, seen_a1.length) };
+    let e_9 = from_tangent_space(r, at_a0, Vec3 { x: table_a2.mean.x, y: table_a2.mean.y, z: table_a2.mean.z });
+    let mean_12 = Vec3 { x: add(before_7.x, mul(sub(e_9.x, before_7.x), part_a3)), y: add(before_7.y, mul(sub(e_9.y, before_7.y), part_a3)), z: add(before_7.z, mul(sub(e_9.z, before_7.z), part_a3)) };
+    let length1 = sqrt(add(add(mul(mean_12.x, mean_12.x), mul(mean_12.y, mean_12.y)), mul(mean_12.z, mean_12.z)));
+    let e_14 = Vec3 { x: div(mean_12.x, length1), y: div(mean_12.y, length1), z: div(mean_12.z, length1) };
+    told_v0.normal = e_14;
+    told_v0.length = min_with(sqrt(add(add(mul(mean_12.x, mean_12.x), mul(mean_12.y, mean_12.y)), mul(mean_12.z, mean_12.z))), splat(1.0f32));
+    told_v0.table_part = part_a3;
+    told_v0.table = *table_a2;
+    let e_21 = told_v0;
+    return e_21;
+} }
+lanes! { fn turn_of(r: &Resources<'_>, within: M, v_a0: Vec2<F>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut turn_v0: F = splat(0f32);
+    let x_2 = abs(v_a0.x);
+    let y_4 = abs(v_a0.y);
+    let c1 = not(gt(add(x_2, y_4), splat(0.0f32)));
+    ret = splat(0.0f32);
+    ex = and_not(ex, c1);
+    if none(ex) { return ret; }
+    let e_13 = eighth_turn(r, div(min(x_2, y_4), max(x_2, y_4)));
+    turn_v0 = e_13;
+    let c2 = gt(y_4, x_2);
+    let e_16 = turn_v0;
+    turn_v0 = sel(c2, sub(splat(0.25f32), e_16), turn_v0);
+    let c3 = lt(v_a0.x, splat(0.0f32));
+    let e_22 = turn_v0;
+    turn_v0 = sel(c3, sub(splat(0.5f32), e_22), turn_v0);
+    let c4 = lt(v_a0.y, splat(0.0f32));
+    let e_28 = turn_v0;
+    turn_v0 = sel(c4, sub(splat(1.0f32), e_28), turn_v0);
+    let e_31 = turn_v0;
+    let e_32 = turn_v0;
+    return sel(ex, sel(ge(e_32, splat(1.0f32)), splat(0.0f32), e_31), ret);
+} }
+lanes! { fn seen_between(r: &Resources<'_>, a_a0: &SeenTexel, b_a1: &SeenTexel, part_a2: F) -> SeenTexel {
+    return SeenTexel { first: Vec4 { x: add(a_a0.first.x, mul(sub(b_a1.first.x, a_a0.first.x), part_a2)), y: add(a_a0.first.y, mul(sub(b_a1.first.y, a_a0.first.y), part_a2)), z: add(a_a0.first.z, mul(sub(b_a1.first.z, a_a0.first.z), part_a2)), w: add(a_a0.first.w, mul(sub(b_a1.first.w, a_a0.first.w), part_a2)) }, second: Vec4 { x: add(a_a0.second.x, mul(sub(b_a1.second.x, a_a0.second.x), part_a2)), y: add(a_a0.second.y, mul(sub(b_a1.second.y, a_a0.second.y), part_a2)), z: add(a_a0.second.z, mul(sub(b_a1.second.z, a_a0.second.z), part_a2)), w: add(a_a0.second.w, mul(sub(b_a1.second.w, a_a0.second.w), part_a2)) }, };
+} }
+lanes! { fn seen_texel(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, azimuth_a1: I, elevation_a2: I, level_a3: U) -> SeenTexel {
+    let mut ex = within;
+    let mut ret: SeenTexel = zero_seen_texel();
+    let layer_8 = mul_i(splat_i(2i32), add_i(mul_i(azimuth_a1, splat_i(4i32)), elevation_a2));
+    let e_9 = detail_texel_between(r, ex, uv_a0, layer_8, level_a3);
+    let e_12 = detail_texel_between(r, ex, uv_a0, add_i(layer_8, splat_i(1i32)), level_a3);
+    return SeenTexel { first: e_9, second: e_12, };
+} }
+lanes! { fn seen_in_levels(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, azimuth_a1: I, elevation_a2: I, levels_a3: &Levels) -> SeenTexel {
+    let mut ex = within;
+    let mut ret: SeenTexel = zero_seen_texel();
+    let fine_5 = seen_texel(r, ex, uv_a0, azimuth_a1, elevation_a2, levels_a3.fine);
+    let (b1, c2) = (ex, gt(levels_a3.part, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_12 = seen_texel(r, ex, uv_a0, azimuth_a1, elevation_a2, add_u(levels_a3.fine, splat_u(1u32)));
+        let e_14 = seen_between(r, &fine_5, &e_12, levels_a3.part);
+        ret = e_14;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    return sel_seen_texel(ex, &fine_5, &ret);
+} }
+lanes! { fn table_of(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>, view_a2: Vec3<F>, levels_a3: &Levels) -> SeenTable {
+    let mut ex = within;
+    let mut ret: SeenTable = zero_seen_table();
+    let change_4 = climb(r, at_a0, view_a2);
+    let toward_17 = Vec3 { x: mul(change_4.x, splat(r.surface_settings.maps[0].tile_m.x)), y: mul(change_4.y, splat(r.surface_settings.maps[0].tile_m.y)), z: mul(change_4.z, splat(r.surface_settings.scale_m)) };
+    let up_20 = div(toward_17.z, sqrt(add(add(mul(toward_17.x, toward_17.x), mul(toward_17.y, toward_17.y)), mul(toward_17.z, toward_17.z))));
+    let elevation_27 = min_with(max_with(sub(mul(up_20, splat(4.0f32)), splat(1.0f32)), splat(0.0f32)), splat(3.0f32));
+    let e_29 = turn_of(r, ex, Vec2 { x: toward_17.x, y: toward_17.y });
+    let azimuth_31 = mul(e_29, splat(8.0f32));
+    let a0_35 = rem_i(i_of_f(floor(azimuth_31)), splat_i(8i32));
+    let a1_39 = rem_i(add_i(a0_35, splat_i(1i32)), splat_i(8i32));
+    let e0_41 = i_of_f(floor(elevation_27));
+    let e1_45 = min_i(add_i(e0_41, splat_i(1i32)), splat_i(3i32));
+    let across_47 = sub(azimuth_31, floor(azimuth_31));
+    let e_48 = seen_in_levels(r, ex, uv_a1, a0_35, e0_41, levels_a3);
+    let e_49 = seen_in_levels(r, ex, uv_a1, a1_39, e0_41, levels_a3);
+    let low_50 = seen_between(r, &e_48, &e_49, across_47);
+    let e_51 = seen_in_levels(r, ex, uv_a1, a0_35, e1_45, levels_a3);
+    let e_52 = seen_in_levels(r, ex, uv_a1, a1_39, e1_45, levels_a3);
+    let high_53 = seen_between(r, &e_51, &e_52, across_47);
+    let seen_56 = seen_between(r, &low_50, &high_53, sub(elevation_27, floor(elevation_27)));
+    let length1 = sqrt(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)));
+    let e_59 = Vec3 { x: div(at_a0.tangent.x, length1), y: div(at_a0.tangent.y, length1), z: div(at_a0.tangent.z, length1) };
+    let x_66 = div(mul(splat(r.surface_settings.maps[0].tile_m.x), add(add(add(mul(e_59.x, at_a0.tangent.x), mul(e_59.y, at_a0.tangent.y)), mul(e_59.z, at_a0.tangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z)), splat(0.0f32)));
+    let length2 = sqrt(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)));
+    let e_69 = Vec3 { x: div(at_a0.bitangent.x, length2), y: div(at_a0.bitangent.y, length2), z: div(at_a0.bitangent.z, length2) };
+    let y_76 = div(mul(splat(r.surface_settings.maps[0].tile_m.y), add(add(add(mul(e_69.x, at_a0.bitangent.x), mul(e_69.y, at_a0.bitangent.y)), mul(e_69.z, at_a0.bitangent.z)), splat(0.0f32))), add(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z)), splat(0.0f32)));
+    let flatter_84 = Vec3 { x: mul(seen_56.first.x, x_66), y: mul(seen_56.first.y, y_76), z: seen_56.first.z };
+    let squared_87 = div(add(add(add(mul(seen_56.first.x, seen_56.first.x), mul(seen_56.first.y, seen_56.first.y)), mul(seen_56.first.z, seen_56.first.z)), splat(0.0f32)), add(add(add(mul(flatter_84.x, flatter_84.x), mul(flatter_84.y, flatter_84.y)), mul(flatter_84.z, flatter_84.z)), splat(0.0f32)));
+    let upright_96 = max_with(sub(sub(splat(1.0f32), seen_56.first.w), seen_56.second.y), splat(0.0f32));
+    let e_97 = sqrt(squared_87);
+    return SeenTable { mean: Vec3 { x: mul(flatter_84.x, e_97), y: mul(flatter_84.y, e_97), z: mul(flatter_84.z, e_97) }, squares: Vec3 { x: mul(mul(mul(seen_56.first.w, x_66), x_66), squared_87), y: mul(mul(mul(seen_56.second.y, y_76), y_76), squared_87), z: mul(upright_96, squared_87) }, products: Vec3 { x: mul(mul(mul(seen_56.second.x, x_66), y_76), squared_87), y: mul(mul(seen_56.second.z, x_66), squared_87), z: mul(mul(seen_56.second.w, y_76), squared_87) }, };
+} }
+lanes! { fn mesostructure_normals(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>, view_a2: Vec3<F>) -> SeenNormals {
+    let mut ex = within;
+    let mut ret: SeenNormals = zero_seen_normals();
+    let mut both_v0: M = splat_m(false);
+    let mut first_v1: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let mut second_v2: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    if (r.surface_settings.has_vertex_normals == 1u32) {
+        let e_9 = one_seen(r, Vec3 { x: at_a0.normal.x, y: at_a0.normal.y, z: at_a0.normal.z });
+        return e_9;
+    }
+    let upright_11 = add(add(add(mul(at_a0.normal.x, view_a2.x), mul(at_a0.normal.y, view_a2.y)), mul(at_a0.normal.z, view_a2.z)), splat(0.0f32));
+    let shown_13 = max_with(upright_11, splat(0.5f32));
+    let width_18 = add(shown_13, mul(sub(splat(1.0f32), shown_13), at_a0.fade));
+    let texels_24 = mul(mul(at_a0.footprint, splat(r.surface_settings.normal_texels)), width_18);
+    let levels_28 = levels_of(r, ex, texels_24, r.surface_settings.normal_levels);
+    both_v0 = and(eq_u(levels_28.fine, splat_u(0u32)), not(gt(levels_28.part, splat(0.0f32))));
+    let e_39 = both_v0;
+    let (b1, c2) = (ex, e_39);
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_40 = finest_normal(r, ex, at_a0, uv_a1);
+        let e_41 = one_seen(r, e_40);
+        ret = e_41;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let fine_43 = normals_of_level(r, ex, at_a0, uv_a1, levels_28.fine);
+    first_v1 = Vec4 { x: fine_43.first.x, y: fine_43.first.y, z: fine_43.first.z, w: fine_43.first.w };
+    second_v2 = Vec4 { x: fine_43.second.x, y: fine_43.second.y, z: fine_43.second.z, w: fine_43.second.w };
+    let (b3, c4) = (ex, gt(levels_28.part, splat(0.0f32)));
+    ex = and(b3, c4);
+    if any(ex) {
+        let coarse_54 = normals_of_level(r, ex, at_a0, uv_a1, add_u(levels_28.fine, splat_u(1u32)));
+        let e_55 = first_v1;
+        let e_57 = first_v1;
+        let (m5, y6) = (ex, Vec4 { x: add(e_55.x, mul(sub(coarse_54.first.x, e_57.x), levels_28.part)), y: add(e_55.y, mul(sub(coarse_54.first.y, e_57.y), levels_28.part)), z: add(e_55.z, mul(sub(coarse_54.first.z, e_57.z), levels_28.part)), w: add(e_55.w, mul(sub(coarse_54.first.w, e_57.w), levels_28.part)) });
+        first_v1 = Vec4 { x: sel(m5, y6.x, first_v1.x), y: sel(m5, y6.y, first_v1.y), z: sel(m5, y6.z, first_v1.z), w: sel(m5, y6.w, first_v1.w) };
+        let e_62 = second_v2;
+        let e_64 = second_v2;
+        let (m7, y8) = (ex, Vec4 { x: add(e_62.x, mul(sub(coarse_54.second.x, e_64.x), levels_28.part)), y: add(e_62.y, mul(sub(coarse_54.second.y, e_64.y), levels_28.part)), z: add(e_62.z, mul(sub(coarse_54.second.z, e_64.z), levels_28.part)), w: add(e_62.w, mul(sub(coarse_54.second.w, e_64.w), levels_28.part)) });
+        second_v2 = Vec4 { x: sel(m7, y8.x, second_v2.x), y: sel(m7, y8.y, second_v2.y), z: sel(m7, y8.z, second_v2.z), w: sel(m7, y8.w, second_v2.w) };
+    }
+    ex = b3;
+    let e_69 = first_v1;
+    let e_70 = second_v2;
+    let seen_72 = seen_normals(r, at_a0, &Normals { first: e_69, second: e_70, }, view_a2);
+    let part_73 = table_part(r, at_a0);
+    let (b9, c10) = (ex, gt(part_73, splat(0.0f32)));
+    ex = and(b9, c10);
+    if any(ex) {
+        let of_table_80 = levels_of(r, ex, at_a0.footprint, r.surface_settings.height_levels);
+        let e_81 = has_table(r, &of_table_80);
+        let (b11, c12) = (ex, e_81);
+        ex = and(b11, c12);
+        if any(ex) {
+            let e_82 = table_of(r, ex, at_a0, uv_a1, view_a2, &of_table_80);
+            let e_83 = with_table(r, at_a0, &seen_72, &e_82, part_73);
+            ret = sel_seen_normals(ex, &e_83, &ret);
+            ex = no_lane();
+        }
+        ex = and_not(b11, c12);
+    }
+    let x13 = ex;
+    ex = and_not(b9, c10);
+    ex = or(ex, x13);
+    return sel_seen_normals(ex, &seen_72, &ret);
+} }
+stage! { fn shadow_ray(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward, params_a3: Vec4<f32>) -> F {
+    if none(within) { return splat(0f32); }
+    let at_a0 = singles_entered(at_a0);
+    let hit_a1 = singles_hit(hit_a1);
+    let light_a2 = singles_toward(light_a2);
+    let one = |lane: usize| r.shadow_ray(at_a0[lane], hit_a1[lane], light_a2[lane], params_a3);
+    let mut rest = bits_of(within);
+    let mut results = [one(rest.trailing_zeros() as usize); LANES];
+    rest &= rest - 1;
+    while rest != 0 {
+        let lane = rest.trailing_zeros() as usize;
+        results[lane] = one(lane);
+        rest &= rest - 1;
+    }
+    load(&std::array::from_fn(|lane| results[lane]))
+} }
+lanes! { fn shadow_none(r: &Resources<'_>, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward, params_a3: Vec4<f32>) -> F {
+    return splat(1.0f32);
+} }
+stage! { fn shadow_entry(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward, params_a3: Vec4<f32>) -> F {
+    if none(within) { return splat(0f32); }
+    let at_a0 = singles_entered(at_a0);
+    let hit_a1 = singles_hit(hit_a1);
+    let light_a2 = singles_toward(light_a2);
+    let one = |lane: usize| r.shadow_entry(at_a0[lane], hit_a1[lane], light_a2[lane], params_a3);
+    let mut rest = bits_of(within);
+    let mut results = [one(rest.trailing_zeros() as usize); LANES];
+    rest &= rest - 1;
+    while rest != 0 {
+        let lane = rest.trailing_zeros() as usize;
+        results[lane] = one(lane);
+        rest &= rest - 1;
+    }
+    load(&std::array::from_fn(|lane| results[lane]))
+} }
+lanes! { fn mixed(r: &Resources<'_>, seed_a0: U) -> U {
+    let mut x_v0: U = splat_u(0u32);
+    x_v0 = xor_u(seed_a0, shr_u(seed_a0, i_of_u(splat_u(16u32))));
+    let e_5 = x_v0;
+    x_v0 = mul_u(e_5, splat_u(2146121005u32));
+    let e_8 = x_v0;
+    let e_9 = x_v0;
+    x_v0 = xor_u(e_8, shr_u(e_9, i_of_u(splat_u(15u32))));
+    let e_13 = x_v0;
+    x_v0 = mul_u(e_13, splat_u(2221713035u32));
+    let e_16 = x_v0;
+    let e_17 = x_v0;
+    return xor_u(e_16, shr_u(e_17, i_of_u(splat_u(16u32))));
+} }
+lanes! { fn seed_of(r: &Resources<'_>, hit_a0: &Hit) -> U {
+    let place_7 = Vec2 { x: u_of_f(mul(sub(hit_a0.uv.x, floor(hit_a0.uv.x)), splat(16777216.0f32))), y: u_of_f(mul(sub(hit_a0.uv.y, floor(hit_a0.uv.y)), splat(16777216.0f32))) };
+    let e_10 = mixed(r, place_7.y);
+    let e_12 = mixed(r, xor_u(place_7.x, e_10));
+    return e_12;
+} }
+lanes! { fn unit_of(r: &Resources<'_>, bits_a0: U) -> F {
+    return div(f_of_u(shr_u(bits_a0, i_of_u(splat_u(8u32)))), splat(16777216.0f32));
+} }
+lanes! { fn quarter_sine(r: &Resources<'_>, turn_a0: F) -> F {
+    let x_2 = mul(turn_a0, splat(6.2831855f32));
+    let s_3 = mul(x_2, x_2);
+    let last_7 = add(splat((-0.0001984127f32)), mul(s_3, splat(2.7557319e-6f32)));
+    return mul(x_2, add(splat(1.0f32), mul(s_3, add(splat((-0.16666667f32)), mul(s_3, add(splat(0.008333334f32), mul(s_3, last_7)))))));
+} }
+lanes! { fn sine_of(r: &Resources<'_>, turn_a0: F) -> F {
+    let part_2 = sub(turn_a0, floor(turn_a0));
+    let sine_11 = quarter_sine(r, sub(splat(0.25f32), abs(sub(splat(0.25f32), abs(sub(part_2, splat(0.5f32)))))));
+    return sel(gt(part_2, splat(0.5f32)), sub(splat(0.0f32), sine_11), sine_11);
+} }
+lanes! { fn turned(r: &Resources<'_>, turn_a0: F) -> Vec2<F> {
+    let e_3 = sine_of(r, add(turn_a0, splat(0.25f32)));
+    let e_4 = sine_of(r, turn_a0);
+    return Vec2 { x: e_3, y: e_4 };
+} }
+lanes! { fn point_of_disc(r: &Resources<'_>, light_a0: &Toward, seed_a1: U, k_a2: u32, count_a3: u32) -> Toward {
+    let e_8 = mixed(r, add_u(add_u(seed_a1, splat_u(k_a2)), splat_u(1u32)));
+    let e_9 = unit_of(r, e_8);
+    let ring_12 = div(add(splat((k_a2 as f32)), e_9), splat((count_a3 as f32)));
+    let e_16 = unit_of(r, seed_a1);
+    let e_18 = turned(r, add(splat(((k_a2 as f32) * 0.618034f32)), e_16));
+    let e_21 = mul(sqrt(ring_12), light_a0.radius);
+    let place_22 = Vec2 { x: mul(e_18.x, e_21), y: mul(e_18.y, e_21) };
+    let other_30 = sel(gt(abs(light_a0.direction.x), splat(0.6f32)), splat(1.0f32), splat(0.0f32));
+    let e_34 = Vec3 { x: sub(splat(1.0f32), other_30), y: other_30, z: splat(0.0f32) };
+    let e_36 = Vec3 { x: sub(mul(e_34.y, light_a0.direction.z), mul(e_34.z, light_a0.direction.y)), y: sub(mul(e_34.z, light_a0.direction.x), mul(e_34.x, light_a0.direction.z)), z: sub(mul(e_34.x, light_a0.direction.y), mul(e_34.y, light_a0.direction.x)) };
+    let length1 = sqrt(add(add(mul(e_36.x, e_36.x), mul(e_36.y, e_36.y)), mul(e_36.z, e_36.z)));
+    let right_37 = Vec3 { x: div(e_36.x, length1), y: div(e_36.y, length1), z: div(e_36.z, length1) };
+    let up_39 = Vec3 { x: sub(mul(light_a0.direction.y, right_37.z), mul(light_a0.direction.z, right_37.y)), y: sub(mul(light_a0.direction.z, right_37.x), mul(light_a0.direction.x, right_37.z)), z: sub(mul(light_a0.direction.x, right_37.y), mul(light_a0.direction.y, right_37.x)) };
+    let toward_46 = Vec3 { x: add(add(light_a0.direction.x, mul(right_37.x, place_22.x)), mul(up_39.x, place_22.y)), y: add(add(light_a0.direction.y, mul(right_37.y, place_22.x)), mul(up_39.y, place_22.y)), z: add(add(light_a0.direction.z, mul(right_37.z, place_22.x)), mul(up_39.z, place_22.y)) };
+    let along_47 = sqrt(add(add(mul(toward_46.x, toward_46.x), mul(toward_46.y, toward_46.y)), mul(toward_46.z, toward_46.z)));
+    return Toward { direction: Vec3 { x: div(toward_46.x, along_47), y: div(toward_46.y, along_47), z: div(toward_46.z, along_47) }, falloff: light_a0.falloff, distance: mul(light_a0.distance, along_47), radius: splat(0.0f32), number: light_a0.number, };
+} }
+stage! { fn shadow_soft(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward, params_a3: Vec4<f32>) -> F {
+    if none(within) { return splat(0f32); }
+    let at_a0 = singles_entered(at_a0);
+    let hit_a1 = singles_hit(hit_a1);
+    let light_a2 = singles_toward(light_a2);
+    let one = |lane: usize| r.shadow_soft(at_a0[lane], hit_a1[lane], light_a2[lane], params_a3);
+    let mut rest = bits_of(within);
+    let mut results = [one(rest.trailing_zeros() as usize); LANES];
+    rest &= rest - 1;
+    while rest != 0 {
+        let lane = rest.trailing_zeros() as usize;
+        results[lane] = one(lane);
+        rest &= rest - 1;
+    }
+    load(&std::array::from_fn(|lane| results[lane]))
+} }
+stage! { fn shadow_heuristic(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward, params_a3: Vec4<f32>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut most_v0: F = splat(0.0f32);
+    let mut k_v1: f32 = 1.0f32;
+    let path_4 = from_hit(r, ex, at_a0, hit_a1, light_a2);
+    let c1 = not(gt(path_4.h.y, splat(0.0f32)));
+    ret = splat(0.0f32);
+    ex = and_not(ex, c1);
+    if none(ex) { return ret; }
+    let way_11 = way_out(r, ex, &path_4, light_a2);
+    'l2: loop {
+        let e_16 = k_v1;
+        if (e_16 < params_a3.x) {
+        } else {
+            break 'l2;
+        }
+        let e_19 = k_v1;
+        let part_21 = (e_19 / params_a3.x);
+        let e_22 = most_v0;
+        let e_24 = path_gap(r, ex, &path_4, mul(splat(part_21), way_11));
+        most_v0 = max(e_22, mul(sub(splat(0.0f32), e_24), splat((1.0f32 - part_21))));
+        let e_31 = k_v1;
+        k_v1 = (e_31 + 1.0f32);
+    }
+    let e_35 = most_v0;
+    return sel(ex, sub(splat(1.0f32), min_with(mul(splat(params_a3.y), e_35), splat(1.0f32))), ret);
+} }
+lanes! { fn shadow_texel(r: &Resources<'_>, within: M, place_a0: Vec2<I>, layer_a1: I, level_a2: I) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_4 = map_texel_of_each(&r.shadow_texels, ex, place_a0.x, place_a0.y, layer_a1, level_a2);
+    let e_9 = decoded(r, e_4, &r.surface_settings.maps[3]);
+    return e_9;
+} }
+lanes! { fn shadow_texel_between(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, layer_a1: I, level_a2: U) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_3 = height_texels(r, level_a2);
+    let at_4 = texels_around(r, ex, uv_a0, e_3);
+    let k_5 = i_of_u(level_a2);
+    let e_11 = shadow_texel(r, ex, Vec2 { x: at_4.columns.x, y: at_4.rows.x }, layer_a1, k_5);
+    let e_17 = shadow_texel(r, ex, Vec2 { x: at_4.columns.y, y: at_4.rows.x }, layer_a1, k_5);
+    let e_23 = shadow_texel(r, ex, Vec2 { x: at_4.columns.x, y: at_4.rows.y }, layer_a1, k_5);
+    let e_29 = shadow_texel(r, ex, Vec2 { x: at_4.columns.y, y: at_4.rows.y }, layer_a1, k_5);
+    let e_31 = bilinear(r, e_11, e_17, e_23, e_29, Vec2 { x: at_4.part.x, y: at_4.part.y });
+    return e_31;
+} }
+lanes! { fn own_slope(r: &Resources<'_>, within: M, way_a0: &Path) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut level_v0: Path = zero_path();
+    let grid_1 = grid_of(r, way_a0);
+    let cell_3 = cell_of(r, Vec2 { x: grid_1.origin.x, y: grid_1.origin.y });
+    let leave_4 = cell_leave(r, ex, &grid_1, cell_3);
+    let end_9 = max_with(min(leave_4.x, leave_4.y), splat(0.0f32));
+    level_v0 = *way_a0;
+    level_v0.h = Vec3 { x: way_a0.h.x, y: splat(0.0f32), z: splat(0.0f32) };
+    level_v0.exit = end_9;
+    let e_18 = level_v0;
+    let e_21 = height_cell_ll(r, ex, Vec2 { x: i_of_small(cell_3.x), y: i_of_small(cell_3.y) }, way_a0.level);
+    let c_23 = gap_to(r, &e_18, &grid_1, cell_3, e_21, 0.0f32);
+    return sub(splat(0.0f32), min(c_23.y, add(c_23.y, mul(c_23.z, end_9))));
+} }
+lanes! { fn part_above(r: &Resources<'_>, height_a0: F) -> F {
+    let x_3 = min_with(max_with(height_a0, splat((-1.0f32))), splat(1.0f32));
+    let s_4 = mul(x_3, x_3);
+    return add(splat(0.5f32), mul(x_3, add(splat(0.6401074f32), mul(s_4, add(splat((-0.13985065f32)), mul(s_4, add(splat(0.06702511f32), mul(s_4, splat((-0.06728186f32))))))))));
+} }
+lanes! { fn shadow_horizon(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward, params_a3: Vec4<f32>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let change_5 = climb(r, at_a0, Vec3 { x: light_a2.direction.x, y: light_a2.direction.y, z: light_a2.direction.z });
+    let along_12 = Vec2 { x: mul(change_5.x, splat(r.surface_settings.maps[3].tile_m.x)), y: mul(change_5.y, splat(r.surface_settings.maps[3].tile_m.y)) };
+    let e_13 = turn_of(r, ex, along_12);
+    let azimuth_15 = mul(e_13, splat(params_a3.x));
+    let first_16 = floor(azimuth_15);
+    let count_18 = (params_a3.x as i32);
+    let before_20 = rem_i(i_of_f(first_16), splat_i(count_18));
+    let part_21 = sub(azimuth_15, first_16);
+    let e_24 = shadow_texel_between(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, before_20, at_a0.level);
+    let e_31 = shadow_texel_between(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, rem_i(add_i(before_20, splat_i(1i32)), splat_i(count_18)), at_a0.level);
+    let sine_35 = add(e_24.x, mul(sub(e_31.x, e_24.x), part_21));
+    let squared_44 = div(mul(sine_35, sine_35), max_with(mul(sub(splat(1.0f32), sine_35), add(splat(1.0f32), sine_35)), splat(1e-7f32)));
+    let far_47 = sqrt(mul(squared_44, add(add(mul(along_12.x, along_12.x), mul(along_12.y, along_12.y)), splat(0.0f32))));
+    let e_48 = from_hit(r, ex, at_a0, hit_a1, light_a2);
+    let e_49 = own_slope(r, ex, &e_48);
+    let near_53 = mul(e_49, splat(r.surface_settings.scale_m));
+    let horizon_54 = max(far_47, near_53);
+    let up_57 = add(add(add(mul(at_a0.normal.x, light_a2.direction.x), mul(at_a0.normal.y, light_a2.direction.y)), mul(at_a0.normal.z, light_a2.direction.z)), splat(0.0f32));
+    let c1 = not(gt(light_a2.radius, splat(0.0f32)));
+    ret = sel(gt(up_57, horizon_54), splat(1.0f32), splat(0.0f32));
+    ex = and_not(ex, c1);
+    let flat_70 = max_with(sub(splat(1.0f32), mul(up_57, up_57)), splat(0.0f32));
+    let beside_72 = add(flat_70, mul(up_57, horizon_54));
+    let c2 = not(gt(beside_72, splat(0.0f32)));
+    ret = sel(and(ex, c2), sel(gt(up_57, horizon_54), splat(1.0f32), splat(0.0f32)), ret);
+    ex = and_not(ex, c2);
+    if none(ex) { return ret; }
+    let e_86 = part_above(r, div(mul(sqrt(flat_70), sub(up_57, horizon_54)), mul(beside_72, light_a2.radius)));
+    return sel(ex, e_86, ret);
+} }
+lanes! { fn open_part(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, azimuth_a2: I, elevation_a3: I, elevations_a4: i32) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let e_9 = shadow_texel_between(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, add_i(mul_i(azimuth_a2, splat_i(elevations_a4)), elevation_a3), at_a0.level);
+    return sub(splat(1.0f32), e_9.z);
+} }
+lanes! { fn shadow_visibility(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward, params_a3: Vec4<f32>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let change_5 = climb(r, at_a0, Vec3 { x: light_a2.direction.x, y: light_a2.direction.y, z: light_a2.direction.z });
+    let c1 = not(gt(change_5.z, splat(0.0f32)));
+    ret = splat(0.0f32);
+    ex = and_not(ex, c1);
+    let along_17 = Vec2 { x: mul(change_5.x, splat(r.surface_settings.maps[3].tile_m.x)), y: mul(change_5.y, splat(r.surface_settings.maps[3].tile_m.y)) };
+    let height_22 = mul(change_5.z, splat(r.surface_settings.scale_m));
+    let squared_27 = div(mul(height_22, height_22), add(add(add(mul(along_17.x, along_17.x), mul(along_17.y, along_17.y)), splat(0.0f32)), mul(height_22, height_22)));
+    let azimuths_29 = (params_a3.x as i32);
+    let elevations_31 = (params_a3.y as i32);
+    if none(ex) { return ret; }
+    let e_32 = turn_of(r, ex, along_17);
+    let azimuth_34 = mul(e_32, splat(params_a3.x));
+    let elevation_43 = min(max_with(sub(mul(squared_27, splat(params_a3.y)), splat(0.5f32)), splat(0.0f32)), splat((params_a3.y - 1.0f32)));
+    if (params_a3.z < 2.0f32) {
+        let a_51 = rem_i(i_of_f(floor(add(azimuth_34, splat(0.5f32)))), splat_i(azimuths_29));
+        let e_56 = open_part(r, ex, at_a0, hit_a1, a_51, i_of_f(floor(add(elevation_43, splat(0.5f32)))), elevations_31);
+        return sel(ex, e_56, ret);
+    }
+    let a0_59 = rem_i(i_of_f(floor(azimuth_34)), splat_i(azimuths_29));
+    let a1_62 = rem_i(add_i(a0_59, splat_i(1i32)), splat_i(azimuths_29));
+    let e0_64 = i_of_f(floor(elevation_43));
+    let e1_69 = min_i(add_i(e0_64, splat_i(1i32)), splat_i(elevations_31.wrapping_sub(1i32)));
+    let along_azimuth_71 = sub(azimuth_34, floor(azimuth_34));
+    let along_elevation_73 = sub(elevation_43, floor(elevation_43));
+    let right_74 = open_part(r, ex, at_a0, hit_a1, a1_62, e0_64, elevations_31);
+    let above_75 = open_part(r, ex, at_a0, hit_a1, a0_59, e1_69, elevations_31);
+    let (b2, c3) = (ex, le(add(along_azimuth_71, along_elevation_73), splat(1.0f32)));
+    ex = and(b2, c3);
+    if any(ex) {
+        let corner_79 = open_part(r, ex, at_a0, hit_a1, a0_59, e0_64, elevations_31);
+        ret = sel(ex, add(add(corner_79, mul(sub(right_74, corner_79), along_azimuth_71)), mul(sub(above_75, corner_79), along_elevation_73)), ret);
+        ex = no_lane();
+    }
+    ex = and_not(b2, c3);
+    if none(ex) { return ret; }
+    let corner_86 = open_part(r, ex, at_a0, hit_a1, a1_62, e1_69, elevations_31);
+    return sel(ex, add(add(corner_86, mul(sub(above_75, corner_86), sub(splat(1.0f32), along_azimuth_71))), mul(sub(right_74, corner_86), sub(splat(1.0f32), along_elevation_73))), ret);
+} }
+stage! { fn shadow_map(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward, params_a3: Vec4<f32>) -> F {
+    if none(within) { return splat(0f32); }
+    let at_a0 = singles_entered(at_a0);
+    let hit_a1 = singles_hit(hit_a1);
+    let light_a2 = singles_toward(light_a2);
+    let one = |lane: usize| r.shadow_map(at_a0[lane], hit_a1[lane], light_a2[lane], params_a3);
+    let mut rest = bits_of(within);
+    let mut results = [one(rest.trailing_zeros() as usize); LANES];
+    rest &= rest - 1;
+    while rest != 0 {
+        let lane = rest.trailing_zeros() as usize;
+        results[lane] = one(lane);
+        rest &= rest - 1;
+    }
+    load(&std::array::from_fn(|lane| results[lane]))
+} }
+lanes! { fn shadow_scene(r: &Resources<'_>, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward, params_a3: Vec4<f32>) -> F {
+    return splat(1.0f32);
+} }
+lanes! { fn shadow_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    match r.surface_settings.choices[6].number {
+        0u32 => {
+            let e_13 = shadow_ray(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[6].params);
+            return e_13;
+        }
+        1u32 => {
+            let e_19 = shadow_none(r, at_a0, hit_a1, light_a2, r.surface_settings.choices[6].params);
+            return e_19;
+        }
+        2u32 => {
+            let e_25 = shadow_entry(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[6].params);
+            return e_25;
+        }
+        3u32 => {
+            let e_31 = shadow_soft(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[6].params);
+            return e_31;
+        }
+        4u32 => {
+            let e_37 = shadow_heuristic(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[6].params);
+            return e_37;
+        }
+        5u32 => {
+            let e_43 = shadow_horizon(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[6].params);
+            return e_43;
+        }
+        6u32 => {
+            let e_49 = shadow_visibility(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[6].params);
+            return e_49;
+        }
+        7u32 => {
+            let e_55 = shadow_map(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[6].params);
+            return e_55;
+        }
+        _ => {
+            let e_61 = shadow_scene(r, at_a0, hit_a1, light_a2, r.surface_settings.choices[6].params);
+            return e_61;
+        }
+    }
+} }
+stage! { pub(super) fn pixel_direction(r: &Resources<'_>, pixel_a0: Vec2<F>) -> Vec3<F> {
+    return Vec3 { x: add(add(splat(r.frame.corner.x), mul(splat(r.frame.right.x), pixel_a0.x)), mul(splat(r.frame.down.x), pixel_a0.y)), y: add(add(splat(r.frame.corner.y), mul(splat(r.frame.right.y), pixel_a0.x)), mul(splat(r.frame.down.y), pixel_a0.y)), z: add(add(splat(r.frame.corner.z), mul(splat(r.frame.right.z), pixel_a0.x)), mul(splat(r.frame.down.z), pixel_a0.y)) };
+} }
+stage! { pub(super) fn pixel_eye(r: &Resources<'_>, pixel_a0: Vec2<F>) -> Vec3<F> {
+    return Vec3 { x: add(add(splat(r.frame.eye.x), mul(splat(r.frame.eye_right.x), pixel_a0.x)), mul(splat(r.frame.eye_down.x), pixel_a0.y)), y: add(add(splat(r.frame.eye.y), mul(splat(r.frame.eye_right.y), pixel_a0.x)), mul(splat(r.frame.eye_down.y), pixel_a0.y)), z: add(add(splat(r.frame.eye.z), mul(splat(r.frame.eye_right.z), pixel_a0.x)), mul(splat(r.frame.eye_down.z), pixel_a0.y)) };
+} }
+lanes! { fn surface_plane_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut placed_v0: Entered = zero_entered();
+    let aside_7 = Vec2 { x: sub(hit_a3.uv.x, at_a1.uv.x), y: sub(hit_a3.uv.y, at_a1.uv.y) };
+    let e_16 = height_at_ll(r, ex, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y }, at_a1.level);
+    let height_18 = add(splat(r.surface_settings.bias_m), mul(splat(r.surface_settings.scale_m), e_16));
+    placed_v0 = *at_a1;
+    placed_v0.point = Vec3 { x: add(add(add(at_a1.point.x, mul(at_a1.tangent.x, aside_7.x)), mul(at_a1.bitangent.x, aside_7.y)), mul(at_a1.normal.x, height_18)), y: add(add(add(at_a1.point.y, mul(at_a1.tangent.y, aside_7.x)), mul(at_a1.bitangent.y, aside_7.y)), mul(at_a1.normal.y, height_18)), z: add(add(add(at_a1.point.z, mul(at_a1.tangent.z, aside_7.x)), mul(at_a1.bitangent.z, aside_7.y)), mul(at_a1.normal.z, height_18)) };
+    placed_v0.uv = Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y };
+    let e_35 = placed_v0;
+    return e_35;
+} }
+stage! { fn surface_prism_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    if none(within) { return zero_entered(); }
+    let pixel_a0 = singles_pixel_in(pixel_a0);
+    let at_a1 = singles_entered(at_a1);
+    let path_a2 = singles_path(path_a2);
+    let hit_a3 = singles_hit(hit_a3);
+    let one = |lane: usize| r.surface_prism_place(pixel_a0[lane], at_a1[lane], path_a2[lane], hit_a3[lane], params_a4);
+    let mut rest = bits_of(within);
+    let mut results = [one(rest.trailing_zeros() as usize); LANES];
+    rest &= rest - 1;
+    while rest != 0 {
+        let lane = rest.trailing_zeros() as usize;
+        results[lane] = one(lane);
+        rest &= rest - 1;
+    }
+    lanes_of_entered(&results)
+} }
+lanes! { fn quadric_frame(r: &Resources<'_>, within: M, at_a0: &Entered, aside_a1: Vec2<F>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut placed_v0: Entered = zero_entered();
+    let mut both_v1: M = splat_m(false);
+    placed_v0 = *at_a0;
+    let slope_5 = quadric_slope(r, Vec3 { x: at_a0.quadric.x, y: at_a0.quadric.y, z: at_a0.quadric.z }, aside_a1);
+    both_v1 = and(eq(slope_5.x, splat(0.0f32)), eq(slope_5.y, splat(0.0f32)));
+    let e_15 = both_v1;
+    let (b1, c2) = (ex, e_15);
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_16 = placed_v0;
+        ret = e_16;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    let area_24 = sub(mul(at_a0.metric.x, at_a0.metric.z), mul(at_a0.metric.y, at_a0.metric.y));
+    let along_t_32 = div(sub(mul(slope_5.x, at_a0.metric.z), mul(slope_5.y, at_a0.metric.y)), area_24);
+    let along_b_40 = div(sub(mul(slope_5.y, at_a0.metric.x), mul(slope_5.x, at_a0.metric.y)), area_24);
+    placed_v0.tangent = Vec3 { x: add(at_a0.tangent.x, mul(at_a0.normal.x, slope_5.x)), y: add(at_a0.tangent.y, mul(at_a0.normal.y, slope_5.x)), z: add(at_a0.tangent.z, mul(at_a0.normal.z, slope_5.x)) };
+    placed_v0.bitangent = Vec3 { x: add(at_a0.bitangent.x, mul(at_a0.normal.x, slope_5.y)), y: add(at_a0.bitangent.y, mul(at_a0.normal.y, slope_5.y)), z: add(at_a0.bitangent.z, mul(at_a0.normal.z, slope_5.y)) };
+    let e_60 = Vec3 { x: sub(sub(at_a0.normal.x, mul(at_a0.tangent.x, along_t_32)), mul(at_a0.bitangent.x, along_b_40)), y: sub(sub(at_a0.normal.y, mul(at_a0.tangent.y, along_t_32)), mul(at_a0.bitangent.y, along_b_40)), z: sub(sub(at_a0.normal.z, mul(at_a0.tangent.z, along_t_32)), mul(at_a0.bitangent.z, along_b_40)) };
+    let length3 = sqrt(add(add(mul(e_60.x, e_60.x), mul(e_60.y, e_60.y)), mul(e_60.z, e_60.z)));
+    let e_61 = Vec3 { x: div(e_60.x, length3), y: div(e_60.y, length3), z: div(e_60.z, length3) };
+    placed_v0.normal = e_61;
+    let e_63 = placed_v0.tangent;
+    let e_65 = placed_v0.tangent;
+    let tt_66 = add(add(add(mul(e_63.x, e_65.x), mul(e_63.y, e_65.y)), mul(e_63.z, e_65.z)), splat(0.0f32));
+    let e_68 = placed_v0.tangent;
+    let e_70 = placed_v0.bitangent;
+    let tb_71 = add(add(add(mul(e_68.x, e_70.x), mul(e_68.y, e_70.y)), mul(e_68.z, e_70.z)), splat(0.0f32));
+    let e_73 = placed_v0.bitangent;
+    let e_75 = placed_v0.bitangent;
+    let bb_76 = add(add(add(mul(e_73.x, e_75.x), mul(e_73.y, e_75.y)), mul(e_73.z, e_75.z)), splat(0.0f32));
+    placed_v0.metric = Vec4 { x: tt_66, y: tb_71, z: bb_76, w: at_a0.metric.w };
+    let e_80 = placed_v0;
+    return sel_entered(ex, &e_80, &ret);
+} }
+lanes! { fn surface_quadric_perpendicular_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut placed_v0: Entered = zero_entered();
+    let e_8 = quadric_frame(r, ex, at_a1, Vec2 { x: sub(hit_a3.uv.x, at_a1.uv.x), y: sub(hit_a3.uv.y, at_a1.uv.y) });
+    placed_v0 = e_8;
+    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let e_13 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+    let e_16 = add(path_a2.start, hit_a3.t);
+    placed_v0.point = Vec3 { x: add(pixel_a0.origin.x, mul(e_13.x, e_16)), y: add(pixel_a0.origin.y, mul(e_13.y, e_16)), z: add(pixel_a0.origin.z, mul(e_13.z, e_16)) };
+    placed_v0.uv = Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y };
+    let e_21 = placed_v0;
+    return e_21;
+} }
+lanes! { fn surface_quadric_vertical_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut placed_v0: Entered = zero_entered();
+    let aside_7 = Vec2 { x: sub(hit_a3.uv.x, at_a1.uv.x), y: sub(hit_a3.uv.y, at_a1.uv.y) };
+    let e_16 = height_at_ll(r, ex, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y }, at_a1.level);
+    let height_18 = add(splat(r.surface_settings.bias_m), mul(splat(r.surface_settings.scale_m), e_16));
+    let e_19 = r.base_height();
+    let e_23 = r.traced_scale_m();
+    let e_27 = quadric_at(r, Vec3 { x: at_a1.quadric.x, y: at_a1.quadric.y, z: at_a1.quadric.z }, aside_7);
+    let lifted_28 = add(mul(sub(splat(e_19), at_a1.quadric.w), splat(e_23)), e_27);
+    let e_29 = quadric_frame(r, ex, at_a1, aside_7);
+    placed_v0 = e_29;
+    let e_42 = add(height_18, lifted_28);
+    placed_v0.point = Vec3 { x: add(add(add(at_a1.point.x, mul(at_a1.tangent.x, aside_7.x)), mul(at_a1.bitangent.x, aside_7.y)), mul(at_a1.normal.x, e_42)), y: add(add(add(at_a1.point.y, mul(at_a1.tangent.y, aside_7.x)), mul(at_a1.bitangent.y, aside_7.y)), mul(at_a1.normal.y, e_42)), z: add(add(add(at_a1.point.z, mul(at_a1.tangent.z, aside_7.x)), mul(at_a1.bitangent.z, aside_7.y)), mul(at_a1.normal.z, e_42)) };
+    placed_v0.uv = Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y };
+    let e_47 = placed_v0;
+    return e_47;
+} }
+stage! { fn surface_tetrahedra_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    if none(within) { return zero_entered(); }
+    let pixel_a0 = singles_pixel_in(pixel_a0);
+    let at_a1 = singles_entered(at_a1);
+    let path_a2 = singles_path(path_a2);
+    let hit_a3 = singles_hit(hit_a3);
+    let one = |lane: usize| r.surface_tetrahedra_place(pixel_a0[lane], at_a1[lane], path_a2[lane], hit_a3[lane], params_a4);
+    let mut rest = bits_of(within);
+    let mut results = [one(rest.trailing_zeros() as usize); LANES];
+    rest &= rest - 1;
+    while rest != 0 {
+        let lane = rest.trailing_zeros() as usize;
+        results[lane] = one(lane);
+        rest &= rest - 1;
+    }
+    lanes_of_entered(&results)
+} }
+lanes! { fn surface_facets_place(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    return *at_a1;
+} }
+lanes! { fn surface_place_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    match r.surface_settings.choices[1].number {
+        0u32 => {
+            let e_14 = surface_plane_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_14;
+        }
+        1u32 => {
+            let e_20 = surface_prism_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_20;
+        }
+        2u32 => {
+            let e_26 = surface_quadric_perpendicular_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_26;
+        }
+        3u32 => {
+            let e_32 = surface_quadric_vertical_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_32;
+        }
+        4u32 => {
+            let e_38 = surface_tetrahedra_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_38;
+        }
+        _ => {
+            let e_44 = surface_facets_place(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_44;
+        }
+    }
+} }
+stage! { pub(super) fn place_on_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut placed_v0: Entered = zero_entered();
+    let e_4 = surface_place_stage(r, ex, pixel_a0, at_a1, path_a2, hit_a3);
+    placed_v0 = e_4;
+    let e_7 = depth_on_ray(r, pixel_a0, path_a2, hit_a3);
+    placed_v0.depth = e_7;
+    let e_8 = placed_v0;
+    return e_8;
+} }
+lanes! { fn toward_light(r: &Resources<'_>, number_a0: u32, position_a1: Vec3<F>) -> Toward {
+    if (r.frame.lights[number_a0 as usize].place.w > 0.5f32) {
+        let toward_12 = Vec3 { x: sub(splat(r.frame.lights[number_a0 as usize].place.x), position_a1.x), y: sub(splat(r.frame.lights[number_a0 as usize].place.y), position_a1.y), z: sub(splat(r.frame.lights[number_a0 as usize].place.z), position_a1.z) };
+        let squared_13 = add(add(add(mul(toward_12.x, toward_12.x), mul(toward_12.y, toward_12.y)), mul(toward_12.z, toward_12.z)), splat(0.0f32));
+        let distance_14 = sqrt(squared_13);
+        let falloff_18 = div(splat(1.0f32), max_with(squared_13, splat(1e-6f32)));
+        let length1 = sqrt(add(add(mul(toward_12.x, toward_12.x), mul(toward_12.y, toward_12.y)), mul(toward_12.z, toward_12.z)));
+        let e_19 = Vec3 { x: div(toward_12.x, length1), y: div(toward_12.y, length1), z: div(toward_12.z, length1) };
+        return Toward { direction: e_19, falloff: falloff_18, distance: distance_14, radius: div(splat(r.frame.lights[number_a0 as usize].color.w), distance_14), number: splat_u(number_a0), };
+    }
+    let length2 = (((r.frame.lights[number_a0 as usize].place.x * r.frame.lights[number_a0 as usize].place.x) + (r.frame.lights[number_a0 as usize].place.y * r.frame.lights[number_a0 as usize].place.y)) + (r.frame.lights[number_a0 as usize].place.z * r.frame.lights[number_a0 as usize].place.z)).sqrt();
+    let e_26 = Vec3 { x: r.frame.lights[number_a0 as usize].place.x / length2, y: r.frame.lights[number_a0 as usize].place.y / length2, z: r.frame.lights[number_a0 as usize].place.z / length2 };
+    return Toward { direction: Vec3 { x: splat(e_26.x), y: splat(e_26.y), z: splat(e_26.z) }, falloff: splat(1.0f32), distance: splat(3e38f32), radius: splat(r.frame.lights[number_a0 as usize].color.w), number: splat_u(number_a0), };
+} }
+lanes! { fn point_of_light(r: &Resources<'_>, at_a0: &Entered, hit_a1: &Hit, number_a2: u32, k_a3: u32, count_a4: u32) -> Toward {
+    let toward_6 = toward_light(r, number_a2, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
+    if (count_a4 > 0u32) {
+        let e_9 = seed_of(r, hit_a1);
+        let e_10 = point_of_disc(r, &toward_6, e_9, k_a3, count_a4);
+        return e_10;
+    }
+    return toward_6;
+} }
+stage! { pub(super) fn ray_to_light(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, number_a2: u32, k_a3: u32, count_a4: u32) -> LightRay {
+    let mut ex = within;
+    let mut ret: LightRay = zero_light_ray();
+    let e_5 = point_of_light(r, at_a0, hit_a1, number_a2, k_a3, count_a4);
+    let e_6 = light_ray(r, ex, at_a0, hit_a1, &e_5);
+    return e_6;
+} }
+lanes! { fn table_cosine(r: &Resources<'_>, table_a0: &SeenTable, toward_a1: Vec3<F>) -> F {
+    let mean_3 = add(add(add(mul(table_a0.mean.x, toward_a1.x), mul(table_a0.mean.y, toward_a1.y)), mul(table_a0.mean.z, toward_a1.z)), splat(0.0f32));
+    let squares_8 = min_with(add(add(add(mul(table_a0.squares.x, mul(toward_a1.x, toward_a1.x)), mul(table_a0.squares.y, mul(toward_a1.y, toward_a1.y))), mul(table_a0.squares.z, mul(toward_a1.z, toward_a1.z))), splat(0.0f32)), splat(16.0f32));
+    let pairs_18 = Vec3 { x: mul(toward_a1.x, toward_a1.y), y: mul(toward_a1.x, toward_a1.z), z: mul(toward_a1.y, toward_a1.z) };
+    let products_24 = min_with(mul(splat(2.0f32), add(add(add(mul(table_a0.products.x, pairs_18.x), mul(table_a0.products.y, pairs_18.y)), mul(table_a0.products.z, pairs_18.z)), splat(0.0f32))), splat(16.0f32));
+    let deviation_30 = sqrt(max_with(sub(add(squares_8, products_24), mul(mean_3, mean_3)), splat(0.0f32)));
+    let inner_32 = mul(deviation_30, splat(0.7419638f32));
+    let outer_34 = mul(deviation_30, splat(2.3344142f32));
+    let four_39 = Vec4 { x: add(mean_3, inner_32), y: sub(mean_3, inner_32), z: add(mean_3, outer_34), w: sub(mean_3, outer_34) };
+    return add(add(add(add(mul(max_with(four_39.x, splat(0.0f32)), splat(0.45412415f32)), mul(max_with(four_39.y, splat(0.0f32)), splat(0.45412415f32))), mul(max_with(four_39.z, splat(0.0f32)), splat(0.04587585f32))), mul(max_with(four_39.w, splat(0.0f32)), splat(0.04587585f32))), splat(0.0f32));
+} }
+lanes! { fn seen_cosine(r: &Resources<'_>, within: M, at_a0: &Entered, seen_a1: &SeenNormals, toward_a2: Vec3<F>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut cosine_v0: F = splat(0f32);
+    let c1 = eq_u(seen_a1.differ, splat_u(0u32));
+    ret = max_with(add(add(add(mul(seen_a1.normal.x, toward_a2.x), mul(seen_a1.normal.y, toward_a2.y)), mul(seen_a1.normal.z, toward_a2.z)), splat(0.0f32)), splat(0.0f32));
+    ex = and_not(ex, c1);
+    if none(ex) { return ret; }
+    let l_10 = to_tangent_space(r, at_a0, toward_a2);
+    let middle_12 = add(add(add(mul(seen_a1.middle.x, l_10.x), mul(seen_a1.middle.y, l_10.y)), mul(seen_a1.middle.z, l_10.z)), splat(0.0f32));
+    let four_17 = facing_four(r, middle_12, add(add(add(mul(seen_a1.along.x, l_10.x), mul(seen_a1.along.y, l_10.y)), mul(seen_a1.along.z, l_10.z)), splat(0.0f32)), add(add(add(mul(seen_a1.across.x, l_10.x), mul(seen_a1.across.y, l_10.y)), mul(seen_a1.across.z, l_10.z)), splat(0.0f32)));
+    let one_23 = min_with(mul(seen_a1.middle_seen, max_with(middle_12, splat(0.0f32))), splat(1000000.0f32));
+    let others_27 = min_with(add(add(add(add(mul(seen_a1.others_seen.x, four_17.x), mul(seen_a1.others_seen.y, four_17.y)), mul(seen_a1.others_seen.z, four_17.z)), mul(seen_a1.others_seen.w, four_17.w)), splat(0.0f32)), splat(1000000.0f32));
+    let e_28 = mean_of_five(r, one_23, others_27);
+    cosine_v0 = e_28;
+    let (b2, c3) = (ex, gt(seen_a1.table_part, splat(0.0f32)));
+    ex = and(b2, c3);
+    if any(ex) {
+        let e_33 = cosine_v0;
+        let e_35 = table_cosine(r, &seen_a1.table, l_10);
+        let e_36 = cosine_v0;
+        cosine_v0 = sel(ex, add(e_33, mul(sub(e_35, e_36), seen_a1.table_part)), cosine_v0);
+    }
+    ex = b2;
+    if (r.surface_settings.has_shadows == 1u32) {
+        let falls_50 = sub(l_10.z, add(add(mul(l_10.x, seen_a1.slope.x), mul(l_10.y, seen_a1.slope.y)), splat(0.0f32)));
+        let facing_59 = facing_four(r, falls_50, neg(add(add(mul(l_10.x, seen_a1.slope_along.x), mul(l_10.y, seen_a1.slope_along.y)), splat(0.0f32))), neg(add(add(mul(l_10.x, seen_a1.slope_across.x), mul(l_10.y, seen_a1.slope_across.y)), splat(0.0f32))));
+        let e_62 = sum_of_four(r, facing_59);
+        let all_63 = mean_of_five(r, max_with(falls_50, splat(0.0f32)), e_62);
+        let lit_68 = div(max_with(falls_50, splat(0.0f32)), max_with(all_63, splat(0.001f32)));
+        let e_69 = cosine_v0;
+        return sel(ex, mul(e_69, sub(splat(1.0f32), mul(sub(splat(1.0f32), lit_68), seen_a1.upright))), ret);
+    }
+    let e_77 = cosine_v0;
+    return sel(ex, e_77, ret);
+} }
+stage! { fn whole_power(r: &Resources<'_>, within: M, base_a0: F, exponent_a1: U) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut result_v0: F = splat(1.0f32);
+    let mut square_v1: F = splat(0f32);
+    let mut rest_v2: U = splat_u(0u32);
+    square_v1 = base_a0;
+    rest_v2 = exponent_a1;
+    let b2 = ex;
+    'l1: loop {
+        let e_6 = rest_v2;
+        let c3 = gt_u(e_6, splat_u(0u32));
+        ex = and(ex, c3);
+        let e_9 = rest_v2;
+        let c4 = eq_u(and_u(e_9, splat_u(1u32)), splat_u(1u32));
+        let e_14 = result_v0;
+        let e_15 = square_v1;
+        result_v0 = sel(and(ex, c4), mul(e_14, e_15), result_v0);
+        let e_17 = square_v1;
+        let e_18 = square_v1;
+        square_v1 = mul(e_17, e_18);
+        let e_20 = rest_v2;
+        rest_v2 = shr_u(e_20, i_of_u(splat_u(1u32)));
+        if none(ex) { break 'l1; }
+    }
+    ex = b2;
+    let e_23 = result_v0;
+    return e_23;
+} }
+lanes! { fn shade_blinn_phong(r: &Resources<'_>, within: M, normal_a0: Vec3<F>, mean_a1: F, cosine_a2: F, view_a3: Vec3<F>, toward_a4: Vec3<F>, color_a5: Vec3<F>, params_a6: Vec4<f32>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut exponent_v0: U = splat_u(0u32);
+    let mut dimmed_v1: F = splat(1.0f32);
+    let (b1, c2) = (ex, gt(cosine_a2, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        exponent_v0 = splat_u(r.surface_settings.shininess);
+        let (b3, c4) = (ex, lt(mean_a1, splat(1.0f32)));
+        ex = and(b3, c4);
+        if any(ex) {
+            let sharp_20 = (r.surface_settings.shininess as f32);
+            let wide_29 = max_with(floor(div(mul(splat(sharp_20), mean_a1), add(mean_a1, mul(splat(sharp_20), sub(splat(1.0f32), mean_a1))))), splat(1.0f32));
+            exponent_v0 = sel_u(ex, u_of_f(wide_29), exponent_v0);
+            dimmed_v1 = sel(ex, div(add(wide_29, splat(8.0f32)), splat((sharp_20 + 8.0f32))), dimmed_v1);
+        }
+        ex = b3;
+        let e_36 = Vec3 { x: add(toward_a4.x, view_a3.x), y: add(toward_a4.y, view_a3.y), z: add(toward_a4.z, view_a3.z) };
+        let length5 = sqrt(add(add(mul(e_36.x, e_36.x), mul(e_36.y, e_36.y)), mul(e_36.z, e_36.z)));
+        let e_37 = Vec3 { x: div(e_36.x, length5), y: div(e_36.y, length5), z: div(e_36.z, length5) };
+        let lobe_40 = max_with(add(add(add(mul(normal_a0.x, e_37.x), mul(normal_a0.y, e_37.y)), mul(normal_a0.z, e_37.z)), splat(0.0f32)), splat(0.0f32));
+        let e_45 = exponent_v0;
+        let e_46 = whole_power(r, ex, lobe_40, e_45);
+        let e_47 = dimmed_v1;
+        let e_48 = mul(e_46, e_47);
+        let specular_49 = Vec3 { x: mul(splat(r.surface_settings.specular.x), e_48), y: mul(splat(r.surface_settings.specular.y), e_48), z: mul(splat(r.surface_settings.specular.z), e_48) };
+        ret = Vec3 { x: add(mul(color_a5.x, cosine_a2), specular_49.x), y: add(mul(color_a5.y, cosine_a2), specular_49.y), z: add(mul(color_a5.z, cosine_a2), specular_49.z) };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    let y6 = Vec3 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32) };
+    return Vec3 { x: sel(ex, y6.x, ret.x), y: sel(ex, y6.y, ret.y), z: sel(ex, y6.z, ret.z) };
+} }
+lanes! { fn shade_stage(r: &Resources<'_>, within: M, normal_a0: Vec3<F>, mean_a1: F, cosine_a2: F, view_a3: Vec3<F>, toward_a4: Vec3<F>, color_a5: Vec3<F>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    match r.surface_settings.choices[5].number {
+        _ => {
+            let e_16 = shade_blinn_phong(r, ex, normal_a0, mean_a1, cosine_a2, view_a3, toward_a4, color_a5, r.surface_settings.choices[5].params);
+            return e_16;
+        }
+    }
+} }
+stage! { fn reflected_light(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, seen_a2: &SeenNormals, view_a3: Vec3<F>, color_a4: Vec3<F>, visible_a5: &[Vec4<F>; 8]) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut light_v0: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut k_v1: u32 = 0u32;
+    let e_15 = (1.0f32 - r.surface_settings.transmission);
+    let diffuse_16 = Vec3 { x: mul(mul(splat(r.surface_settings.diffuse.x), color_a4.x), splat(e_15)), y: mul(mul(splat(r.surface_settings.diffuse.y), color_a4.y), splat(e_15)), z: mul(mul(splat(r.surface_settings.diffuse.z), color_a4.z), splat(e_15)) };
+    let e_20 = ambient_stage(r, ex, at_a0, hit_a1, Vec3 { x: mul(seen_a2.normal.x, seen_a2.length), y: mul(seen_a2.normal.y, seen_a2.length), z: mul(seen_a2.normal.z, seen_a2.length) }, view_a3, diffuse_16);
+    light_v0 = e_20;
+    'l1: loop {
+        let e_24 = k_v1;
+        if (e_24 < r.frame.light_count) {
+        } else {
+            break 'l1;
+        }
+        let e_29 = k_v1;
+        let toward_31 = toward_light(r, e_29, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
+        let cosine_33 = seen_cosine(r, ex, at_a0, seen_a2, Vec3 { x: toward_31.direction.x, y: toward_31.direction.y, z: toward_31.direction.z });
+        let reflected_37 = shade_stage(r, ex, Vec3 { x: seen_a2.normal.x, y: seen_a2.normal.y, z: seen_a2.normal.z }, seen_a2.length, cosine_33, view_a3, Vec3 { x: toward_31.direction.x, y: toward_31.direction.y, z: toward_31.direction.z }, diffuse_16);
+        let e_38 = light_v0;
+        let e_41 = k_v1;
+        let e_48 = k_v1;
+        let e_51 = mul(toward_31.falloff, visible_a5[e_48 as usize].x);
+        light_v0 = Vec3 { x: add(e_38.x, mul(mul(reflected_37.x, splat(r.frame.lights[e_41 as usize].color.x)), e_51)), y: add(e_38.y, mul(mul(reflected_37.y, splat(r.frame.lights[e_41 as usize].color.y)), e_51)), z: add(e_38.z, mul(mul(reflected_37.z, splat(r.frame.lights[e_41 as usize].color.z)), e_51)) };
+        let e_54 = k_v1;
+        k_v1 = e_54.wrapping_add(1u32);
+    }
+    let e_57 = light_v0;
+    return e_57;
+} }
+lanes! { fn z_of(r: &Resources<'_>, depth_a0: F) -> F {
+    if (r.frame.clip.y == 0.0f32) {
+        return min_with(max_with(add(splat(r.frame.clip.x), mul(splat(r.frame.clip.z), depth_a0)), splat(0.0f32)), splat(1.0f32));
+    }
+    return min_with(max_with(add(splat(r.frame.clip.x), div(splat(r.frame.clip.y), max_with(depth_a0, splat(0.0f32)))), splat(0.0f32)), splat(1.0f32));
+} }
+stage! { pub(super) fn shade_hit(r: &Resources<'_>, within: M, origin_a0: Vec3<F>, at_a1: &Entered, hit_a2: &Hit, visible_a3: &[Vec4<F>; 8]) -> PixelOut {
+    let mut ex = within;
+    let mut ret: PixelOut = zero_pixel_out();
+    let (b1, c2) = (ex, eq_u(hit_a2.found, splat_u(0u32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        ret = PixelOut { color: Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) }, hit: splat_u(0u32), exhausted: splat_u(0u32), uv: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, height: splat(0.0f32), position: Vec3 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32) }, normal: Vec3 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32) }, depth: splat(0.0f32), t: splat(0.0f32), cell: Vec2 { x: splat_i(0i32), y: splat_i(0i32) }, reads: hit_a2.cost.x, steps: hit_a2.cost.y, bytes: hit_a2.cost.z, lit: splat(0.0f32), level: splat_u(0u32), z: splat(0.0f32), surface: splat_u(0u32), };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    if none(ex) { return ret; }
+    let height_44 = height_at_ll(r, ex, Vec2 { x: hit_a2.uv.x, y: hit_a2.uv.y }, at_a1.level);
+    let e_46 = Vec3 { x: sub(origin_a0.x, at_a1.point.x), y: sub(origin_a0.y, at_a1.point.y), z: sub(origin_a0.z, at_a1.point.z) };
+    let length3 = sqrt(add(add(mul(e_46.x, e_46.x), mul(e_46.y, e_46.y)), mul(e_46.z, e_46.z)));
+    let view_47 = Vec3 { x: div(e_46.x, length3), y: div(e_46.y, length3), z: div(e_46.z, length3) };
+    let seen_49 = mesostructure_normals(r, ex, at_a1, Vec2 { x: hit_a2.uv.x, y: hit_a2.uv.y }, view_47);
+    let e_52 = color_or_white(r, ex, Vec2 { x: hit_a2.uv.x, y: hit_a2.uv.y }, at_a1.footprint);
+    let color_53 = reflected_light(r, ex, at_a1, hit_a2, &seen_49, view_47, e_52, visible_a3);
+    let depth_60 = add(add(add(mul(sub(at_a1.point.x, origin_a0.x), splat(r.frame.forward.x)), mul(sub(at_a1.point.y, origin_a0.y), splat(r.frame.forward.y))), mul(sub(at_a1.point.z, origin_a0.z), splat(r.frame.forward.z))), splat(0.0f32));
+    let e_63 = height_size(r, splat_u(0u32));
+    let cell_69 = cell_of(r, Vec2 { x: sub(mul(hit_a2.uv.x, e_63.x), splat(0.5f32)), y: sub(mul(hit_a2.uv.y, e_63.y), splat(0.5f32)) });
+    let e_89 = z_of(r, at_a1.depth);
+    return sel_pixel_out(ex, &PixelOut { color: Vec4 { x: color_53.x, y: color_53.y, z: color_53.z, w: splat(1.0f32) }, hit: splat_u(1u32), exhausted: hit_a2.exhausted, uv: Vec2 { x: hit_a2.uv.x, y: hit_a2.uv.y }, height: height_44, position: Vec3 { x: at_a1.point.x, y: at_a1.point.y, z: at_a1.point.z }, normal: Vec3 { x: seen_49.normal.x, y: seen_49.normal.y, z: seen_49.normal.z }, depth: depth_60, t: hit_a2.t, cell: Vec2 { x: i_of_small(cell_69.x), y: i_of_small(cell_69.y) }, reads: hit_a2.cost.x, steps: hit_a2.cost.y, bytes: hit_a2.cost.z, lit: visible_a3[0].x, level: at_a1.level, z: e_89, surface: splat_u(r.surface_settings.number), }, &ret);
+} }
+stage! { pub(super) fn visible_light(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, number_a2: u32) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let e_4 = toward_light(r, number_a2, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
+    let e_5 = shadow_stage(r, ex, at_a0, hit_a1, &e_4);
+    return e_5;
+} }
