@@ -133,7 +133,7 @@ impl Case {
 }
 
 /// A surface without a mesh, a light or a colour.
-fn bare_surface(map: Arc<HeightMap>, selection: Selection, maps: Vec<BakedMap>) -> JobSurface {
+pub fn bare_surface(map: Arc<HeightMap>, selection: Selection, maps: Vec<BakedMap>) -> JobSurface {
     let settings = SurfaceSettings::tracing(&map, &selection, &slots(&map, &selection, &maps));
     let settings = settings.with_least_shell(&map, LEAST_SHELL_M);
     JobSurface {
