@@ -5,13 +5,14 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 use relief_core::{HeightMap, Lanes, MapFormat, TexelMask, Wrap};
+use relief_render::environment::Environment;
 use relief_render::job::JobSurface;
 use relief_shaders::cpu::{
     BLOCK, EnteredBlock, Frame, HitBlock, Light, LightPoint, PathBlock, PixelIn, PixelOutBlock, Program, Row,
-    Triangle, TriangleRays, Vec4,
+    SurfaceSettings, Triangle, TriangleRays, Vec4,
 };
 use relief_shaders::surface::Proposal;
-use relief_shaders::{AMBIENT, DETAIL, MAX_LIGHTS, SHADOW, STAGES, SURFACE, Selection};
+use relief_shaders::{AMBIENT, DETAIL, MAX_LIGHTS, MapSlot, SHADOW, STAGES, SURFACE, Selection};
 use relief_tests::baked::maps_in;
 use relief_tests::one_source::cases::bare_surface;
 use relief_tests::one_source::rays;
@@ -26,9 +27,9 @@ const LONGEST_LOOP: f32 = 128.0;
 /// The most tiles along an axis of what has a way through a shell: in more, `f32` does not tell cells apart.
 const MOST_TILES: f32 = 1e4;
 
-/// The shadows and the light from all around that need nothing but the surface and its own maps.
+/// Whether a shadow needs nothing but the surface and its own maps.
 fn is_own(name: &str) -> bool {
-    !["map", "scene", "environment"].contains(&name)
+    !["map", "scene"].contains(&name)
 }
 
 /// Everything that lanes give for a block of rays, each number written out: any NaN is like another.
@@ -137,6 +138,12 @@ fn surface(surface: usize, detail: usize, number: usize, named: &maps::NamedMap)
     let map = Arc::new(with_holes(map));
     let format = MapFormat::ALL[number % MapFormat::ALL.len()];
     let mut made = bare_surface(Arc::clone(&map), selection, maps_in(format, &map, &selection));
+    if selection.choices[AMBIENT].entry.name == "environment" {
+        made.maps.push((MapSlot::Environment, Arc::clone(Environment::sky().map())));
+        let with_sky = SurfaceSettings::tracing(&map, &selection, &made.slots());
+        made.settings =
+            SurfaceSettings { shell_m: made.settings.shell_m, ior: 1.3, transmission: 0.4, ..with_sky };
+    }
     made.settings.diffuse = [0.7, 0.6, 0.5, 0.0].into();
     made.settings.specular = [0.2, 0.3, 0.4, 0.0].into();
     made.settings.shininess = [1, 30, 999][number % 3];
