@@ -71,12 +71,12 @@ impl Ready<'_> {
             if cast.is_some_and(|cast| cast.hits.is_miss(cast.numbers[place])) {
                 continue;
             }
-            let aim = self.aim(points.map(|row| row[place]));
+            let aim = || self.aim(points.map(|row| row[place]));
             let mut is_first = first >> place & 1 == 1;
             let look = |rank: (bool, u32), side| {
                 let met = match std::mem::take(&mut is_first) {
                     true => self.after_first_segment(seen, place),
-                    false => self.look(rank.1, side, aim),
+                    false => self.look(rank.1, side, aim()),
                 };
                 if let Some(met) = met {
                     seen.keep(place, rank, side, &met);
@@ -88,7 +88,7 @@ impl Ready<'_> {
                 Some(Cast { caster, hits, numbers }) => {
                     self.propose_polygons(caster.hits(hits, numbers[place]), f64::INFINITY, look);
                 }
-                None => self.propose(aim, f64::INFINITY, look),
+                None => self.propose(aim(), f64::INFINITY, look),
             }
         }
     }

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use relief_core::Lanes;
 use relief_shaders::cpu::{BLOCK, Row};
 
-use super::block::{BLOCK_SIDE, places};
+use super::block::{BLOCK_SIDE, places, places_where};
 use super::ready::Ready;
 use super::seen::{Cast, Seen};
 use crate::raycast::tiles::{Area, Bins, PictureRays, TILE, TileCaster, TileHits};
@@ -38,12 +38,15 @@ struct Scratch {
     seen: Vec<Seen>,
 }
 
-/// A block of a tile's points.
-struct Place<'a> {
-    tile: [u32; 2],
-    /// Its first point in the tile.
-    first: [usize; 2],
-    sample: &'a Sample,
+/// The points of a block of a tile.
+struct Points {
+    /// Those that are in the area, a bit for each.
+    which: u16,
+    /// Their numbers in the tile.
+    numbers: Row<usize>,
+    /// Columns and rows of their pixels, and of the points themselves.
+    pixels: Row<[u32; 2]>,
+    points: [Row<f32>; 2],
 }
 
 /// What a block's points see: the nearest of all surfaces.
@@ -84,9 +87,10 @@ impl<'a> Tiled<'a> {
                 for column in (0..self.size[0]).step_by(MOST_COLUMNS as usize) {
                     let columns = MOST_COLUMNS.min(self.size[0] - column);
                     let area = Area { first: [column, first], size: [columns, rows] };
-                    self.area(area, scratch, cancel, |place, number, seen| {
-                        look(seen, &mut |point, value| {
-                            if let Some((_, [x, y])) = place.point(area, point) {
+                    self.area(area, scratch, cancel, |points, number, seen| {
+                        look(seen, &mut |place, value| {
+                            if points.which >> place & 1 == 1 {
+                                let [x, y] = points.pixels[place];
                                 let pixel = (y - first) as usize * width + x as usize;
                                 show(&mut pixels[pixel], number, value);
                             }
@@ -114,7 +118,7 @@ impl<'a> Tiled<'a> {
         area: Area,
         scratch: &mut Scratch,
         cancel: &AtomicBool,
-        mut show: impl FnMut(&Place, usize, &SeenBlock),
+        mut show: impl FnMut(&Points, usize, &SeenBlock),
     ) {
         let Scratch { bins, hits, seen } = scratch;
         let offsets = reach_of(self.samples);
@@ -136,9 +140,9 @@ impl<'a> Tiled<'a> {
                     }
                 }
                 for first in [[0, 0], [BLOCK_SIDE, 0], [0, BLOCK_SIDE], [BLOCK_SIDE, BLOCK_SIDE]] {
-                    let place = Place { tile, first, sample };
-                    let nearest = self.block(area, &place, hits, seen);
-                    show(&place, number, &SeenBlock { surfaces: seen, nearest });
+                    let points = Points::new(area, tile, first, sample);
+                    let nearest = self.block(&points, hits, seen);
+                    show(&points, number, &SeenBlock { surfaces: seen, nearest });
                 }
             }
         }
@@ -146,21 +150,12 @@ impl<'a> Tiled<'a> {
 
     /// What the points of a block see of the surfaces, and the nearest of these for each: of equally near ones
     /// the first.
-    fn block(&self, area: Area, place: &Place, hits: &[TileHits], seen: &mut [Seen]) -> Row<Option<usize>> {
-        let (mut points, mut numbers, mut which) = ([[0.0; BLOCK]; 2], [0; BLOCK], 0);
-        for number in 0..BLOCK {
-            if let Some((point, pixel)) = place.point(area, number) {
-                which |= 1 << number;
-                numbers[number] = point;
-                let [column, row] = PictureRays::point(pixel, place.sample.offset);
-                (points[0][number], points[1][number]) = (column, row);
-            }
-        }
+    fn block(&self, of: &Points, hits: &[TileHits], seen: &mut [Seen]) -> Row<Option<usize>> {
         let mut nearest: Row<Option<usize>> = [None; BLOCK];
         let mut keys = [0.0; BLOCK];
         for (at, ((surface, caster), hits)) in self.surfaces.iter().zip(hits).enumerate() {
-            let cast = caster.as_ref().map(|caster| Cast { caster, hits, numbers: &numbers });
-            surface.see(points, which, cast, self.lanes, &mut seen[at]);
+            let cast = caster.as_ref().map(|caster| Cast { caster, hits, numbers: &of.numbers });
+            surface.see(of.points, of.which, cast, self.lanes, &mut seen[at]);
             for number in places(seen[at].which) {
                 let key = seen[at].keys[number];
                 if nearest[number].is_none() || key > keys[number] {
@@ -172,14 +167,23 @@ impl<'a> Tiled<'a> {
     }
 }
 
-impl Place<'_> {
-    /// The number in the tile of one of the block's points, and its pixel, where that is in the area.
-    fn point(&self, area: Area, number: usize) -> Option<(usize, [u32; 2])> {
-        let [x, y] = [self.first[0] + number % BLOCK_SIDE, self.first[1] + number / BLOCK_SIDE];
-        let [column, row] = area.pixel(self.tile);
-        let pixel = [column + x as u32, row + y as u32];
-        let is_inside = (0..2).all(|axis| pixel[axis] < area.first[axis] + area.size[axis]);
-        is_inside.then_some((y * TILE + x, pixel))
+impl Points {
+    /// Those of the block that begins with that point of a tile, as a sample has them.
+    fn new(area: Area, tile: [u32; 2], first: [usize; 2], sample: &Sample) -> Self {
+        let [column, row] = area.pixel(tile);
+        let end = [0, 1].map(|axis| area.first[axis] + area.size[axis]);
+        let place = |at: usize| [first[0] + at % BLOCK_SIDE, first[1] + at / BLOCK_SIDE];
+        let pixels: Row<[u32; 2]> = std::array::from_fn(|at| {
+            let [x, y] = place(at);
+            [column + x as u32, row + y as u32]
+        });
+        let points = pixels.map(|pixel| PictureRays::point(pixel, sample.offset));
+        Self {
+            which: places_where(|at| pixels[at][0] < end[0] && pixels[at][1] < end[1]),
+            numbers: std::array::from_fn(|at| place(at)[1] * TILE + place(at)[0]),
+            pixels,
+            points: [0, 1].map(|axis| points.map(|point| point[axis])),
+        }
     }
 }
 
