@@ -5,8 +5,8 @@ use std::path::Path as FilePath;
 use glam::{DVec2, DVec3};
 use rayon::ThreadPool;
 use rayon::prelude::*;
-use relief_core::HeightMap;
-use relief_core::exact::FastTracer;
+use relief_core::exact::{FastTracer, HitPacket, PathPacket};
+use relief_core::{HeightMap, Lanes};
 use relief_io::{PngColour, write_png8};
 use relief_render::camera::Camera;
 
@@ -19,6 +19,11 @@ pub const DIFFUSE: f64 = 0.85;
 
 /// Rows that a thread takes at a time.
 const ROWS: usize = 8;
+
+/// Pixels along a side of the blocks whose rays are traced together.
+const SIDE: usize = 4;
+
+const _: () = assert!(SIDE * SIDE == PathPacket::LEN && ROWS.is_multiple_of(SIDE));
 
 /// A picture in linear light, row by row from the top.
 pub struct Picture {
@@ -49,32 +54,46 @@ impl<'a> Stage<'a> {
         let width = SIZE[0] as usize;
         let mut grey = vec![0.0f32; width * SIZE[1] as usize];
         let bands = grey.par_chunks_mut(ROWS * width).enumerate().map(|(band, pixels)| {
-            let mut shadow_rays = 0;
-            for (at, pixel) in pixels.iter_mut().enumerate() {
-                let (x, y) = (at % width, band * ROWS + at / width);
-                if let Some(light) = self.light(x as u32, y as u32) {
-                    *pixel = light as f32;
-                    shadow_rays += 1;
-                }
-            }
-            shadow_rays
+            let rows = pixels.len() / width;
+            let blocks = (0..rows).step_by(SIDE).flat_map(|y| (0..width).step_by(SIDE).map(move |x| [x, y]));
+            blocks.map(|block| self.block(block, band * ROWS, pixels)).sum::<usize>()
         });
         let shadow_rays = pool.install(|| bands.sum());
         Picture { grey, shadow_rays }
     }
 
+    /// Renders the pixels from one of a band on, and says how many of them have a hit.
     #[inline]
-    fn light(&self, x: u32, y: u32) -> Option<f64> {
-        let ray = self.camera.ray(x, y, SIZE[0], SIZE[1]);
-        let path = self.ground.path(ray.origin, ray.direction)?;
-        let hit = self.tracer.trace(&path).hit;
-        if !hit.found {
-            return None;
+    fn block(&self, [left, top]: [usize; 2], first_row: usize, pixels: &mut [f32]) -> usize {
+        let width = SIZE[0] as usize;
+        let place = |lane: usize| [left + lane % SIDE, top + lane / SIDE];
+        let pixel = |[x, y]: [usize; 2]| y * width + x;
+        let is_inside = |[x, y]: [usize; 2]| x < width && pixel([x, y]) < pixels.len();
+        let (mut view, mut to_sun) = (PathPacket::EMPTY, PathPacket::EMPTY);
+        for lane in (0..PathPacket::LEN).filter(|lane| is_inside(place(*lane))) {
+            let [x, y] = place(lane);
+            let ray = self.camera.ray(x as u32, (first_row + y) as u32, SIZE[0], SIZE[1]);
+            if let Some(path) = self.ground.path(ray.origin, ray.direction) {
+                view.set(lane, &path);
+            }
         }
-        let to_sun = self.ground.path_to_sun(Ground::point(hit.uv, hit.height), self.sun);
-        let shadowed = to_sun.is_some_and(|path| self.tracer.is_blocked(&path));
-        let facing = if shadowed { 0.0 } else { smooth_normal(self.map, hit.uv).dot(self.sun).max(0.0) };
-        Some(AMBIENT + DIFFUSE * facing)
+        let mut hits = [HitPacket::MISSES];
+        self.tracer.trace_packets(&[view], Lanes::widest(), &mut hits);
+        let [hits] = hits;
+        let found = |lane: &usize| hits.found >> lane & 1 == 1;
+        for lane in (0..HitPacket::LEN).filter(found) {
+            let point = Ground::point(hits.uv.map(|row| row[lane]), hits.height[lane]);
+            if let Some(path) = self.ground.path_to_sun(point, self.sun) {
+                to_sun.set(lane, &path);
+            }
+        }
+        let [blocked] = self.tracer.blocked_packets(&[to_sun], Lanes::widest());
+        for lane in (0..HitPacket::LEN).filter(found) {
+            let normal = || smooth_normal(self.map, hits.uv.map(|row| row[lane]));
+            let facing = if blocked >> lane & 1 == 1 { 0.0 } else { normal().dot(self.sun).max(0.0) };
+            pixels[pixel(place(lane))] = (AMBIENT + DIFFUSE * facing) as f32;
+        }
+        hits.found.count_ones() as usize
     }
 }
 
