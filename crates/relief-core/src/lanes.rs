@@ -18,6 +18,8 @@ use pulp::WithSimd;
 pub enum Lanes {
     /// One by one, on every machine.
     One,
+    /// Four, where the machine has NEON: on aarch64.
+    Four,
     /// Eight, where the machine has the instructions of x86-64-v3 (AVX2).
     Eight,
     /// Sixteen, where the machine has the instructions of x86-64-v4 (AVX-512).
@@ -28,7 +30,7 @@ pub enum Lanes {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum LanesError {
     /// No such width.
-    #[error("{0:?} is no number of lanes: 1, 8 and 16 are")]
+    #[error("{0:?} is no number of lanes: 1, 4, 8 and 16 are")]
     Unknown(String),
     /// The machine has no such vectors.
     #[error(
@@ -40,7 +42,7 @@ pub enum LanesError {
 
 impl Lanes {
     /// Every width.
-    pub const ALL: [Lanes; 3] = [Lanes::One, Lanes::Eight, Lanes::Sixteen];
+    pub const ALL: [Lanes; 4] = [Lanes::One, Lanes::Four, Lanes::Eight, Lanes::Sixteen];
 
     /// The widest that this machine has.
     pub fn widest() -> Self {
@@ -56,12 +58,13 @@ impl Lanes {
     pub fn is_available(self) -> bool {
         match self {
             Self::One => true,
+            #[cfg(target_arch = "aarch64")]
+            Self::Four => pulp::aarch64::Neon::is_available(),
             #[cfg(target_arch = "x86_64")]
             Self::Eight => pulp::x86::V3::is_available(),
             #[cfg(target_arch = "x86_64")]
             Self::Sixteen => pulp::x86::V4::is_available(),
-            #[cfg(not(target_arch = "x86_64"))]
-            Self::Eight | Self::Sixteen => false,
+            _ => false,
         }
     }
 
@@ -71,7 +74,7 @@ impl Lanes {
     pub fn run<Op: WithSimd>(self, op: Op) -> Op::Output {
         #[cfg(target_arch = "x86_64")]
         match self {
-            Self::One => {}
+            Self::One | Self::Four => {}
             Self::Eight => {
                 if let Some(simd) = pulp::x86::V3::try_new() {
                     return pulp::Simd::vectorize(simd, op);
@@ -94,6 +97,7 @@ impl Lanes {
     pub const fn count(self) -> usize {
         match self {
             Self::One => 1,
+            Self::Four => 4,
             Self::Eight => 8,
             Self::Sixteen => 16,
         }

@@ -142,7 +142,8 @@ impl MaximaLevel {
         self.blocks.get(row as usize * (self.sides[0] as usize / BLOCK) + column as usize)
     }
 
-    /// The maximum at a column and row, which must be inside.
+    /// The maximum at a column and row, which must be inside. Packets alone ask for it.
+    #[cfg(target_arch = "x86_64")]
     #[inline(always)]
     pub fn node(&self, [column, row]: [u32; 2]) -> f32 {
         self.rows[row as usize * self.sides[0] as usize + column as usize]

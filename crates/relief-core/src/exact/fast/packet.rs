@@ -286,7 +286,7 @@ impl FastTracer {
     }
 }
 
-/// Whether there are vectors of so many lanes for packets.
+/// Whether there are vectors of so many lanes for packets, which four are too few for.
 fn is_for_packets(lanes: Lanes) -> bool {
-    lanes != Lanes::One && lanes.is_available()
+    matches!(lanes, Lanes::Eight | Lanes::Sixteen) && lanes.is_available()
 }

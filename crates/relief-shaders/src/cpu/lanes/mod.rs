@@ -32,7 +32,7 @@ fn fitting(r: &Resources<'_>, lanes: Lanes) -> Lanes {
 pub(super) fn run(r: &Resources<'_>, lanes: Lanes, which: u16, task: Task<'_>) {
     #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
     match fitting(r, lanes) {
-        Lanes::One => {}
+        Lanes::One | Lanes::Four => {}
         Lanes::Eight => {
             if let Some(eight) = eight::Eight::new() {
                 return eight.run(r, which, task);

@@ -38,7 +38,7 @@ pub(super) fn trace(
     answers: &mut [HitPacket],
 ) -> bool {
     match lanes {
-        Lanes::One => None,
+        Lanes::One | Lanes::Four => None,
         Lanes::Eight => V3::try_new().map(|v| v.vectorize(Trace { v, tracer, paths, answers })),
         Lanes::Sixteen => V4::try_new().map(|v| v.vectorize(Trace { v, tracer, paths, answers })),
     }
@@ -48,7 +48,7 @@ pub(super) fn trace(
 /// Finds blocked paths in vectors; does nothing and says so where there are none.
 pub(super) fn blocked(tracer: &FastTracer, paths: &[PathPacket], lanes: Lanes, blocked: &mut [u16]) -> bool {
     match lanes {
-        Lanes::One => None,
+        Lanes::One | Lanes::Four => None,
         Lanes::Eight => V3::try_new().map(|v| v.vectorize(Blocked { v, tracer, paths, blocked })),
         Lanes::Sixteen => V4::try_new().map(|v| v.vectorize(Blocked { v, tracer, paths, blocked })),
     }
