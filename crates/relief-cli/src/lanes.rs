@@ -4,7 +4,7 @@ use relief_core::Lanes;
 
 use crate::failure::Failure;
 
-/// The variable: 1, 8 or 16.
+/// The variable: 1, 4, 8 or 16.
 const VARIABLE: &str = "RELIEF_LANES";
 
 /// What `RELIEF_LANES` says, or the most that the machine has.

@@ -46,7 +46,8 @@ pub fn run(rounds: u16) -> Result<(), String> {
         if let Err(reason) = &embree {
             println!("Not measured beside Embree: {reason}\n");
         }
-        for lanes in Lanes::available().filter(|lanes| *lanes != Lanes::One) {
+        // There are none of fewer lanes.
+        for lanes in Lanes::available().filter(|lanes| *lanes >= Lanes::Eight) {
             let theirs =
                 embree.as_ref().ok().map(|embree| embree.measured(&SETS, lanes, rounds)).transpose()?;
             for (name, paths) in SETS.into_iter().zip(sets) {
