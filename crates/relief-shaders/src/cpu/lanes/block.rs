@@ -22,7 +22,7 @@ pub(super) fn places(which: u16) -> impl Iterator<Item = usize> {
 }
 
 /// Paths that are traced together: of one use and one level, side by side.
-#[cfg(all(feature = "lanes", target_arch = "x86_64"))]
+#[cfg(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "x86_64")))]
 pub(super) struct Together {
     /// In which part of the block they are, of as many parts as lanes fit into it.
     pub part: usize,
@@ -32,7 +32,7 @@ pub(super) struct Together {
     pub use_and_level: [u32; 2],
 }
 
-#[cfg(all(feature = "lanes", target_arch = "x86_64"))]
+#[cfg(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "x86_64")))]
 impl PathBlock {
     /// Takes those out of `rest` that go together next, in so many lanes.
     pub(super) fn next_together(&self, lanes: usize, rest: &mut u16) -> Option<Together> {

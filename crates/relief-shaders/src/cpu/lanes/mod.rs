@@ -13,6 +13,8 @@ use super::generated::Resources;
 mod block;
 #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
 mod eight;
+#[cfg(all(feature = "lanes", target_arch = "aarch64"))]
+mod four;
 mod one;
 #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
 mod sixteen;
@@ -23,28 +25,36 @@ pub(in crate::cpu) use task::Task;
 pub use task::{LightPoint, TriangleRays};
 
 /// That width, or one where the places of a map do not fit into the numbers of a lane.
-#[cfg(all(feature = "lanes", target_arch = "x86_64"))]
+#[cfg(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "x86_64")))]
 fn fitting(r: &Resources<'_>, lanes: Lanes) -> Lanes {
     if r.has_places_of_32_bits() { lanes } else { Lanes::One }
 }
 
 /// Does a task for the places that `which` has bits for, in lanes of that width where the machine has them.
 pub(super) fn run(r: &Resources<'_>, lanes: Lanes, which: u16, task: Task<'_>) {
-    #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
+    #[cfg(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "x86_64")))]
     match fitting(r, lanes) {
-        Lanes::One | Lanes::Four => {}
+        #[cfg(target_arch = "aarch64")]
+        Lanes::Four => {
+            if let Some(four) = four::Four::new() {
+                return four.run(r, which, task);
+            }
+        }
+        #[cfg(target_arch = "x86_64")]
         Lanes::Eight => {
             if let Some(eight) = eight::Eight::new() {
                 return eight.run(r, which, task);
             }
         }
+        #[cfg(target_arch = "x86_64")]
         Lanes::Sixteen => {
             if let Some(sixteen) = sixteen::Sixteen::new() {
                 return sixteen.run(r, which, task);
             }
         }
+        _ => {}
     }
-    #[cfg(not(all(feature = "lanes", target_arch = "x86_64")))]
+    #[cfg(not(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "x86_64"))))]
     let _ = lanes;
     one::run(r, which, task);
 }

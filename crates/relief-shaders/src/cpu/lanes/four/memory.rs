@@ -1,0 +1,84 @@
+//! Memory by index, number by number, as NEON has no gathers; and the call of functions that need
+//! instructions which the machine was asked for, which the compiler cannot prove to be safe.
+
+use std::arch::is_aarch64_feature_detected;
+
+use super::*;
+
+/// Proof that the machine has the instructions.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::cpu::lanes) struct Four(());
+
+impl Four {
+    /// Where the machine has them.
+    pub(in crate::cpu::lanes) fn new() -> Option<Self> {
+        is_aarch64_feature_detected!("neon").then_some(Self(()))
+    }
+
+    /// Does a task for the places that `which` has bits for.
+    #[allow(unsafe_code)]
+    pub(in crate::cpu::lanes) fn run(self, r: &Resources<'_>, which: u16, task: Task<'_>) {
+        // SAFETY: there is a value of this type where the machine has the instructions alone.
+        unsafe { pixels::run(r, which, task) }
+    }
+}
+
+lanes! {
+    /// The numbers at these places; 0 for places that there are not.
+    pub(super) fn gather(values: &[f32], at: I) -> F {
+        let read = |at: i32| values.get(usize::try_from(at).ok()?).copied();
+        load(&row_i(at).map(|at| read(at).unwrap_or(0.0)))
+    }
+}
+
+lanes! {
+    /// Four bytes from these places on; 0 where not all four are there.
+    pub(super) fn gather_of_8(values: &[u8], at: I) -> U {
+        let read = |at: i32| values.get(usize::try_from(at).ok()?..)?.first_chunk();
+        load_u(&row_i(at).map(|at| read(at).map_or(0, |bytes| u32::from_le_bytes(*bytes))))
+    }
+}
+
+lanes! {
+    /// The same of numbers of two bytes; places are those of bytes, and even.
+    pub(super) fn gather_of_16(values: &[u16], at: I) -> U {
+        let read = |at: i32| values.get(usize::try_from(at).ok()? / 2..)?.first_chunk();
+        let both = |[low, high]: &[u16; 2]| u32::from(*low) | u32::from(*high) << 16;
+        load_u(&row_i(at).map(|at| read(at).map_or(0, both)))
+    }
+}
+
+lanes! {
+    /// A row of numbers.
+    pub(super) fn load(row: &[f32; LANES]) -> F {
+        let [x, y, z, w] = *row;
+        let values = vsetq_lane_f32::<1>(y, vdupq_n_f32(x));
+        F(vsetq_lane_f32::<3>(w, vsetq_lane_f32::<2>(z, values)))
+    }
+}
+
+lanes! {
+    /// Writes the lanes of a mask to a row.
+    pub(super) fn store(row: &mut [f32; LANES], which: M, values: F) {
+        *row = super::row(sel(which, values, load(row)));
+    }
+}
+
+lanes! {
+    /// Writes the lanes of a mask to a row.
+    pub(super) fn store_u(row: &mut [u32; LANES], which: M, values: U) {
+        *row = row_u(sel_u(which, values, load_u(row)));
+    }
+}
+
+lanes! {
+    /// The number of each lane.
+    pub(super) fn row_i(values: I) -> [i32; LANES] {
+        [
+            vgetq_lane_s32::<0>(values.0),
+            vgetq_lane_s32::<1>(values.0),
+            vgetq_lane_s32::<2>(values.0),
+            vgetq_lane_s32::<3>(values.0),
+        ]
+    }
+}
