@@ -729,12 +729,7 @@ lanes! { fn lanes_of_pixel_in(values: &[single::PixelIn; LANES]) -> PixelIn {
     let origin_of_all = Vec3 { x: load(&std::array::from_fn(|lane| origin[lane].x)), y: load(&std::array::from_fn(|lane| origin[lane].y)), z: load(&std::array::from_fn(|lane| origin[lane].z)) };
     let direction = std::array::from_fn::<_, LANES, _>(|lane| values[lane].direction);
     let direction_of_all = Vec3 { x: load(&std::array::from_fn(|lane| direction[lane].x)), y: load(&std::array::from_fn(|lane| direction[lane].y)), z: load(&std::array::from_fn(|lane| direction[lane].z)) };
-    let side_of_all = values[0].side;
-    let a_of_all = values[0].a;
-    let b_of_all = values[0].b;
-    let c_of_all = values[0].c;
-    let shell_of_all = values[0].shell;
-    PixelIn { origin: origin_of_all, direction: direction_of_all, side: side_of_all, a: a_of_all, b: b_of_all, c: c_of_all, shell: shell_of_all }
+    PixelIn { origin: origin_of_all, direction: direction_of_all, side: values[0].side, a: values[0].a, b: values[0].b, c: values[0].c, shell: values[0].shell }
 } }
 
 lanes! { fn singles_toward(value: &Toward) -> [single::Toward; LANES] {

@@ -2,6 +2,7 @@
 
 use relief_core::Lanes;
 use relief_core::exact::{HitPacket, PathPacket};
+pub use relief_shaders::cpu::places;
 use relief_shaders::cpu::{BLOCK, Hit, HitBlock, PathBlock, Row, TriangleRays};
 
 use super::ready::Ready;
@@ -11,29 +12,24 @@ pub const BLOCK_SIDE: usize = 4;
 
 const _: () = assert!(BLOCK_SIDE * BLOCK_SIDE == BLOCK && BLOCK == PathPacket::LEN);
 
-/// Of how many rays at least lanes do something: fewer are quicker one by one.
+/// From how many rays of a triangle on lanes take them; fewer go one by one.
 const LEAST_IN_LANES: u32 = 3;
 
-/// The places of a block that bits stand for, the lowest for the first.
-pub fn places(which: u16) -> impl Iterator<Item = usize> {
-    (0..BLOCK).filter(move |place| which >> place & 1 == 1)
-}
-
-/// The places of those of some rows that something holds for.
+/// The places that something holds for, a bit for each.
 pub fn places_where(holds: impl Fn(usize) -> bool) -> u16 {
     (0..BLOCK).fold(0, |which, place| which | u16::from(holds(place)) << place)
 }
 
 /// Which side of which triangle the rays of a block meet.
 #[derive(Clone)]
-pub struct Sides {
+pub struct Faces {
     /// Whether the mesh is turned over for that, and the triangle.
     pub rank: Row<(bool, u32)>,
     /// 1 on the triangle's front, -1 on its back.
     pub side: Row<f32>,
 }
 
-impl Sides {
+impl Faces {
     /// Of no triangles.
     pub fn new() -> Self {
         Self { rank: [(false, 0); BLOCK], side: [1.0; BLOCK] }

@@ -3,7 +3,7 @@
 use relief_core::Lanes;
 use relief_shaders::cpu::{BLOCK, EnteredBlock, HitBlock, PathBlock, Row};
 
-use super::block::{Sides, places, places_where};
+use super::block::{Faces, places, places_where};
 use super::ready::{Met, Ready};
 use crate::raycast::tiles::{TileCaster, TileHit, TileHits};
 
@@ -24,7 +24,7 @@ pub struct Seen {
     /// Columns and rows of the points in the picture.
     pub points: [Row<f32>; 2],
     /// The triangles that are hit.
-    pub sides: Sides,
+    pub faces: Faces,
     /// Where rays come into the relief, on which paths, and what they hit.
     pub at: EnteredBlock,
     pub paths: PathBlock,
@@ -38,7 +38,7 @@ impl Seen {
             which: 0,
             keys: [0.0; BLOCK],
             points: [[0.0; BLOCK]; 2],
-            sides: Sides::new(),
+            faces: Faces::new(),
             at: EnteredBlock::default(),
             paths: PathBlock::default(),
             hits: HitBlock::default(),
@@ -49,11 +49,11 @@ impl Seen {
     /// least rank.
     fn keep(&mut self, place: usize, rank: (bool, u32), side: f32, met: &Met) {
         let (key, known) = (met.first.key, self.keys[place]);
-        let is_nearer = key > known || (key == known && rank < self.sides.rank[place]);
+        let is_nearer = key > known || (key == known && rank < self.faces.rank[place]);
         if self.which >> place & 1 == 0 || is_nearer {
             self.which |= 1 << place;
             self.keys[place] = key;
-            (self.sides.rank[place], self.sides.side[place]) = (rank, side);
+            (self.faces.rank[place], self.faces.side[place]) = (rank, side);
             self.at.set(place, &met.at);
             self.paths.set(place, &met.path);
             self.hits.set(place, &met.first.hit);
@@ -99,13 +99,13 @@ impl Ready<'_> {
         let mut first = 0;
         for place in places(which) {
             if let Some(TileHit { triangle, front, .. }) = cast.hits.first(cast.numbers[place]) {
-                seen.sides.rank[place] = (false, triangle);
-                seen.sides.side[place] = if front { 1.0 } else { -1.0 };
+                seen.faces.rank[place] = (false, triangle);
+                seen.faces.side[place] = if front { 1.0 } else { -1.0 };
                 first |= 1 << place;
             }
         }
-        let Seen { keys, points, sides, at, paths, hits, .. } = seen;
-        sides.each(self, points, first, lanes, |rays, which, lanes| {
+        let Seen { keys, points, faces, at, paths, hits, .. } = seen;
+        faces.each(self, points, first, lanes, |rays, which, lanes| {
             self.program.enter_block(rays, which, lanes, at, paths);
         });
         let traced = first & places_where(|place| at.segments[place] > 0 && paths.exit[place] > 0.0);
@@ -116,7 +116,7 @@ impl Ready<'_> {
         if traced != 0 {
             self.trace_block(paths, traced, lanes, hits);
             let found = traced & places_where(|place| hits.found[place] == 1);
-            sides.each(self, points, found, lanes, |rays, which, lanes| {
+            faces.each(self, points, found, lanes, |rays, which, lanes| {
                 self.program.meet_block(rays, which, lanes, (at, paths), hits, keys);
             });
         }
@@ -130,7 +130,7 @@ impl Ready<'_> {
         if is_hit || seen.at.segments[place] < 2 {
             return None;
         }
-        let (triangle, side) = (seen.sides.rank[place].1, seen.sides.side[place]);
+        let (triangle, side) = (seen.faces.rank[place].1, seen.faces.side[place]);
         let pixel = self.pixel(triangle, side, self.aim(seen.points.map(|row| row[place])));
         self.first_from(pixel, seen.at.get(place), 1, seen.hits.get(place).cost)
     }

@@ -25,9 +25,9 @@ impl Ready<'_> {
         lanes: Lanes,
         put: &mut dyn FnMut(usize, PixelOut),
     ) {
-        let Seen { points, sides, at, paths, hits, .. } = seen;
+        let Seen { points, faces, at, paths, hits, .. } = seen;
         let mut placed = EnteredBlock::default();
-        sides.each(self, points, which, lanes, |rays, which, lanes| {
+        faces.each(self, points, which, lanes, |rays, which, lanes| {
             self.program.place_block(rays, which, lanes, (at, paths, hits), &mut placed);
         });
         let visible = self.visible(seen, &placed, which, scene, lanes);

@@ -148,8 +148,8 @@ impl<'a> Tiled<'a> {
         }
     }
 
-    /// What the points of a block see of the surfaces, and the nearest of these for each: of equally near ones
-    /// the first.
+    /// What the points of a block see of the surfaces, and which of these is nearest to each: of equally near
+    /// ones the first.
     fn block(&self, of: &Points, hits: &[TileHits], seen: &mut [Seen]) -> Row<Option<usize>> {
         let mut nearest: Row<Option<usize>> = [None; BLOCK];
         let mut keys = [0.0; BLOCK];

@@ -30,7 +30,9 @@ pub use generated::{
     Found, Frame, Hit, Light, LightRay, LightView, MapSettings, Path, PixelIn, PixelOut, Shell,
     SurfaceSettings, Tessellation, Toward, Voxel,
 };
-pub use lanes::{BLOCK, EnteredBlock, HitBlock, LightPoint, PathBlock, PixelOutBlock, Row, TriangleRays};
+pub use lanes::{
+    BLOCK, EnteredBlock, HitBlock, LightPoint, PathBlock, PixelOutBlock, Row, TriangleRays, places,
+};
 pub use layout::{BaseEdge, BasePatch, Face, MadeTotals, PassSettings, Probe, PyramidPass, Record, Tally};
 pub use method_tracer::MethodTracer;
 /// A vector, as shaders have it.

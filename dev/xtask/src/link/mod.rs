@@ -60,11 +60,8 @@ const CPU_ROOT: (&str, &[&str]) = (
 /// Search and refinement over lanes, with all that they reach.
 const TRACING: LaneText = LaneText {
     roots: &["trace", "shadow_search_stage"],
-    same_arguments: &[],
     shared_members: &[("Path", "ray"), ("Path", "level")],
-    one_by_one: &[],
-    levels_differ: false,
-    blocks: &[],
+    ..LaneText::EMPTY
 };
 
 /// What comes before and after them, of rays that meet the same triangle.

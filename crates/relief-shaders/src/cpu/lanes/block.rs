@@ -17,7 +17,7 @@ pub const BLOCK: usize = 16;
 pub type Row<T> = [T; BLOCK];
 
 /// The places of a block that bits stand for, the lowest for the first.
-pub(super) fn places(which: u16) -> impl Iterator<Item = usize> {
+pub fn places(which: u16) -> impl Iterator<Item = usize> {
     (0..BLOCK).filter(move |at| which >> at & 1 == 1)
 }
 

@@ -20,7 +20,7 @@ mod one;
 mod sixteen;
 mod task;
 
-pub use block::{BLOCK, EnteredBlock, HitBlock, PathBlock, PixelOutBlock, Row};
+pub use block::{BLOCK, EnteredBlock, HitBlock, PathBlock, PixelOutBlock, Row, places};
 pub(in crate::cpu) use task::Task;
 pub use task::{LightPoint, TriangleRays};
 

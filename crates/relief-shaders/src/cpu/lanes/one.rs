@@ -5,13 +5,12 @@ use relief_core::FoundState;
 use super::block::places;
 use super::task::{LightPoint, Task, TriangleRays};
 use crate::MAX_LIGHTS;
-use crate::cpu::PixelIn;
-use crate::cpu::Vec4;
 use crate::cpu::generated::Resources;
+use crate::cpu::{PixelIn, Triangle, Vec4};
 
 impl TriangleRays<'_> {
     fn pixel(&self, r: &Resources<'_>, at: usize) -> PixelIn {
-        let crate::cpu::Triangle { a, b, c, shell } = *self.triangle;
+        let Triangle { a, b, c, shell } = *self.triangle;
         r.pixel_of(a, b, c, shell, self.side, self.points.map(|row| row[at]))
     }
 }

@@ -77,7 +77,14 @@ lanes! {
 
 lanes! {
     /// A texel of a baked map where each lane has its layer and its level.
-    pub(super) fn map_texel_of_each(map: &MapTexture<'_>, within: M, x: I, y: I, layer: I, level: I) -> Vec4<F> {
+    pub(super) fn map_texel_of_each(
+        map: &MapTexture<'_>,
+        within: M,
+        x: I,
+        y: I,
+        layer: I,
+        level: I
+    ) -> Vec4<F> {
         let (layers, levels) = (row_i(layer), row_i(level));
         let mut at = splat_i(-1);
         let mut rest = bits_of(within);

@@ -87,18 +87,8 @@ fn rows(module: &Module, name: &str) -> Result<Vec<(String, Kind, usize)>, Strin
         Some((kind, size)) if kind != Kind::Bool => Ok((member, kind, size)),
         _ => Err(format!("member {member} of {name}: its type is not known in blocks")),
     };
-    types::members(module, &NOTHING_SHARED, ty)?.into_iter().map(row).collect()
+    types::members(module, &LaneText::EMPTY, ty)?.into_iter().map(row).collect()
 }
-
-/// A text whose structs have lanes throughout.
-const NOTHING_SHARED: LaneText = LaneText {
-    roots: &[],
-    same_arguments: &[],
-    shared_members: &[],
-    one_by_one: &[],
-    levels_differ: false,
-    blocks: &[],
-};
 
 /// A value of all lanes as an array with the value of each.
 pub fn singles(module: &Module, ty: Handle<Type>, value: &str) -> Result<String, String> {
@@ -143,35 +133,23 @@ pub fn lanes_of(module: &Module, ty: Handle<Type>, values: &str) -> Result<Strin
 pub fn conversions(module: &Module, text: &LaneText, ty: Handle<Type>) -> Result<String, String> {
     let structure = module.types[ty].name.clone().unwrap_or_default();
     let (mut rows, mut one, mut lanes) = (String::new(), String::new(), String::new());
+    let mut members = Vec::new();
     for Member { name, ty, what } in types::members(module, text, ty)? {
-        let (value, back) = match what {
-            What::Shared => (format!("value.{name}"), format!("values[0].{name}")),
-            What::Vector(..) => {
-                let _ =
-                    writeln!(rows, "    let {name} = {};", singles(module, ty, &format!("value.{name}"))?);
-                let _ = writeln!(
-                    lanes,
-                    "    let {name} = std::array::from_fn::<_, LANES, _>(|lane| values[lane].{name});"
-                );
-                (format!("{name}[lane]"), lanes_of(module, ty, &name)?)
+        let by = match what {
+            None => {
+                let _ = write!(one, "{name}: value.{name}, ");
+                members.push(format!("{name}: values[0].{name}"));
+                continue;
             }
-            What::Struct(_) => {
-                let _ =
-                    writeln!(rows, "    let {name} = {};", singles(module, ty, &format!("&value.{name}"))?);
-                let _ = writeln!(
-                    lanes,
-                    "    let {name} = std::array::from_fn::<_, LANES, _>(|lane| values[lane].{name});"
-                );
-                (format!("{name}[lane]"), lanes_of(module, ty, &name)?)
-            }
+            Some(What::Vector(..)) => "",
+            Some(What::Struct(_)) => "&",
         };
-        let _ = write!(one, "{name}: {value}, ");
-        let _ = writeln!(lanes, "    let {name}_of_all = {back};");
+        let _ = writeln!(rows, "    let {name} = {};", singles(module, ty, &format!("{by}value.{name}"))?);
+        let _ = write!(one, "{name}: {name}[lane], ");
+        let row = format!("let {name} = std::array::from_fn::<_, LANES, _>(|lane| values[lane].{name});");
+        let _ = writeln!(lanes, "    {row}\n    let {name}_of_all = {};", lanes_of(module, ty, &name)?);
+        members.push(format!("{name}: {name}_of_all"));
     }
-    let members: Vec<String> = types::members(module, text, ty)?
-        .into_iter()
-        .map(|Member { name, .. }| format!("{name}: {name}_of_all"))
-        .collect();
     let (to, from) = (function_of("singles", &structure), function_of("lanes_of", &structure));
     Ok(format!(
         "lanes! {{ fn {to}(value: &{structure}) -> [single::{structure}; LANES] {{\n{rows}    \

@@ -42,6 +42,16 @@ pub struct LaneText {
 }
 
 impl LaneText {
+    /// A text without functions, in which nothing is shared.
+    pub const EMPTY: Self = Self {
+        roots: &[],
+        same_arguments: &[],
+        shared_members: &[],
+        one_by_one: &[],
+        levels_differ: false,
+        blocks: &[],
+    };
+
     /// Whether a member of a struct is the same in all lanes.
     fn is_shared(&self, structure: &str, member: &str) -> bool {
         self.shared_members.contains(&(structure, member))
@@ -114,20 +124,17 @@ mod tests {
     use super::*;
 
     /// A text of one function.
-    const TRIAL: LaneText = LaneText {
-        roots: &["trial"],
-        same_arguments: &[],
-        shared_members: &[],
-        one_by_one: &[],
-        levels_differ: false,
-        blocks: &[],
-    };
+    const TRIAL: LaneText = LaneText { roots: &["trial"], ..LaneText::EMPTY };
 
     /// What a module that holds just this function is in lanes.
     fn translated(source: &str) -> Result<String, String> {
+        in_text(source, &TRIAL)
+    }
+
+    fn in_text(source: &str, text: &LaneText) -> Result<String, String> {
         let modules = Modules::from_sources([("search/trial", source)]);
         let (module, info) = validate(source).expect("valid WGSL");
-        translate(&module, &info, &TRIAL, source, &modules)
+        translate(&module, &info, text, source, &modules)
     }
 
     /// What is said of a function of a number with that body.
@@ -158,6 +165,28 @@ mod tests {
             // A variable of a type that is not known is where its function begins.
             assert!(line.is_some_and(|line| (3..=6).contains(&line)), "{body}: {said}");
         }
+    }
+
+    #[test]
+    fn what_lanes_do_not_know_can_be_called_lane_by_lane() {
+        let source = "struct Both {\nangle: f32,\nlength: f32,\n}\n\n\
+                      fn both(x: Both) -> Both {\nlet y = x.length;\n\
+                      return Both(atan2(y, x.angle), y);\n}\n\n\
+                      fn trial(x: f32) -> f32 {\nreturn both(Both(x, x + 1.0)).angle;\n}\n";
+        assert!(translated(source).is_err());
+        let text = LaneText { one_by_one: &["both"], ..TRIAL };
+        let written = in_text(source, &text).expect("a text");
+        assert!(written.contains("r.both(") && written.contains("singles_both("), "{written}");
+    }
+
+    #[test]
+    fn what_differs_is_no_shared_member() {
+        let source = "struct Ray {\nat: f32,\nlevel: f32,\n}\n\n\
+                      fn trial(x: f32) -> Ray {\nreturn Ray(x, floor(x));\n}\n";
+        assert!(translated(source).is_ok());
+        let text = LaneText { shared_members: &[("Ray", "level")], ..TRIAL };
+        let said = in_text(source, &text).expect_err("the level differs");
+        assert!(said.contains("share"), "{said}");
     }
 
     #[test]

@@ -1,12 +1,12 @@
 //! Statements over lanes. `ex` are the lanes that run now; a branch runs under those that want it, a loop
 //! until none is left in it, and a value that a lane returns waits in `ret` until all have returned.
 
-use naga::{Block, Expression, Handle, Statement, SwitchValue};
+use naga::{Block, Expression, Handle, Statement, SwitchValue, TypeInner};
 
 use super::function::{Refusal, Writer};
 use super::live::Locals;
 use super::reach;
-use super::types::{self, COMPONENTS, Kind, vector};
+use super::types::{self, COMPONENTS, What, vector};
 use super::uniform::is_masked_loop;
 
 mod branch;
@@ -161,26 +161,24 @@ impl Writer<'_> {
             return self.refuse(pointer, "a store to a member that all lanes share is");
         }
         let value = self.owned(value, true)?;
-        self.assign(pointer, &target, &value, local, place);
-        Ok(())
+        self.assign(pointer, &target, &value, local, place)
     }
 
-    /// What a pointer points at: a number or a vector, or the struct of that name.
-    fn pointee(&self, pointer: Handle<Expression>) -> Result<(Kind, usize), &str> {
+    /// What a pointer points at.
+    fn pointee(&self, pointer: Handle<Expression>) -> Result<What, Refusal> {
         let types = &self.module.types;
-        let vector_of = |inner: &naga::TypeInner| vector(inner).ok_or("");
-        match *self.info[pointer].ty.inner_with(types) {
-            naga::TypeInner::Pointer { base, .. } => {
-                vector(&types[base].inner).ok_or(types[base].name.as_deref().unwrap_or_default())
+        let of = |inner: &TypeInner| vector(inner).map(|(kind, size)| What::Vector(kind, size));
+        let what = match *self.info[pointer].ty.inner_with(types) {
+            TypeInner::Pointer { base, .. } => {
+                of(&types[base].inner).or_else(|| types[base].name.clone().map(What::Struct))
             }
-            naga::TypeInner::ValuePointer { size: Some(size), scalar, .. } => {
-                vector_of(&naga::TypeInner::Vector { size, scalar })
+            TypeInner::ValuePointer { size: Some(size), scalar, .. } => {
+                of(&TypeInner::Vector { size, scalar })
             }
-            naga::TypeInner::ValuePointer { size: None, scalar, .. } => {
-                vector_of(&naga::TypeInner::Scalar(scalar))
-            }
-            ref inner => vector_of(inner),
-        }
+            TypeInner::ValuePointer { size: None, scalar, .. } => of(&TypeInner::Scalar(scalar)),
+            ref inner => of(inner),
+        };
+        what.map_or_else(|| self.refuse(pointer, "a value of this type is"), Ok)
     }
 
     /// Stores a value in the lanes that run here; in the others, too, where they do not miss what was there.
@@ -191,7 +189,7 @@ impl Writer<'_> {
         value: &str,
         local: Handle<naga::LocalVariable>,
         place: &Place,
-    ) {
+    ) -> Done {
         let mask = match (place.keep.contains(&local), &place.condition) {
             (true, Some(condition)) => Some(format!("and(ex, {condition})")),
             (true, None) => Some("ex".to_owned()),
@@ -199,17 +197,24 @@ impl Writer<'_> {
         };
         let Some(mask) = mask else {
             self.line(&format!("{target} = {value};"));
-            return;
+            return Ok(());
         };
-        let chosen = self.chosen(&mask, value, target, pointer);
+        let chosen = self.chosen(&mask, value, target, pointer)?;
         self.line(&format!("{target} = {chosen};"));
+        Ok(())
     }
 
     /// One of two values, lane by lane.
-    fn chosen(&mut self, mask: &str, yes: &str, no: &str, pointer: Handle<Expression>) -> String {
-        match self.pointee(pointer) {
-            Ok((kind, 1)) => format!("sel{}({mask}, {yes}, {no})", kind.suffix()),
-            Ok((kind, size)) => {
+    fn chosen(
+        &mut self,
+        mask: &str,
+        yes: &str,
+        no: &str,
+        pointer: Handle<Expression>,
+    ) -> Result<String, Refusal> {
+        Ok(match self.pointee(pointer)? {
+            What::Vector(kind, 1) => format!("sel{}({mask}, {yes}, {no})", kind.suffix()),
+            What::Vector(kind, size) => {
                 let (mask_name, yes_name) = (self.fresh("m"), self.fresh("y"));
                 self.line(&format!("let ({mask_name}, {yes_name}) = ({mask}, {yes});"));
                 let part = |name: &&str| {
@@ -217,8 +222,10 @@ impl Writer<'_> {
                 };
                 types::made(size, COMPONENTS[..size].iter().map(part))
             }
-            Err(name) => format!("{}({mask}, &{yes}, &{no})", types::function_of("sel", name)),
-        }
+            What::Struct(name) => {
+                format!("{}({mask}, &{yes}, &{no})", types::function_of("sel", &name))
+            }
+        })
     }
 
     /// Gives a value back to the caller, from the lanes that run here.

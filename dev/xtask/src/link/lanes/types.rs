@@ -122,16 +122,15 @@ pub fn with_parts(module: &Module, structs: BTreeSet<Handle<Type>>) -> BTreeSet<
 pub struct Member {
     pub name: String,
     pub ty: Handle<Type>,
-    pub what: What,
+    /// Nothing of lanes where it is the same in all.
+    pub what: Option<What>,
 }
 
-/// What a member is.
+/// What there is in each lane.
 pub enum What {
-    /// The same in all lanes.
-    Shared,
-    /// A number or a vector in each lane.
+    /// A number or a vector.
     Vector(Kind, usize),
-    /// A struct of that name, of lanes as well.
+    /// A struct of that name.
     Struct(String),
 }
 
@@ -145,9 +144,9 @@ pub fn members(module: &Module, text: &LaneText, ty: Handle<Type>) -> Result<Vec
         let name = member.name.clone().unwrap_or_default();
         let of = &module.types[member.ty];
         let what = match (vector(&of.inner), &of.name) {
-            _ if text.is_shared(structure, &name) => What::Shared,
-            (Some((kind, size)), _) => What::Vector(kind, size),
-            (None, Some(inner)) if is_struct(module, member.ty) => What::Struct(inner.clone()),
+            _ if text.is_shared(structure, &name) => None,
+            (Some((kind, size)), _) => Some(What::Vector(kind, size)),
+            (None, Some(inner)) if is_struct(module, member.ty) => Some(What::Struct(inner.clone())),
             _ => return Err(format!("member {name} of {structure}: its type is not known in lanes")),
         };
         Ok(Member { name, ty: member.ty, what })
@@ -162,14 +161,14 @@ pub fn structure(module: &Module, text: &LaneText, ty: Handle<Type>) -> Result<S
     let (mut declared, mut chosen, mut zeros) = (String::new(), String::new(), String::new());
     let mut has_zero = true;
     for Member { name, ty, what } in members(module, text, ty)? {
-        let declaration = self::name(module, ty, !matches!(what, What::Shared))?;
+        let declaration = self::name(module, ty, what.is_some())?;
         let (choice, zero) = match what {
-            What::Shared => {
+            None => {
                 let kind = vector(&module.types[ty].inner).filter(|(_, size)| *size == 1);
                 has_zero &= kind.is_some();
                 (format!("a.{name}"), kind.map_or("", |(kind, _)| kind.zero()).to_owned())
             }
-            What::Vector(kind, size) => {
+            Some(What::Vector(kind, size)) => {
                 let parts = (0..size).map(|at| {
                     let part = if size == 1 { name.clone() } else { format!("{name}.{}", COMPONENTS[at]) };
                     format!("sel{}(m, a.{part}, b.{part})", kind.suffix())
@@ -177,7 +176,7 @@ pub fn structure(module: &Module, text: &LaneText, ty: Handle<Type>) -> Result<S
                 let zero = format!("splat{}({})", kind.suffix(), kind.zero());
                 (made(size, parts), made(size, (0..size).map(|_| zero.clone())))
             }
-            What::Struct(of) => {
+            Some(What::Struct(of)) => {
                 let (select, zero) = (function_of("sel", &of), function_of("zero", &of));
                 (format!("{select}(m, &a.{name}, &b.{name})"), format!("{zero}()"))
             }

@@ -185,12 +185,11 @@ impl Writer<'_> {
                     (self.value(condition, true)?, self.value(yes, true)?, self.value(no, true)?);
                 let no_name = self.fresh("n");
                 self.line(&format!("let {no_name} = {no};"));
-                self.chosen(&condition, &yes, &no_name, target)
+                self.chosen(&condition, &yes, &no_name, target)?
             }
         };
         let (pointer, target) = (target, self.place(target)?);
-        self.assign(pointer, &target, &value, local, place);
-        Ok(())
+        self.assign(pointer, &target, &value, local, place)
     }
 
     /// How many operations a block has that all lanes may go through; none where it has something else.
