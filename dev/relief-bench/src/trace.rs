@@ -226,7 +226,8 @@ impl Bench<'_> {
         }
         let [width, height] = SIZE;
         println!(
-            "\nThe picture of {width}x{height}: seconds for view rays, shadow rays and light, in packets of 16.\n"
+            "\nThe picture of {width}x{height}: seconds for view rays, shadow rays and light, \
+             in packets of 16.\n"
         );
         let mut table = table(&["time", "threads", "FastTracer", "POV-Ray", "FastTracer's lead"]);
         for ((threads, _), pace) in self.pools.iter().zip(&pace) {

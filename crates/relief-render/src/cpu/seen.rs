@@ -125,6 +125,8 @@ impl Ready<'_> {
     }
 
     /// What the ray of a point, whose first segment shows what is known, meets on the segments after that.
+    /// A hit on the first one is the nearest: what is cast in tiles are polygons, whose relief does not
+    /// overlap itself.
     fn after_first_segment(&self, seen: &Seen, place: usize) -> Option<Met> {
         let is_hit = seen.hits.found[place] == 1;
         if is_hit || seen.at.segments[place] < 2 {

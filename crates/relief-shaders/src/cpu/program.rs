@@ -226,8 +226,8 @@ impl<'a> Program<'a> {
         self.0.shade_pixel(pixel)
     }
 
-    /// The light of that number from a placed hit: a point of its disc, by
-    /// its number and how many there are, as the shadow `soft` has them, or its centre where there are none.
+    /// The light of that number from a placed hit: a point of its disc, by its
+    /// number and how many there are, as the shadow `soft` has them, or its centre where there are none.
     #[inline]
     pub fn point_of_light(&self, placed: Entered, hit: Hit, light: u32, [k, count]: [u32; 2]) -> Toward {
         self.0.point_of_light(placed, hit, light, k, count)

@@ -14,14 +14,10 @@ lanes! {
 lanes! {
     /// The same where each lane has its level.
     pub(super) fn height_texel_of_each(map: &HeightTexture<'_>, within: M, x: I, y: I, level: I) -> Vec4<F> {
-        let levels = row_i(level);
         let mut height = splat(0.0);
         let mut rest = bits_of(within);
-        while rest != 0 {
-            let level_here = levels[rest.trailing_zeros() as usize];
-            let same = eq_i(level, splat_i(level_here));
+        while let Some((_, level_here, same)) = next_alike(splat_i(0), level, &mut rest) {
             height = sel(same, height_texel(map, x, y, level_here).x, height);
-            rest &= !bits_of(same);
         }
         Vec4 { x: height, y: splat(0.0), z: splat(0.0), w: splat(1.0) }
     }
@@ -47,14 +43,10 @@ lanes! {
         layer: I,
         level: I
     ) -> Vec4<F> {
-        let (layers, levels) = (row_i(layer), row_i(level));
         let zero = splat(0.0);
         let mut texel = Vec4 { x: zero, y: zero, z: zero, w: zero };
         let mut rest = bits_of(within);
-        while rest != 0 {
-            let lane = rest.trailing_zeros() as usize;
-            let (layer_here, level_here) = (layers[lane], levels[lane]);
-            let same = and(eq_i(layer, splat_i(layer_here)), eq_i(level, splat_i(level_here)));
+        while let Some((layer_here, level_here, same)) = next_alike(layer, level, &mut rest) {
             let here = color_texel(map, x, y, layer_here, level_here);
             texel = Vec4 {
                 x: sel(same, here.x, texel.x),
@@ -62,7 +54,6 @@ lanes! {
                 z: sel(same, here.z, texel.z),
                 w: sel(same, here.w, texel.w),
             };
-            rest &= !bits_of(same);
         }
         texel
     }
@@ -85,17 +76,27 @@ lanes! {
         layer: I,
         level: I
     ) -> Vec4<F> {
-        let (layers, levels) = (row_i(layer), row_i(level));
         let mut at = splat_i(-1);
         let mut rest = bits_of(within);
-        while rest != 0 {
-            let lane = rest.trailing_zeros() as usize;
-            let (layer_here, level_here) = (layers[lane], levels[lane]);
-            let same = and(eq_i(layer, splat_i(layer_here)), eq_i(level, splat_i(level_here)));
+        while let Some((layer_here, level_here, same)) = next_alike(layer, level, &mut rest) {
             at = sel_i(same, place_in(map, x, y, layer_here, level_here), at);
-            rest &= !bits_of(same);
         }
         texel_at(map, at)
+    }
+}
+
+lanes! {
+    /// The layer and the level of the first of the lanes that `rest` has bits for, and all lanes that have
+    /// both. These are taken out of `rest`.
+    fn next_alike(layer: I, level: I, rest: &mut u32) -> Option<(i32, i32, M)> {
+        if *rest == 0 {
+            return None;
+        }
+        let lane = rest.trailing_zeros() as usize;
+        let (layer_here, level_here) = (row_i(layer)[lane], row_i(level)[lane]);
+        let same = and(eq_i(layer, splat_i(layer_here)), eq_i(level, splat_i(level_here)));
+        *rest &= !bits_of(same);
+        Some((layer_here, level_here, same))
     }
 }
 

@@ -93,10 +93,8 @@ impl<'a> Writer<'a> {
             let by = if types::is_by_reference(self.module, argument.ty) { "&" } else { "" };
             let _ = write!(head, ", {}: {by}{ty}", self.argument_name(number));
         }
-        let Some(result) = &self.function.result else {
-            return Err(Refusal::from("a function without a result is not known in lanes".to_owned()));
-        };
-        let returns = self.type_name(result.ty, true)?;
+        let result = self.result_type()?;
+        let returns = self.type_name(result, true)?;
         let mut has_loop = false;
         reach::statements(&self.function.body, &mut |statement| {
             if let Statement::Loop { body, .. } = statement {
@@ -107,7 +105,7 @@ impl<'a> Writer<'a> {
         });
         if facts.is_masked {
             self.line("let mut ex = within;");
-            let zero = self.zero(result.ty);
+            let zero = self.zero(result);
             self.line(&format!("let mut ret: {returns} = {zero};"));
         }
         if self.has_alive {
@@ -135,29 +133,28 @@ impl<'a> Writer<'a> {
         apart: &mut BTreeSet<Handle<Type>>,
     ) -> Result<String, Refusal> {
         let facts = self.facts();
-        let (mut head, mut singles, mut values) = (String::new(), String::new(), String::new());
+        let (mut head, mut singles, mut values) = (String::new(), String::new(), Vec::new());
         for (number, argument) in self.function.arguments.iter().enumerate() {
             let is_lanes = !facts.arguments[number];
             let ty = self.type_name(argument.ty, is_lanes)?;
             let name = self.argument_name(number);
             let by = if types::is_by_reference(self.module, argument.ty) { "&" } else { "" };
             let _ = write!(head, ", {name}: {by}{ty}");
-            let comma = if number == 0 { "" } else { ", " };
             if is_lanes {
                 let single = block::singles(self.module, argument.ty, &name)?;
                 let _ = writeln!(singles, "    let {name} = {single};");
-                let _ = write!(values, "{comma}{name}[lane]");
+                values.push(format!("{name}[lane]"));
             } else {
-                let _ = write!(values, "{comma}{by}{name}");
+                let of = if by.is_empty() { "" } else { "*" };
+                values.push(format!("{of}{name}"));
             }
         }
-        let Some(result) = &self.function.result else {
-            return Err(Refusal::from("a function without a result is not known in lanes".to_owned()));
-        };
-        let returns = self.type_name(result.ty, true)?;
-        let (zero, lanes) = (self.zero(result.ty), block::lanes_of(self.module, result.ty, "results")?);
+        let result = self.result_type()?;
+        let returns = self.type_name(result, true)?;
+        let (zero, lanes) = (self.zero(result), block::lanes_of(self.module, result, "results")?);
         let name = self.program.name(self.variant, self.written);
         let single = self.function.name.as_deref().unwrap_or_default();
+        let values = values.join(", ");
         apart.extend(&self.structs);
         structs.append(&mut self.structs);
         Ok(format!(
@@ -173,6 +170,12 @@ impl<'a> Writer<'a> {
              \x20       rest &= rest - 1;\n\
              \x20   }}\n    {lanes}\n}} }}\n"
         ))
+    }
+
+    /// The type of what the function gives.
+    fn result_type(&self) -> Result<Handle<Type>, Refusal> {
+        let none = || Refusal::from("a function without a result is not known in lanes".to_owned());
+        self.function.result.as_ref().map(|result| result.ty).ok_or_else(none)
     }
 
     /// Whether a block ends in a return that is one for all lanes. The last statement of a function's body is
