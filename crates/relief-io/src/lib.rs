@@ -73,7 +73,7 @@ pub use mesh::{
     beside_mesh, read_mesh, read_mesh_extras, read_raw_mesh, write_glb, write_mesh,
 };
 pub use normal_map::{GreenSign, NormalMap, NormalVectors, SHORTEST, read_normal_map, read_normal_vectors};
-pub use picture::{Curve, Picture, linear_to_srgb, read_picture, read_picture_as};
+pub use picture::{Curve, Picture, linear_to_srgb, read_picture, read_picture_as, srgb_to_linear};
 pub use picture_file::{PictureFormat, PictureSink, write_picture};
 pub use raw_layout::{BadRawLayout, ByteOrder, RawLayout};
 pub use source::Source;

@@ -160,7 +160,7 @@ impl Transfer {
 }
 
 /// The sRGB curve (IEC 61966-2-1), from encoded to linear, both in `[0, 1]`.
-fn srgb_to_linear(encoded: f64) -> f64 {
+pub fn srgb_to_linear(encoded: f64) -> f64 {
     if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
 }
 

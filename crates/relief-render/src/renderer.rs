@@ -238,16 +238,35 @@ impl Renderer {
         if ended.is_break() { Err(RenderError::Stopped) } else { Ok(self.made(accounts, started)) }
     }
 
-    fn made(&self, maps: Vec<Account>, started: Instant) -> Made {
-        let (backend, device) = match &self.backend {
+    /// "cpu" or "gpu".
+    pub fn backend(&self) -> &'static str {
+        match &self.backend {
             #[cfg(feature = "gpu")]
-            Backend::Gpu(renderer, _) => ("gpu", renderer.gpu().description().to_owned()),
+            Backend::Gpu(..) => "gpu",
+            Backend::Cpu(_) => "cpu",
+        }
+    }
+
+    /// What the backend is: the number of threads, or the adapter and its driver.
+    pub fn device(&self) -> String {
+        match &self.backend {
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(renderer, _) => renderer.gpu().description().to_owned(),
             Backend::Cpu(_) => {
                 let threads = rayon::current_num_threads();
-                ("cpu", format!("{threads} thread{}", if threads == 1 { "" } else { "s" }))
+                format!("{threads} thread{}", if threads == 1 { "" } else { "s" })
             }
-        };
-        Made { backend, device, reason: self.reason.clone(), maps, elapsed: started.elapsed() }
+        }
+    }
+
+    fn made(&self, maps: Vec<Account>, started: Instant) -> Made {
+        Made {
+            backend: self.backend(),
+            device: self.device(),
+            reason: self.reason.clone(),
+            maps,
+            elapsed: started.elapsed(),
+        }
     }
 
     /// Draws a scene into a picture that stays on the GPU: linear colours in 16-bit floats, for the caller to

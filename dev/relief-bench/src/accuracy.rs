@@ -2,9 +2,11 @@
 
 use clap::Args;
 use comfy_table::Table;
+use relief_compare::Case;
+use relief_compare::rays::{PICTURE, picture_paths};
 use relief_core::metrics::{CostReport, CostSpread};
 use relief_shaders::{METHODS, Selection};
-use relief_tests::accuracy::{ANGLES, Case, Named, PICTURE, maps, picture_cost, picture_paths};
+use relief_tests::accuracy::{ANGLES, Named, case, maps, picture_cost, report_with};
 use relief_tests::baked::{maps_for, slots};
 use relief_tests::claims::{Measure, verdicts};
 
@@ -52,14 +54,14 @@ fn methods(named: &Named, rays: usize) -> Result<Table, String> {
         "median texels",
         "p99 texels",
     ]);
-    let cases: Vec<Case> = ANGLES.iter().map(|&degrees| Case::new(&named.map, degrees, rays)).collect();
+    let cases: Vec<Case> = ANGLES.iter().map(|&degrees| case(&named.map, degrees, rays)).collect();
     // Displaced triangles search nothing.
     for method in METHODS.iter().filter(|method| method.geometry == "none") {
         let selection = Selection::of(method).map_err(|error| error.to_string())?;
         let baked = maps_for(&named.map, &selection);
         let maps = slots(&named.map, &selection, &baked);
         for (case, degrees) in cases.iter().zip(ANGLES) {
-            let report = case.report_with(&selection, &maps);
+            let report = report_with(case, &selection, &maps);
             let percent = |share: f64| format!("{:.2}", share * 100.0);
             table.add_row([
                 method.name.to_owned(),

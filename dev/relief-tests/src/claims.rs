@@ -3,7 +3,7 @@
 use relief_core::metrics::ErrorReport;
 use relief_shaders::Selection;
 
-use crate::accuracy::{ANGLES, Case, Named};
+use crate::accuracy::{ANGLES, Named, case, report};
 
 /// A method with settings, such as `occlusion search.steps=64`.
 #[derive(Clone, Copy, Debug)]
@@ -239,9 +239,9 @@ pub fn verdicts(maps: &[Named], rays: usize) -> Vec<Verdict> {
             let (mut better, mut worse, mut count) = (0.0, 0.0, 0.0);
             for named in maps {
                 for &degrees in claim.angles {
-                    let case = Case::new(&named.map, degrees, rays);
-                    better += measured(claim.measure, &case.report(&first));
-                    worse += measured(claim.measure, &case.report(&second));
+                    let case = case(&named.map, degrees, rays);
+                    better += measured(claim.measure, &report(&case, &first));
+                    worse += measured(claim.measure, &report(&case, &second));
                     count += 1.0;
                 }
             }

@@ -19,9 +19,11 @@ pub mod outline;
 pub mod pairs;
 pub mod probes;
 pub mod rays;
-pub mod rng;
 pub mod search;
 pub mod shadows;
+
+/// Random numbers that are the same from the same seed, everywhere.
+pub use relief_compare::rng;
 
 use std::path::PathBuf;
 

@@ -2,7 +2,7 @@
 
 use relief_core::registry::RayClass;
 use relief_tests::RAYS_PER_MAP;
-use relief_tests::accuracy::{Case, maps, mean_error};
+use relief_tests::accuracy::{case, maps, mean_error, report_with};
 use relief_tests::baked::{maps_for, slots};
 use relief_tests::claims::verdicts;
 use relief_tests::pairs;
@@ -50,7 +50,7 @@ fn the_exact_pairs_of_stages_find_every_first_hit() {
             let baked = maps_for(&named.map, &exact);
             let maps = slots(&named.map, &exact, &baked);
             for degrees in [10.0, 60.0, 85.0] {
-                let report = Case::new(&named.map, degrees, RAYS).report_with(&exact, &maps);
+                let report = report_with(&case(&named.map, degrees, RAYS), &exact, &maps);
                 let name = format!("{}, {} at {degrees} degrees", pairs::name(&exact), named.name);
                 // Rays that graze within the rounding of f32 may be judged either way.
                 let wrong = report.missed + report.false_hits + report.late + report.early + report.exhausted;

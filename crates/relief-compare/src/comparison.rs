@@ -1,0 +1,194 @@
+//! What is to be compared, and whether it can be.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use relief_core::{HeightMap, Lanes};
+use relief_render::scene::{BackendChoice, Sampling, Scene, Surface};
+
+use crate::contender::Contender;
+use crate::error::CompareError;
+
+/// Where pictures are made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MachineBackend {
+    /// The CPU.
+    Cpu,
+    /// A GPU, or a program that plays one where there is no other.
+    Gpu,
+}
+
+/// Where pictures are made, and how textures are read there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Machine {
+    /// The backend.
+    pub backend: MachineBackend,
+    /// The sampling; `fast` is a GPU's.
+    pub sampling: Sampling,
+}
+
+impl Machine {
+    /// The CPU, which samples exactly.
+    pub const CPU: Self = Self { backend: MachineBackend::Cpu, sampling: Sampling::Exact };
+
+    /// A GPU that samples so.
+    pub const fn gpu(sampling: Sampling) -> Self {
+        Self { backend: MachineBackend::Gpu, sampling }
+    }
+
+    pub(crate) fn backend_choice(self) -> BackendChoice {
+        match self.backend {
+            MachineBackend::Cpu => BackendChoice::Cpu,
+            MachineBackend::Gpu => BackendChoice::Gpu,
+        }
+    }
+}
+
+/// A scene, and what is to be compared on it. [`new`](Self::new) gives what `relief compare` takes by itself.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// The name of the height map, for tables.
+    pub name: String,
+    /// The scene: of one surface, with its camera and light. What the surface selects besides geometry,
+    /// search and refinement all methods share; its method is not used.
+    pub scene: Scene,
+    /// The methods.
+    pub contenders: Vec<Contender>,
+    /// Numbers of steps; methods that have none are compared once. None: as many as each has by itself.
+    pub steps: Vec<u32>,
+    /// Degrees between rays and the normal, from 0 to below 90, where the surface is flat.
+    pub angles_deg: Vec<f64>,
+    /// Metres of displacement between heights 0 and 1. None: the scene's own.
+    pub scales_m: Vec<f64>,
+    /// Longer sides of the levels of the height map that are compared, in texels. None: as it is.
+    pub map_sides: Vec<u32>,
+    /// Rays of a method at an angle; 0 for pictures alone.
+    pub rays: u32,
+    /// Where pictures are made; none for rays alone.
+    pub machines: Vec<Machine>,
+    /// Samples of a pixel in frames that are taken for free of flicker; none: flicker is not measured.
+    pub flicker_samples: Option<u32>,
+    /// How many rays the CPU traces at once.
+    pub lanes: Lanes,
+}
+
+/// How a comparison is watched and ended.
+#[derive(Clone, Copy)]
+pub struct Watch<'a> {
+    /// Is told what is compared, and the part of the work that is done, from 0 to 1.
+    pub progress: &'a (dyn Fn(&str, f32) + Sync),
+    /// Ends the work once it is set.
+    pub cancel: &'a AtomicBool,
+}
+
+/// Never set: the flag of those whom nobody cancels.
+static NEVER: AtomicBool = AtomicBool::new(false);
+
+impl Watch<'_> {
+    /// Tells nobody and is never cancelled.
+    pub fn none() -> Watch<'static> {
+        Watch { progress: &|_, _| {}, cancel: &NEVER }
+    }
+
+    pub(crate) fn check(&self) -> Result<(), CompareError> {
+        if self.cancel.load(Ordering::Relaxed) { Err(CompareError::Stopped) } else { Ok(()) }
+    }
+}
+
+/// The angles that are compared when nothing else is said.
+const ANGLES_DEG: [f64; 4] = [10.0, 30.0, 60.0, 85.0];
+
+/// Rays of a method at an angle when nothing else is said.
+const RAYS: u32 = 20_000;
+
+/// Samples of frames without flicker when nothing else is said.
+const FLICKER_SAMPLES: u32 = 256;
+
+impl Comparison {
+    /// All methods on a scene, at its own scale: 20,000 rays at each of 10, 30, 60 and 85 degrees, and
+    /// pictures on the CPU beside frames of 256 samples.
+    pub fn new(name: impl Into<String>, scene: Scene) -> Self {
+        Self {
+            name: name.into(),
+            scene,
+            contenders: Contender::all(),
+            steps: Vec::new(),
+            angles_deg: ANGLES_DEG.to_vec(),
+            scales_m: Vec::new(),
+            map_sides: Vec::new(),
+            rays: RAYS,
+            machines: vec![Machine::CPU],
+            flicker_samples: Some(FLICKER_SAMPLES),
+            lanes: Lanes::widest(),
+        }
+    }
+
+    /// Whether all numbers are possible.
+    ///
+    /// # Errors
+    ///
+    /// When one is not, or there is nothing to compare.
+    pub fn check(&self) -> Result<(), CompareError> {
+        let surface = self.surface()?;
+        if self.contenders.is_empty() {
+            return Err(CompareError::Nothing("methods"));
+        }
+        if self.rays == 0 && self.machines.is_empty() {
+            return Err(CompareError::Nothing("rays and no pictures"));
+        }
+        for &value in &self.angles_deg {
+            if !(0.0..90.0).contains(&value) {
+                let must = "from 0 to below 90 degrees";
+                return Err(CompareError::Value { what: "an angle", value, must });
+            }
+        }
+        for &value in &self.scales_m {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(CompareError::Value { what: "a scale", value, must: "above 0 m" });
+            }
+        }
+        self.levels(surface.height_map()).map(drop)
+    }
+
+    /// The surface.
+    pub(crate) fn surface(&self) -> Result<&Surface, CompareError> {
+        match self.scene.surfaces() {
+            [surface] => Ok(surface),
+            several => Err(CompareError::SeveralSurfaces(several.len())),
+        }
+    }
+
+    /// The levels of the height map that are compared.
+    pub(crate) fn levels(&self, map: &HeightMap) -> Result<Vec<u32>, CompareError> {
+        if self.map_sides.is_empty() {
+            return Ok(vec![0]);
+        }
+        let sides: Vec<u32> = (0..map.levels())
+            .map(|level| {
+                let level = map.level(level);
+                level.width().max(level.height())
+            })
+            .collect();
+        let of = |&side: &u32| {
+            let level = sides.iter().position(|known| *known == side);
+            let size = [map.width(), map.height()];
+            level.map(|level| level as u32).ok_or(CompareError::NoLevel { side, size, sides: sides.clone() })
+        };
+        self.map_sides.iter().map(of).collect()
+    }
+
+    /// The methods, each with each number of steps that it may take.
+    pub(crate) fn entrants(&self) -> Result<Vec<Contender>, CompareError> {
+        let mut entrants = Vec::new();
+        for contender in &self.contenders {
+            let mut stepped = Vec::new();
+            for &steps in &self.steps {
+                stepped.extend(contender.with_steps(steps)?);
+            }
+            if stepped.is_empty() {
+                stepped.push(contender.clone());
+            }
+            entrants.append(&mut stepped);
+        }
+        Ok(entrants)
+    }
+}

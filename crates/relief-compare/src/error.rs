@@ -1,0 +1,78 @@
+//! Why there is no comparison.
+
+use relief_core::HeightMapError;
+use relief_core::camera::CameraError;
+use relief_core::exact::DisplacedMeshError;
+use relief_maps::MapsError;
+use relief_render::RenderError;
+use relief_render::scene::ValueError;
+use relief_shaders::SelectionError;
+
+use crate::picture::ImageError;
+
+/// Why there is no comparison.
+#[derive(Debug, thiserror::Error)]
+pub enum CompareError {
+    /// A number is out of range.
+    #[error("{what} is {value}: it must be {must}")]
+    Value {
+        /// What it is of.
+        what: &'static str,
+        /// The number.
+        value: f64,
+        /// What it must be.
+        must: &'static str,
+    },
+    /// There is nothing to compare.
+    #[error("there are no {0} to compare")]
+    Nothing(&'static str),
+    /// The map has no level of that size.
+    #[error("the map of {}x{} texels cannot be filtered down to {side}: its levels are {}", size[0], size[1], listed(sides))]
+    NoLevel {
+        /// The side that was asked for.
+        side: u32,
+        /// Columns and rows of the map.
+        size: [u32; 2],
+        /// The longer sides of the map's levels.
+        sides: Vec<u32>,
+    },
+    /// Several surfaces hide each other, so that nobody can say which of them a hit is to be compared with.
+    #[error("the scene has {0} surfaces: one at a time can be compared")]
+    SeveralSurfaces(usize),
+    /// A method cannot have such settings.
+    #[error(transparent)]
+    Selection(#[from] SelectionError),
+    /// The height map cannot be displaced so.
+    #[error(transparent)]
+    Heights(#[from] HeightMapError),
+    /// A baked map cannot be provided.
+    #[error(transparent)]
+    Maps(#[from] MapsError),
+    /// A picture cannot be made.
+    #[error("{method}: {source}")]
+    Render {
+        /// The method.
+        method: String,
+        /// Why.
+        source: Box<RenderError>,
+    },
+    /// The scene cannot be shown by a method.
+    #[error(transparent)]
+    Scene(#[from] ValueError),
+    /// The camera cannot be moved.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+    /// There is no judge of such a surface.
+    #[error(transparent)]
+    Judge(#[from] DisplacedMeshError),
+    /// Pictures cannot be compared.
+    #[error(transparent)]
+    Image(#[from] ImageError),
+    /// Nobody wants the rest.
+    #[error("the comparison was stopped")]
+    Stopped,
+}
+
+fn listed(sides: &[u32]) -> String {
+    sides.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")
+}

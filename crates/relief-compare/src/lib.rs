@@ -1,0 +1,50 @@
+//! Displacement methods beside the truth and beside each other: how wrong their hits are, what these cost,
+//! and how their pictures look.
+//!
+//! A [`Comparison`] is a scene of one surface and what is to be compared on it. It gives [`Records`], the
+//! numbers, and the pictures that they are of; [`page`] makes a page of both that needs nothing else.
+//!
+//! ```
+//! use relief_compare::{Comparison, Contender};
+//! use relief_core::{HeightMap, Wrap};
+//! use relief_render::mesh::square;
+//! use relief_render::scene::{Scene, Surface};
+//!
+//! let heights = HeightMap::from_fn(64, 64, Wrap::Repeat, |i, j| ((i ^ j) & 8) as f32 / 8.0)?;
+//! let surface = Surface::new(square(1)?, heights.with_displacement(0.05, -0.05)?);
+//! let mut comparison = Comparison::new("steps", Scene::builder(surface).size(32, 24).build()?);
+//! comparison.contenders = vec![Contender::named("relief")?, Contender::named("cone")?];
+//! comparison.rays = 500;
+//! comparison.flicker_samples = None;
+//! let compared = comparison.run(&relief_compare::Watch::none())?;
+//! let p99 = |method: &str| {
+//!     let of_method = compared.records.rays.iter().filter(|record| record.method.method == method);
+//!     of_method.map(|record| record.error.p99_texels).fold(0.0, f64::max)
+//! };
+//! assert!(p99("cone") < p99("relief"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod case;
+pub mod columns;
+mod comparison;
+mod contender;
+mod csv;
+mod error;
+mod page;
+pub mod picture;
+pub mod rays;
+mod record;
+pub mod rng;
+mod run;
+
+pub use case::{Case, cost, hits};
+pub use comparison::{Comparison, Machine, MachineBackend, Watch};
+pub use contender::Contender;
+pub use csv::csv;
+pub use error::CompareError;
+pub use page::page;
+pub use record::{
+    About, CostRecord, ErrorRecord, LeftOut, MachineRecord, MethodRecord, PictureRecord, RayRecord, Records,
+};
+pub use run::{Compared, Reference, Shown};

@@ -1,0 +1,210 @@
+//! A comparison as one page of HTML that needs nothing else: no network, no other file.
+
+mod heat;
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use image::codecs::jpeg::JpegEncoder;
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::{ExtendedColorType, ImageEncoder, ImageError};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use serde_json::json;
+
+use self::heat::heat;
+use crate::columns::{COLUMNS, Cell, Column, Row};
+use crate::picture::{Flip, Image};
+use crate::record::{About, LeftOut, PictureRecord, Records};
+use crate::run::{Compared, Reference, Shown};
+
+/// Quality of the pictures in the page: nothing of it is seen beside the differences that are shown.
+const JPEG_QUALITY: u8 = 90;
+
+const STYLE: &str = include_str!("style.css");
+const SCRIPT: &str = include_str!("script.js");
+
+/// The page.
+///
+/// # Errors
+///
+/// When a picture cannot be encoded.
+pub fn page(compared: &Compared) -> Result<String, ImageError> {
+    let Compared { records, shown, references } = compared;
+    let title = format!("Displacement methods on {}", records.about.map);
+    let pictures = pictures(records, shown, references)?;
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width";
+                title { (title) }
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                h1 { (title) }
+                (about(&records.about))
+                (plot())
+                (table(records))
+                (left_out(&records.left_out))
+                (pictures)
+                script type="application/json" id="columns" { (PreEscaped(columns())) }
+                script { (PreEscaped(SCRIPT)) }
+            }
+        }
+    };
+    Ok(page.into_string())
+}
+
+fn about(about: &About) -> Markup {
+    let About { map, map_size: [columns, rows], tile_m: [u, v], program, command, machines, reference } =
+        about;
+    html! {
+        dl {
+            dt { "Map" }
+            dd { (map) ", " (columns) " x " (rows) " texels on a tile of " (rounded(*u)) " x " (rounded(*v)) " m" }
+            dt { "Truth" }
+            dd { "Rays: the cell walk in f64. Pictures: " (reference) "." }
+            @for machine in machines {
+                dt { (machine.backend) ", " (machine.sampling) }
+                dd { (machine.device) }
+            }
+            dt { "Made by" }
+            dd { (program) @if !command.is_empty() { ": " code { (command) } } }
+        }
+    }
+}
+
+/// A length as people write it.
+fn rounded(metres: f64) -> String {
+    let text = format!("{metres:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+fn plot() -> Markup {
+    html! {
+        h2 { "Error against cost" }
+        p.controls {
+            label { "rows " select #rows {} }
+            label { "across " select #across {} }
+            label { "up " select #up {} }
+        }
+        svg #plot viewBox="0 0 900 420" role="img" {}
+        p #frontier {}
+    }
+}
+
+/// All records; the script sorts and filters them.
+fn table(records: &Records) -> Markup {
+    html! {
+        h2 { "All figures" }
+        p.controls {
+            label { "with " input #filter placeholder="a method, an angle, a scale" size="30"; }
+            span #count {}
+        }
+        div.wide {
+            table #records {
+                thead { tr { @for column in COLUMNS {
+                    th title=(column.summary) { button type="button" { (column.title) } }
+                } } }
+                tbody { @for row in Row::all(records) {
+                    tr { @for column in COLUMNS { (cell(column, &row)) } }
+                } }
+            }
+        }
+    }
+}
+
+fn cell(column: &Column, row: &Row) -> Markup {
+    match (column.cell)(row) {
+        Cell::Empty => html! { td {} },
+        Cell::Text(text) => html! { td { (text) } },
+        Cell::Number(number) => html! {
+            td.number data-value=(number) { (format!("{:.*}", column.digits, number * column.factor)) }
+        },
+    }
+}
+
+/// What the script knows of the columns, as JSON that no end of an element can hide in.
+fn columns() -> String {
+    let columns: Vec<_> = COLUMNS
+        .iter()
+        .map(|Column { key, title, factor, .. }| json!({ "key": key, "title": title, "factor": factor }))
+        .collect();
+    json!(columns).to_string().replace('<', "\\u003c")
+}
+
+fn left_out(left_out: &[LeftOut]) -> Markup {
+    html! {
+        @if !left_out.is_empty() {
+            h2 { "Left out" }
+            ul { @for LeftOut { what, reason } in left_out { li { (what) ": " (reason) } } }
+        }
+    }
+}
+
+/// The pictures, those of a reference together, each with what differs beside it.
+fn pictures(records: &Records, shown: &[Shown], references: &[Reference]) -> Result<Markup, ImageError> {
+    let mut groups = Vec::new();
+    for (place, reference) in references.iter().enumerate() {
+        let of_reference = records.pictures.iter().zip(shown).filter(|(_, shown)| shown.reference == place);
+        let figures =
+            of_reference.map(|(record, shown)| picture(record, shown)).collect::<Result<Vec<_>, _>>()?;
+        let [columns, rows] = reference.map_size;
+        groups.push(html! {
+            h3 { (rounded(reference.scale_m)) " m deep, map of " (columns) " x " (rows) }
+            div.grid {
+                figure {
+                    (element(&jpeg(&reference.image)?, "image/jpeg", "reference", reference.image.size()))
+                    figcaption { b { "reference" } }
+                }
+                @for figure in figures { (figure) }
+            }
+        });
+    }
+    Ok(html! {
+        @if !groups.is_empty() {
+            h2 { "Pictures, with FLIP beside them" }
+            p { "Black is no difference, white the greatest that there is." }
+            @for group in groups { (group) }
+        }
+    })
+}
+
+fn picture(record: &PictureRecord, shown: &Shown) -> Result<Markup, ImageError> {
+    let label = record.method.label();
+    let size = shown.image.size();
+    Ok(html! {
+        figure {
+            (element(&jpeg(&shown.image)?, "image/jpeg", &label, size))
+            (element(&map(&shown.difference)?, "image/png", &format!("FLIP of {label}"), size))
+            figcaption {
+                b { (label) } " " (record.backend) " " (record.sampling)
+                " · FLIP " (format!("{:.4}", record.flip))
+                " · p99 " (format!("{:.2}", record.error.p99_texels)) " texels"
+                " · passed " (format!("{:.2}", record.error.passed * 100.0)) " %"
+            }
+        }
+    })
+}
+
+fn element(bytes: &[u8], kind: &str, name: &str, [width, height]: [u32; 2]) -> Markup {
+    let source = format!("data:{kind};base64,{}", STANDARD.encode(bytes));
+    html! { img src=(source) alt=(name) title=(name) width=(width) height=(height) loading="lazy"; }
+}
+
+fn jpeg(image: &Image) -> Result<Vec<u8>, ImageError> {
+    let mut bytes = Vec::new();
+    let [width, height] = image.size();
+    let encoder = JpegEncoder::new_with_quality(&mut bytes, JPEG_QUALITY);
+    encoder.write_image(image.srgb8().as_flattened(), width, height, ExtendedColorType::Rgb8)?;
+    Ok(bytes)
+}
+
+fn map(flip: &Flip) -> Result<Vec<u8>, ImageError> {
+    let mut bytes = Vec::new();
+    let [width, height] = flip.size;
+    let colors: Vec<[u8; 3]> = flip.differences.iter().copied().map(heat).collect();
+    let encoder = PngEncoder::new_with_quality(&mut bytes, CompressionType::Best, FilterType::Adaptive);
+    encoder.write_image(colors.as_flattened(), width, height, ExtendedColorType::Rgb8)?;
+    Ok(bytes)
+}

@@ -1,0 +1,188 @@
+//! How pictures differ, as numbers: FLIP, structural similarity, peak signal to noise, and the root of the
+//! mean squared error.
+
+mod flip;
+mod kernel;
+
+use relief_io::linear_to_srgb;
+use relief_render::job::Rendering;
+use relief_render::picture::Look;
+
+pub use flip::{Flip, PIXELS_PER_DEGREE, flip};
+
+/// A picture to compare: linear colours.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Image {
+    /// Columns and rows.
+    size: [u32; 2],
+    /// Linear red, green and blue from 0 to 1, row by row from the top.
+    pixels: Vec<[f32; 3]>,
+}
+
+/// Pictures that cannot be compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ImageError {
+    /// They are not as large as each other.
+    #[error("a picture of {}x{} pixels cannot be compared with one of {}x{}", a[0], a[1], b[0], b[1])]
+    Sizes {
+        /// Columns and rows of the first.
+        a: [u32; 2],
+        /// Columns and rows of the second.
+        b: [u32; 2],
+    },
+    /// The pixels are not as many as the size says, or there are none.
+    #[error("{pixels} pixels are no picture of {}x{}", size[0], size[1])]
+    Pixels {
+        /// Columns and rows.
+        size: [u32; 2],
+        /// How many pixels there are.
+        pixels: usize,
+    },
+}
+
+impl Image {
+    /// Linear colours, row by row from the top. What a display cannot show is cut off: below 0, above 1, NaN.
+    ///
+    /// # Errors
+    ///
+    /// When the pixels are not as many as the size says, or there are none.
+    pub fn new(size: [u32; 2], linear: Vec<[f32; 3]>) -> Result<Self, ImageError> {
+        let count = size.map(u64::from).iter().product::<u64>();
+        if count == 0 || linear.len() as u64 != count {
+            return Err(ImageError::Pixels { size, pixels: linear.len() });
+        }
+        // NaN is not above 0.
+        let cut = |part: f32| if part > 0.0 { part.min(1.0) } else { 0.0 };
+        let pixels = linear.into_iter().map(|pixel| pixel.map(cut)).collect();
+        Ok(Self { size, pixels })
+    }
+
+    /// What a rendering looks like.
+    ///
+    /// # Errors
+    ///
+    /// When it has no pixels.
+    pub fn of(rendering: &Rendering, look: &Look) -> Result<Self, ImageError> {
+        let pixels = rendering.pixels.iter().map(|pixel| look.linear(pixel)).collect();
+        Self::new([rendering.width, rendering.height], pixels)
+    }
+
+    /// Columns and rows.
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// The linear colours, row by row from the top.
+    pub fn pixels(&self) -> &[[f32; 3]] {
+        &self.pixels
+    }
+
+    /// The picture in 8 bits of sRGB.
+    pub fn srgb8(&self) -> Vec<[u8; 3]> {
+        let byte = |linear: f32| (linear_to_srgb(linear.into()) * 255.0 + 0.5) as u8;
+        self.pixels.iter().map(|pixel| pixel.map(byte)).collect()
+    }
+
+    /// Whether both are as large as each other.
+    fn check_size(&self, other: &Image) -> Result<(), ImageError> {
+        if self.size == other.size {
+            return Ok(());
+        }
+        Err(ImageError::Sizes { a: self.size, b: other.size })
+    }
+}
+
+/// Root of the mean squared difference of the linear colours.
+///
+/// # Errors
+///
+/// When the pictures are not as large as each other.
+pub fn root_mean_square(a: &Image, b: &Image) -> Result<f64, ImageError> {
+    a.check_size(b)?;
+    let parts = a.pixels.as_flattened().iter().zip(b.pixels.as_flattened());
+    let sum: f64 = parts.map(|(a, b)| f64::from(a - b).powi(2)).sum();
+    Ok((sum / (3 * a.pixels.len()) as f64).sqrt())
+}
+
+/// Peak signal to noise ratio of the 8-bit sRGB pictures in decibels; `None` where these are the same.
+///
+/// # Errors
+///
+/// When the pictures are not as large as each other.
+pub fn peak_signal_to_noise(a: &Image, b: &Image) -> Result<Option<f64>, ImageError> {
+    a.check_size(b)?;
+    let (bytes_a, bytes_b) = (a.srgb8(), b.srgb8());
+    let parts = bytes_a.as_flattened().iter().zip(bytes_b.as_flattened());
+    let sum: f64 = parts.map(|(a, b)| f64::from(a.abs_diff(*b)).powi(2)).sum();
+    let mean = sum / bytes_a.as_flattened().len() as f64;
+    Ok((mean > 0.0).then(|| 10.0 * (255.0 * 255.0 / mean).log10()))
+}
+
+/// Structural similarity (Wang, Bovik, Sheikh and Simoncelli 2004) of the 8-bit luma of both pictures, the
+/// mean over windows of 8 x 8 pixels: 1 where they are the same.
+///
+/// # Errors
+///
+/// When the pictures are not as large as each other.
+pub fn structural_similarity(a: &Image, b: &Image) -> Result<f64, ImageError> {
+    a.check_size(b)?;
+    let gray = |image: &Image| {
+        let [width, height] = image.size;
+        let luma = image.srgb8().into_iter().map(|rgb| {
+            // Rec. 709.
+            let [r, g, b] = rgb.map(f64::from);
+            (0.2126 * r + 0.7152 * g + 0.0722 * b + 0.5) as u8
+        });
+        image::GrayImage::from_vec(width, height, luma.collect())
+            .ok_or(ImageError::Pixels { size: image.size, pixels: image.pixels.len() })
+    };
+    let algorithm = image_compare::Algorithm::MSSIMSimple;
+    let similarity = image_compare::gray_similarity_structure(&algorithm, &gray(a)?, &gray(b)?);
+    similarity.map(|similarity| similarity.score).map_err(|_| ImageError::Sizes { a: a.size, b: b.size })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ramp(side: u32, add: f32) -> Image {
+        let count = side * side;
+        let pixels = (0..count).map(|at| [at as f32 / count as f32, 0.3 + add, 0.1]).collect();
+        Image::new([side, side], pixels).expect("a picture")
+    }
+
+    #[test]
+    fn the_same_picture_has_no_error() {
+        let image = ramp(20, 0.0);
+        assert_eq!(root_mean_square(&image, &image), Ok(0.0));
+        assert_eq!(peak_signal_to_noise(&image, &image), Ok(None));
+        assert_eq!(structural_similarity(&image, &image), Ok(1.0));
+        assert_eq!(flip(&image, &image, PIXELS_PER_DEGREE).map(|flip| flip.mean()), Ok(0.0));
+    }
+
+    #[test]
+    fn errors_are_those_that_one_computes_by_hand() {
+        let [a, b] = [ramp(16, 0.0), ramp(16, 0.3)];
+        let rms = root_mean_square(&a, &b).expect("as large");
+        assert!((rms - 0.3 / 3f64.sqrt()).abs() < 1e-6, "{rms}");
+        // Linear 0.3 and 0.6 are the bytes 149 and 203 of sRGB; of three parts one differs.
+        let psnr = peak_signal_to_noise(&a, &b).expect("as large").expect("they differ");
+        assert!((psnr - 10.0 * (3.0 * (255.0 / 54.0f64).powi(2)).log10()).abs() < 1e-9, "{psnr}");
+        let similarity = structural_similarity(&a, &b).expect("as large");
+        assert!((0.2..0.99).contains(&similarity), "{similarity}");
+    }
+
+    #[test]
+    fn what_is_no_picture_and_pictures_of_other_sizes_are_refused() {
+        assert_eq!(Image::new([2, 2], vec![]), Err(ImageError::Pixels { size: [2, 2], pixels: 0 }));
+        assert_eq!(Image::new([0, 2], vec![]), Err(ImageError::Pixels { size: [0, 2], pixels: 0 }));
+        let [a, b] = [ramp(2, 0.0), ramp(3, 0.0)];
+        let sizes = ImageError::Sizes { a: [2, 2], b: [3, 3] };
+        assert_eq!(root_mean_square(&a, &b), Err(sizes));
+        assert_eq!(peak_signal_to_noise(&a, &b), Err(sizes));
+        assert_eq!(structural_similarity(&a, &b), Err(sizes));
+        assert_eq!(flip(&a, &b, PIXELS_PER_DEGREE).map(|flip| flip.mean()), Err(sizes));
+        let cut = Image::new([1, 1], vec![[f32::NAN, -1.0, f32::INFINITY]]).expect("a pixel");
+        assert_eq!(cut.pixels(), [[0.0, 0.0, 1.0]]);
+    }
+}

@@ -1,0 +1,119 @@
+//! What pictures are compared with.
+
+use rayon::prelude::*;
+use relief_core::exact::{DisplacedMesh, ExactHit, Sides};
+use relief_core::{Cost, Hit, Wrap};
+use relief_render::camera::Camera;
+use relief_render::mesh::Mesh;
+use relief_render::scene::Surface;
+use relief_shaders::cpu::PixelOut;
+use relief_shaders::{STAGES, SURFACE, Selection, SelectionError};
+
+use crate::contender::Contender;
+use crate::error::CompareError;
+
+/// How far vertices of a flat mesh are beside its plane at most, in parts of its size, and the least cosine
+/// between its normals.
+const FLAT: f64 = 1e-6;
+
+/// Whether a mesh lies in a plane, with normals across it.
+pub fn is_flat(mesh: &Mesh) -> bool {
+    let vertices = mesh.vertices();
+    let Some(first) = vertices.first() else { return false };
+    let (origin, normal) = (first.position.as_dvec3(), first.normal.as_dvec3());
+    let size = vertices.iter().map(|vertex| vertex.position.as_dvec3().distance(origin)).fold(0.0, f64::max);
+    vertices.iter().all(|vertex| {
+        let beside = (vertex.position.as_dvec3() - origin).dot(normal).abs();
+        beside <= FLAT * size && vertex.normal.as_dvec3().dot(normal) >= 1.0 - FLAT
+    })
+}
+
+/// What pictures are compared with, in words.
+pub fn words(is_flat: bool) -> &'static str {
+    if is_flat {
+        "the picture of the method exact, on the CPU, and its hits"
+    } else {
+        "the picture of the method exact on the surface prism, on the CPU, and the hits of the exact judge of \
+         displaced meshes"
+    }
+}
+
+/// What the reference of a surface runs: the exact method, on curved meshes in shells of the triangles.
+pub fn selection(surface: &Surface, is_flat: bool) -> Result<Selection, SelectionError> {
+    let mut selection = *surface.selection();
+    if !is_flat {
+        selection.choose(STAGES[SURFACE].key, "prism")?;
+    }
+    let prepared = surface.clone().with_selection(selection);
+    Contender::named("exact")?.on(&prepared)
+}
+
+/// The hit of a pixel's centre, with its depth for `t`.
+pub fn hit_of(pixel: &PixelOut) -> Hit {
+    let cost = Cost { reads: pixel.reads, steps: pixel.steps, bytes: pixel.bytes };
+    if pixel.hit == 0 {
+        return Hit::miss(cost);
+    }
+    Hit {
+        found: true,
+        exhausted: pixel.exhausted == 1,
+        uv: [pixel.uv.x, pixel.uv.y].map(f64::from),
+        height: pixel.height.into(),
+        t: pixel.depth.into(),
+        cost,
+    }
+}
+
+/// A hit that is the truth.
+pub fn truth(hit: Hit) -> ExactHit {
+    ExactHit { hit, ..ExactHit::miss(Cost::default(), 0.0) }
+}
+
+/// What the judge of displaced meshes sees at the centre of every pixel.
+pub fn judged(
+    surface: &Surface,
+    camera: &Camera,
+    [columns, rows]: [u32; 2],
+) -> Result<Vec<ExactHit>, CompareError> {
+    let map = surface.height_map();
+    let judge = DisplacedMesh::new(surface.mesh(), map, map.scale_m(), map.bias_m())?;
+    let sides = if surface.two_sided() { Sides::Both } else { Sides::Front };
+    let seen = (0..columns * rows).into_par_iter().map(|pixel| {
+        let ray = camera.ray(pixel % columns, pixel / columns, columns, rows);
+        let first = judge.first_hit(ray.origin.to_array(), ray.direction.to_array(), sides);
+        truth(first.map_or(Hit::miss(Cost::default()), |first| Hit {
+            found: true,
+            exhausted: false,
+            uv: first.uv,
+            height: first.height,
+            t: first.t,
+            cost: Cost::default(),
+        }))
+    });
+    Ok(seen.collect())
+}
+
+/// The same hit in the tile that is nearest to the true one: where the map goes on as it began, charts may
+/// meet whole tiles apart.
+pub fn in_tile_of(hit: Hit, truth: &Hit, wrap: Wrap) -> Hit {
+    if wrap != Wrap::Repeat || !(hit.found && truth.found) {
+        return hit;
+    }
+    let uv = [0, 1].map(|axis| hit.uv[axis] - (hit.uv[axis] - truth.uv[axis]).round());
+    Hit { uv, ..hit }
+}
+
+#[cfg(test)]
+mod tests {
+    use relief_render::mesh::{Builtin, square};
+
+    use super::*;
+
+    #[test]
+    fn planes_are_flat_and_spheres_are_not() {
+        assert!(is_flat(&square(3).expect("a square")));
+        for shape in [Builtin::Sphere, Builtin::Cube, Builtin::Torus] {
+            assert!(!is_flat(&shape.build([1.0, 1.0]).expect("a shape")), "{}", shape.name());
+        }
+    }
+}
