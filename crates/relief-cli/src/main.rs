@@ -76,6 +76,8 @@ enum Command {
     Height(commands::height::Arguments),
     /// Displace a mesh by a height map, without cracks, to triangles in a glTF, PLY, OBJ or STL file
     Mesh(Box<commands::mesh::Arguments>),
+    /// Compare methods: how wrong their hits are, what they cost and how they look, as a page and as figures
+    Compare(Box<commands::compare::Arguments>),
     /// List every method, search and refinement with its parameters and guarantees
     Methods(commands::methods::Arguments),
     /// Print what shells complete, or write it into files
@@ -134,6 +136,7 @@ impl Command {
             Command::Bake(arguments) => arguments.files(),
             Command::Height(arguments) => arguments.files(),
             Command::Mesh(arguments) => arguments.files(),
+            Command::Compare(arguments) => arguments.files(),
             Command::Methods(_) | Command::Completions(_) | Command::Man(_) => Files::default(),
         }
     }
@@ -146,6 +149,7 @@ impl Command {
             Command::Bake(arguments) => arguments.json,
             Command::Height(arguments) => arguments.json(),
             Command::Mesh(arguments) => arguments.json,
+            Command::Compare(arguments) => arguments.json,
             Command::Methods(arguments) => arguments.json,
             Command::Scene(_) | Command::Completions(_) | Command::Man(_) => false,
         }
@@ -159,6 +163,7 @@ impl Command {
             Command::Bake(arguments) => commands::bake::run(arguments),
             Command::Height(arguments) => commands::height::run(arguments),
             Command::Mesh(arguments) => commands::mesh::run(arguments),
+            Command::Compare(arguments) => commands::compare::run(arguments),
             Command::Methods(arguments) => commands::methods::run(arguments),
             Command::Completions(arguments) => commands::completions::run(arguments, &Arguments::command()),
             Command::Man(arguments) => commands::man::run(arguments, &Arguments::command()),

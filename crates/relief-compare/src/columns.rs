@@ -59,10 +59,11 @@ impl<'a> Row<'a> {
         }
     }
 
-    /// What these cost.
-    pub fn cost(&self) -> &'a CostRecord {
+    /// What these cost, if that was counted.
+    pub fn cost(&self) -> Option<&'a CostRecord> {
         match self {
-            Row::Rays(RayRecord { cost, .. }) | Row::Picture(PictureRecord { cost, .. }) => cost,
+            Row::Rays(record) => Some(&record.cost),
+            Row::Picture(record) => record.cost.as_ref(),
         }
     }
 
@@ -81,6 +82,10 @@ fn text(text: impl ToString) -> Cell {
 
 fn number(number: Option<f64>) -> Cell {
     number.map_or(Cell::Empty, Cell::Number)
+}
+
+fn cost(row: &Row, of: fn(&CostRecord) -> f64) -> Cell {
+    number(row.cost().map(of))
 }
 
 fn picture(row: &Row, of: fn(&PictureRecord) -> Option<f64>) -> Cell {
@@ -185,15 +190,15 @@ pub const COLUMNS: &[Column] = &[
     figure("p99_depth_m", "p99 depth m", "difference of depth that 99 of 100 keep", 4, |row| {
         Cell::Number(row.error().p99_depth_m)
     }),
-    figure("reads", "reads", "mean reads of a ray", 1, |row| Cell::Number(row.cost().reads)),
+    figure("reads", "reads", "mean reads of a ray", 1, |row| cost(row, |cost| cost.reads)),
     figure("p99_reads", "p99 reads", "reads that 99 of 100 rays keep", 0, |row| {
-        Cell::Number(row.cost().p99_reads)
+        cost(row, |cost| cost.p99_reads)
     }),
     figure("wave_reads", "wave reads", "mean of the most reads in tiles of 8 x 4 pixels", 1, |row| {
-        picture(row, |record| Some(record.wave_reads))
+        picture(row, |record| record.wave_reads)
     }),
-    figure("turns", "turns", "mean turns of loops of a ray", 1, |row| Cell::Number(row.cost().turns)),
-    figure("bytes", "bytes", "mean bytes that a ray's reads fetch", 0, |row| Cell::Number(row.cost().bytes)),
+    figure("turns", "turns", "mean turns of loops of a ray", 1, |row| cost(row, |cost| cost.turns)),
+    figure("bytes", "bytes", "mean bytes that a ray's reads fetch", 0, |row| cost(row, |cost| cost.bytes)),
     figure("flip", "FLIP", "mean FLIP to the reference", 4, |row| picture(row, |record| Some(record.flip))),
     figure("ssim", "SSIM", "structural similarity to the reference", 4, |row| {
         picture(row, |record| Some(record.ssim))

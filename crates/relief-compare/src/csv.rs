@@ -39,7 +39,12 @@ mod tests {
         let flicker = Some(0.25);
         let picture =
             PictureRecord { size: [3, 2], flicker_rms: flicker, flicker_flip: flicker, ..Default::default() };
-        records.pictures.push(PictureRecord { psnr_db: Some(30.0), ..picture });
+        records.pictures.push(PictureRecord {
+            psnr_db: Some(30.0),
+            cost: Some(Default::default()),
+            wave_reads: Some(1.0),
+            ..picture
+        });
         records
     }
 

@@ -38,6 +38,9 @@ mod record;
 pub mod rng;
 mod run;
 
+/// A map to try methods on: a PNG of 256 x 256 texels of 16 bits, computed cobbles that tile.
+pub const COBBLES_PNG: &[u8] = include_bytes!("../data/cobbles.png");
+
 pub use case::{Case, cost, hits};
 pub use comparison::{Comparison, Machine, MachineBackend, Watch};
 pub use contender::Contender;

@@ -116,11 +116,12 @@ pub struct PictureRecord {
     /// How wrong the hits of its pixels' centres are.
     #[serde(flatten)]
     pub error: ErrorRecord,
-    /// What these cost.
+    /// What these cost where the surface is; nothing of displaced triangles, which are not searched, and of
+    /// the exact method on the CPU, where a tracer of its own answers.
     #[serde(flatten)]
-    pub cost: CostRecord,
+    pub cost: Option<CostRecord>,
     /// Mean of the greatest number of reads in tiles of 8 x 4 pixels, for which a GPU's wave waits.
-    pub wave_reads: f64,
+    pub wave_reads: Option<f64>,
 }
 
 /// How wrong hits are; shares are from 0 to 1.

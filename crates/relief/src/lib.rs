@@ -13,6 +13,7 @@
 //! | [`maps`] | `maps` (and `bake`) | baked maps looked up, baked and kept |
 //! | [`displace`] | `mesh` | displaced meshes without cracks, streamed |
 //! | [`render`] | `render` (and `maps`, `io`) | scenes, and pictures of them on the CPU |
+//! | [`compare`] | `compare` (and `render`) | methods beside the truth and beside each other |
 //! | [`render::gpu`] | `gpu` (and `render`) | the same pictures on a GPU |
 //!
 //! # Load and inspect
@@ -77,6 +78,9 @@ pub use relief_core::*;
 /// Baking: from a height map to every map that displacement methods read.
 #[cfg(feature = "bake")]
 pub use relief_bake as bake;
+/// Methods beside the truth and beside each other: how wrong, how costly, how they look.
+#[cfg(feature = "compare")]
+pub use relief_compare as compare;
 /// Height maps, pictures, normal maps and meshes from files, and pictures, float channels and meshes to
 /// files.
 #[cfg(feature = "io")]

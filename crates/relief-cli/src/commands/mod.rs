@@ -1,6 +1,7 @@
 //! The subcommands, one file each.
 
 pub mod bake;
+pub mod compare;
 pub mod completions;
 pub mod height;
 pub mod inspect;

@@ -13,7 +13,7 @@ use relief_render::{RenderError, Renderer};
 use self::baked_maps::CacheArguments;
 use self::output::{Bits, Outputs, StreamFormat};
 use super::maps;
-use super::scene_arguments::{SceneArguments, of_scene};
+use super::scene_arguments::{MachineArguments, SceneArguments, of_scene};
 use crate::failure::Failure;
 use crate::progress::{Progress, TaskProgress};
 use crate::streams::{Files, Written, answer};
@@ -54,12 +54,14 @@ pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
     #[command(flatten)]
+    machine: MachineArguments,
+    #[command(flatten)]
     cache: CacheArguments,
 }
 
 /// Renders and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let spec = arguments.scene.spec()?.with_keys_of_meshes().map_err(of_scene)?;
+    let spec = arguments.machine.over(arguments.scene.spec()?).with_keys_of_meshes().map_err(of_scene)?;
     let outputs = Outputs::new(arguments, &spec)?;
     let scene = {
         let _reading = Progress::spinner("reading", arguments.json);
@@ -104,7 +106,7 @@ impl Arguments {
     /// of them.
     fn of_render(&self, error: RenderError) -> Failure {
         match error {
-            RenderError::FastOnCpu { .. } if self.scene.names_machine() => {
+            RenderError::FastOnCpu { .. } if self.machine.is_named() => {
                 Failure::Usage(advice::with(&error, advice::of_render(&error)))
             }
             other => Failure::Work(advice::with(&other, advice::of_render(&other))),

@@ -8,7 +8,7 @@ use relief_io::write_atomically;
 use relief_render::scene::{Form, Key, SceneSpec, keys, parse_scene};
 use serde_json::{Map, Value, json};
 
-use super::scene_arguments::SceneArguments;
+use super::scene_arguments::{MachineArguments, SceneArguments};
 use super::staged::format_of;
 use crate::failure::Failure;
 use crate::streams::{Files, answer};
@@ -21,6 +21,8 @@ use crate::streams::{Files, answer};
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
+    #[command(flatten)]
+    machine: MachineArguments,
     /// Scene file to write [default: the standard output]
     #[arg(short, long, value_name = "FILE.toml", conflicts_with = "schema")]
     output: Option<PathBuf>,
@@ -41,7 +43,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.schema {
         return answer(|out| Ok(writeln!(out, "{:#}", schema())?));
     }
-    let mut spec = arguments.scene.spec()?;
+    let mut spec = arguments.machine.over(arguments.scene.spec()?);
     let Some(path) = arguments.output.as_ref().filter(|path| path.as_os_str() != "-") else {
         return answer(|out| Ok(out.write_all(spec.to_toml().as_bytes())?));
     };

@@ -21,6 +21,35 @@ use crate::failure::Failure;
 use crate::streams::{INPUT, is_input};
 use crate::{advice, units, values};
 
+/// What computes a picture.
+#[derive(Args)]
+#[command(next_help_heading = "Machine")]
+pub struct MachineArguments {
+    /// What computes the picture: auto takes a GPU if there is one, else the CPU; gpu also takes a software
+    /// adapter [default: auto]
+    #[arg(long, value_name = "auto|cpu|gpu")]
+    backend: Option<BackendChoice>,
+    /// exact has the same bits everywhere; fast uses the GPU's texture sampler [default: exact]
+    #[arg(long, value_name = "exact|fast", hide_short_help = true)]
+    sampling: Option<Sampling>,
+}
+
+impl MachineArguments {
+    /// Whether backend or sampling are named on the command line.
+    pub fn is_named(&self) -> bool {
+        self.sampling.is_some() || self.backend.is_some()
+    }
+
+    /// A description with what the flags say in place of what it said itself.
+    pub fn over(&self, spec: SceneSpec) -> SceneSpec {
+        spec.overridden_by(SceneSpec {
+            backend: self.backend,
+            sampling: self.sampling,
+            ..SceneSpec::default()
+        })
+    }
+}
+
 /// A scene, by its file and by flags.
 #[derive(Args)]
 pub struct SceneArguments {
@@ -243,13 +272,6 @@ pub struct SceneArguments {
     #[arg(long, value_name = "FILE", help_heading = "Camera and light")]
     environment: Option<PathBuf>,
 
-    /// What computes the picture: auto takes a GPU if there is one, else the CPU; gpu also takes a software
-    /// adapter [default: auto]
-    #[arg(long, value_name = "auto|cpu|gpu", help_heading = "Machine")]
-    backend: Option<BackendChoice>,
-    /// exact has the same bits everywhere; fast uses the GPU's texture sampler [default: exact]
-    #[arg(long, value_name = "exact|fast", help_heading = "Machine", hide_short_help = true)]
-    sampling: Option<Sampling>,
     /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
     #[arg(
         long,
@@ -299,9 +321,9 @@ impl SceneArguments {
         self.scene.as_mut()
     }
 
-    /// Whether backend or sampling are named on the command line.
-    pub fn names_machine(&self) -> bool {
-        self.sampling.is_some() || self.backend.is_some()
+    /// Whether a method is named on the command line.
+    pub fn names_method(&self) -> bool {
+        self.method.is_some()
     }
 
     /// The flags as a description that overrides the scene file's.
@@ -352,8 +374,6 @@ impl SceneArguments {
             ambient_color: self.ambient_color.or(color_of_ambient).map(colour),
             environment: self.environment.clone(),
             background: self.background.map(colour),
-            backend: self.backend,
-            sampling: self.sampling,
             max_memory: self.max_memory,
             ..SceneSpec::of_surface(surface)
         }

@@ -49,7 +49,8 @@ const offer = (select, names, chosen) => names.forEach(([key, title]) => {
   select.add(new Option(title, key, key === chosen, key === chosen));
 });
 const named = (keys) => keys.map((key) => [key, columns[at(key)].title]);
-offer(rows, groups.map((group) => [group, group]), groups[groups.length - 1]);
+const ofRays = groups.filter((group) => group.startsWith('rays'));
+offer(rows, groups.map((group) => [group, group]), ofRays.length ? ofRays[ofRays.length - 1] : groups[0]);
 offer(across, named(['reads', 'p99_reads', 'wave_reads', 'turns', 'bytes', 'map_bytes', 'bake_seconds']), 'reads');
 offer(up, named(['p99_texels', 'median_texels', 'mean_texels', 'passed', 'flip', 'ssim', 'psnr_db', 'rms',
   'flicker_rms', 'flicker_flip']), 'p99_texels');
@@ -112,10 +113,21 @@ const plotted = () => {
     points: best.map((point) => `${x.place(point.x)},${y.place(point.y)}`).join(' '),
     fill: 'none', stroke: '#c2410c', 'stroke-width': 1.5,
   });
-  for (const point of points) {
+  // Names make way for each other, those on the frontier first.
+  const named = [];
+  for (const point of [...best, ...points.filter((other) => !best.includes(other))]) {
     const isBest = best.includes(point);
-    draw('circle', { cx: x.place(point.x), cy: y.place(point.y), r: isBest ? 5 : 4, fill: isBest ? '#c2410c' : '#64748b' });
-    draw('text', { x: x.place(point.x) + 8, y: y.place(point.y) - 5, 'font-weight': isBest ? 600 : 400 }, point.name);
+    const [left, top] = [x.place(point.x), y.place(point.y)];
+    draw('circle', { cx: left, cy: top, r: isBest ? 5 : 4, fill: isBest ? '#c2410c' : '#64748b' });
+    const wide = 7 * point.name.length + 10;
+    const free = (at) => named.every(([l, t, w]) => left > l + w || left + wide < l || Math.abs(at - t) > 12);
+    const places = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9].flatMap((step) => [top - 5 - 13 * step, top - 5 + 13 * step]);
+    const place = places.find((at) => at > 24 && at < HEIGHT - MARGIN && free(at)) ?? top - 5;
+    named.push([left, place, wide]);
+    if (Math.abs(place - top + 5) > 14) {
+      draw('line', { x1: left, y1: top, x2: left + 8, y2: place - 4, stroke: '#cbd5e1' });
+    }
+    draw('text', { x: left + 8, y: place, 'font-weight': isBest ? 600 : 400 }, point.name);
   }
   frontier.textContent = `On the frontier, where no other method is better in both: ${best.map((point) => point.name).join(', ')}.`;
 };

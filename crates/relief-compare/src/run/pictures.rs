@@ -169,7 +169,10 @@ impl Comparison {
             .map(|(pixel, truth)| in_tile_of(hit_of(pixel), &truth.hit, heights.wrap()))
             .collect();
         let size = self.scene.size();
-        let cost = CostReport::of(&hits, size[0] as usize);
+        let is_searched = contender.is_of_rays()
+            && !(machine.backend == MachineBackend::Cpu && contender.selection.is_exact());
+        let on_surface = hits.iter().zip(&truth.hits).filter(|(hit, truth)| hit.found || truth.hit.found);
+        let on_surface: Vec<Hit> = on_surface.map(|(hit, _)| *hit).collect();
         // As many as pixels, both.
         let report = compare(&truth.hits, &hits, heights).unwrap_or_default();
         let difference = flip(&truth.image, &image, PIXELS_PER_DEGREE)?;
@@ -186,8 +189,8 @@ impl Comparison {
             flicker_rms: change.map(|change| change.rms),
             flicker_flip: change.map(|change| change.flip),
             error: (&report).into(),
-            cost: (&cost).into(),
-            wave_reads: cost.reads.wave,
+            cost: is_searched.then(|| (&CostReport::of(&on_surface, 1)).into()),
+            wave_reads: is_searched.then(|| CostReport::of(&hits, size[0] as usize).reads.wave),
         });
         compared.shown.push(Shown { image, difference, reference: compared.references.len() - 1 });
         Ok(())

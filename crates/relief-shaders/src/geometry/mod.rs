@@ -13,7 +13,7 @@ mod vertex;
 pub const ENTRIES: &[Entry] = &[none::ENTRY, vertex::ENTRY, remesh::ENTRY, tessellate::ENTRY];
 
 /// The one that shows the base.
-pub(crate) const NONE: &str = none::ENTRY.name;
+pub const NONE: &str = none::ENTRY.name;
 
 /// The one with a vertex every so many texels.
 pub(crate) const VERTEX: &str = vertex::ENTRY.name;

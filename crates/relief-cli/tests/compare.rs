@@ -1,0 +1,130 @@
+//! `relief compare`: what it writes, and what it refuses.
+
+mod common;
+
+use common::command::{Folder, json_of};
+use common::maps::Map;
+use serde_json::Value;
+
+/// Flags of a comparison that takes a moment.
+const SMALL: &str = "--quick --rays 50 --size 16x12 --samples 1 --angles 30 --backend cpu";
+
+fn folder() -> Folder {
+    let folder = Folder::new();
+    folder.write("map.png", Map::constant(0.5).png());
+    folder
+}
+
+#[test]
+fn a_page_and_the_same_figures_for_programs_are_written() {
+    let folder = folder();
+    let line = format!("compare --height map.png --methods relief,linear+true-secant,vertex {SMALL}");
+    let files = "-o page.html --records all.json --csv all.csv";
+    let ran = folder.relief(&format!("{line} {files}")).fine();
+    for name in ["page.html", "all.json", "all.csv"] {
+        assert!(ran.stdout.contains(name), "{}", ran.stdout);
+    }
+    let read = |name: &str| std::fs::read_to_string(folder.path(name)).expect("a file");
+    let records: Value = serde_json::from_str(&read("all.json")).expect("JSON");
+    let count = |key: &str| records[key].as_array().map(Vec::len);
+    // Two scales; displaced triangles have pictures alone.
+    assert_eq!((count("rays"), count("pictures"), count("left_out")), (Some(4), Some(6), Some(0)));
+    assert_eq!(read("all.csv").lines().count(), 11);
+    let page = read("page.html");
+    assert!(page.starts_with("<!DOCTYPE html>") && page.contains("linear+true-secant"));
+    assert!(
+        records["about"]["command"].as_str().is_some_and(|command| command.contains("--records all.json"))
+    );
+    assert_eq!(records["about"]["map"], "map");
+
+    let printed = json_of(&folder.relief(&format!("{line} -o again.html --json")).fine());
+    assert_eq!(printed["rays"], records["rays"]);
+}
+
+#[test]
+fn without_a_map_the_sample_is_compared_and_the_page_has_a_name() {
+    let folder = Folder::new();
+    let answer = json_of(&folder.relief(&format!("compare --methods bump {SMALL} --json")).fine());
+    assert_eq!((&answer["about"]["map"], &answer["about"]["map_size"][0]), (&"cobbles".into(), &256.into()));
+    assert!(folder.path("comparison.html").is_file());
+}
+
+#[test]
+fn a_scene_keeps_its_scale_and_settings_go_to_the_methods_that_have_them() {
+    let folder = folder();
+    folder.write("s.toml", "height = 'map.png'\nscale = 0.02\nsize = [16, 12]\nsamples = 1\n");
+    let line = "compare s.toml --methods relief,steep,bump --set search.steps=4 --quick --rays 50 --backend cpu --json";
+    let answer = json_of(&folder.relief(line).fine());
+    let rays = answer["rays"].as_array().expect("records");
+    assert!(rays.iter().all(|record| record["scale_m"] == 0.02));
+    let turns = |method: &str| {
+        let of_method = rays.iter().filter(|record| record["method"] == method);
+        of_method.map(|record| record["turns"].as_f64().expect("a number")).fold(0.0, f64::max)
+    };
+    assert!(turns("steep") <= 4.0 && turns("steep") > 0.0 && turns("bump") == 0.0);
+    let of_rays =
+        json_of(&folder.relief(&format!("compare s.toml --geometry ray,vertex {SMALL} --json")).fine());
+    let geometries =
+        of_rays["pictures"].as_array().expect("records").iter().map(|record| &record["geometry"]);
+    let mut geometries: Vec<&str> = geometries.filter_map(Value::as_str).collect();
+    geometries.dedup();
+    assert_eq!(geometries, ["none", "vertex"]);
+}
+
+#[test]
+fn what_cannot_be_compared_is_told_and_nothing_is_written() {
+    let folder = folder();
+    folder.write("two.toml", "height = 'map.png'\n[[surfaces]]\n[[surfaces]]\nposition = [2, 0, 0]\n");
+    folder.write("taken.html/file", "a folder");
+    let refused = [
+        ("--methods paralax", 2, "parallax"),
+        ("--methods linear+binry", 2, "binary"),
+        ("--methods none+binary-", 2, "binary"),
+        ("--method cone", 2, "--methods"),
+        ("--search linear --refine binary", 2, "--methods"),
+        ("--geometry vertx", 2, "vertex"),
+        ("--geometry vertex --methods cone", 2, "methods"),
+        ("--angles 90", 2, "90"),
+        ("--angles -1", 2, "--angles"),
+        ("--angles NaN", 2, "--angles"),
+        ("--scales 0", 2, "--scales"),
+        ("--scales inf", 2, "--scales"),
+        ("--scales -0.1", 2, "--scales"),
+        ("--scales 0.1 --scale 0.2", 2, "--scale"),
+        ("--steps 0", 2, "--steps"),
+        ("--steps x", 2, "--steps"),
+        ("--map-sizes 5", 2, "--map-sizes"),
+        ("--rays -1", 2, "--rays"),
+        ("--rays 0", 2, "--rays"),
+        ("--size 0x12", 2, "--size"),
+        ("--size 99999x12", 2, "--size"),
+        ("--backend auto", 2, "--backend"),
+        ("--backend vulkan", 2, "--backend"),
+        ("--set search.nothing=1", 2, "search.nothing"),
+        ("--height missing.png", 1, "missing.png"),
+        ("two.toml", 1, "2 surfaces"),
+        ("-o no/page.html", 1, "no folder"),
+        ("-o taken.html", 1, "folder"),
+        ("-o page.txt", 2, "html"),
+        ("--records map.png", 2, "json"),
+        ("--csv a.csv -o a.csv", 2, "html"),
+    ];
+    for (flags, code, word) in refused {
+        let map = if flags.contains("--height") || flags.contains("toml") { "" } else { "--height map.png" };
+        let small = if flags.contains("--size") { "--quick --rays 50 --backend cpu" } else { SMALL };
+        let small =
+            if flags.contains("--angles") { small.replace("--angles 30", "") } else { small.to_owned() };
+        let small = if flags.contains("--backend") { small.replace("--backend cpu", "") } else { small };
+        let small = if flags.contains("--rays") { small.replace("--rays 50", "") } else { small };
+        let ran = folder.relief(&format!("compare {map} {small} {flags}"));
+        assert_eq!(ran.code, Some(code), "{flags}: {}", ran.stderr);
+        assert!(ran.stderr.contains(word) && !ran.stderr.contains("panicked"), "{flags}: {}", ran.stderr);
+    }
+    let mut left: Vec<_> = std::fs::read_dir(folder.path(""))
+        .expect("a folder")
+        .flatten()
+        .map(|entry| entry.file_name())
+        .collect();
+    left.sort();
+    assert_eq!(left, ["map.png", "taken.html", "two.toml"]);
+}
