@@ -78,6 +78,8 @@ enum Command {
     Mesh(Box<commands::mesh::Arguments>),
     /// Compare methods: how wrong their hits are, what they cost and how they look, as a page and as figures
     Compare(Box<commands::compare::Arguments>),
+    /// Time frames of methods, part by part
+    Bench(Box<commands::bench::Arguments>),
     /// List every method, search and refinement with its parameters and guarantees
     Methods(commands::methods::Arguments),
     /// Print what shells complete, or write it into files
@@ -137,6 +139,7 @@ impl Command {
             Command::Height(arguments) => arguments.files(),
             Command::Mesh(arguments) => arguments.files(),
             Command::Compare(arguments) => arguments.files(),
+            Command::Bench(arguments) => arguments.files(),
             Command::Methods(_) | Command::Completions(_) | Command::Man(_) => Files::default(),
         }
     }
@@ -150,6 +153,7 @@ impl Command {
             Command::Height(arguments) => arguments.json(),
             Command::Mesh(arguments) => arguments.json,
             Command::Compare(arguments) => arguments.json,
+            Command::Bench(arguments) => arguments.json,
             Command::Methods(arguments) => arguments.json,
             Command::Scene(_) | Command::Completions(_) | Command::Man(_) => false,
         }
@@ -164,6 +168,7 @@ impl Command {
             Command::Height(arguments) => commands::height::run(arguments),
             Command::Mesh(arguments) => commands::mesh::run(arguments),
             Command::Compare(arguments) => commands::compare::run(arguments),
+            Command::Bench(arguments) => commands::bench::run(arguments),
             Command::Methods(arguments) => commands::methods::run(arguments),
             Command::Completions(arguments) => commands::completions::run(arguments, &Arguments::command()),
             Command::Man(arguments) => commands::man::run(arguments, &Arguments::command()),

@@ -128,3 +128,24 @@ fn what_cannot_be_compared_is_told_and_nothing_is_written() {
     left.sort();
     assert_eq!(left, ["map.png", "taken.html", "two.toml"]);
 }
+
+#[test]
+fn a_method_is_chosen_for_an_error_or_a_time() {
+    let folder = folder();
+    let line = format!("compare --height map.png --methods bump,steep,cone {SMALL}");
+    // A plain is found exactly by cones alone.
+    let ran = folder.relief(&format!("{line} --max-error 0.01")).fine();
+    assert!(ran.stdout.contains("relief render --height map.png --method cone"), "{}", ran.stdout);
+    let ran = folder.relief(&format!("{line} --budget-ms 60000")).fine();
+    assert!(ran.stdout.contains("--method cone") && ran.stdout.contains("bump"), "{}", ran.stdout);
+    // What is told to be run can be run.
+    let told = ran.stdout.lines().find_map(|line| line.strip_prefix("relief ")).expect("a command");
+    folder.relief(&format!("{told} --size 16x12 -q")).fine();
+
+    let none = folder.relief(&format!("{line} --budget-ms 0.000001"));
+    assert_eq!(none.code, Some(1));
+    assert!(none.stderr.contains("the nearest is"), "{}", none.stderr);
+    for flags in ["--budget-ms 0", "--max-error NaN", "--budget-ms 1 --max-error 1"] {
+        assert_eq!(folder.relief(&format!("{line} {flags}")).code, Some(2), "{flags}");
+    }
+}

@@ -1,6 +1,6 @@
 //! The columns of tables: one list, from which the page and comma-separated values are made.
 
-use crate::record::{CostRecord, ErrorRecord, MethodRecord, PictureRecord, RayRecord, Records};
+use crate::record::{CostRecord, ErrorRecord, MethodRecord, PictureRecord, RayRecord, Records, TimeRecord};
 
 /// A row of a table.
 #[derive(Clone, Copy, Debug)]
@@ -88,6 +88,14 @@ fn cost(row: &Row, of: fn(&CostRecord) -> f64) -> Cell {
     number(row.cost().map(of))
 }
 
+fn times<'a>(row: &Row<'a>) -> Option<&'a TimeRecord> {
+    row.picture().and_then(|record| record.times.as_ref())
+}
+
+fn time(row: &Row, of: fn(&TimeRecord) -> Option<f64>) -> Cell {
+    number(times(row).and_then(of))
+}
+
 fn picture(row: &Row, of: fn(&PictureRecord) -> Option<f64>) -> Cell {
     number(row.picture().and_then(of))
 }
@@ -131,6 +139,9 @@ pub const COLUMNS: &[Column] = &[
     }),
     word("method", "method", "the method", |row| text(&row.method().method)),
     figure("steps", "steps", "steps that it is allowed", 0, |row| number(row.method().steps.map(f64::from))),
+    word("steps_key", "steps are", "the parameter that says so", |row| {
+        row.method().steps_key.as_ref().map_or(Cell::Empty, text)
+    }),
     word("geometry", "geometry", "what is drawn: the base, or displaced triangles", |row| {
         text(&row.method().geometry)
     }),
@@ -222,6 +233,49 @@ pub const COLUMNS: &[Column] = &[
     ),
     figure("flicker_flip", "flicker FLIP", "the same in FLIP", 4, |row| {
         picture(row, |record| record.flicker_flip)
+    }),
+    word("clock", "clock", "what told the time", |row| {
+        times(row).map_or(Cell::Empty, |times| text(&times.clock))
+    }),
+    word("timed_size", "timed", "columns and rows of the frames that were timed", |row| {
+        times(row).map_or(Cell::Empty, |times| size(times.timed_size))
+    }),
+    figure("frame_ms", "frame ms", "a whole frame of one sample a pixel: median", 2, |row| {
+        time(row, |times| Some(times.frame_ms))
+    }),
+    figure("frame_low_ms", "frame ms from", "what the true median is not below, at 95 in 100", 2, |row| {
+        time(row, |times| Some(times.frame_low_ms))
+    }),
+    figure("frame_high_ms", "frame ms to", "what it is not above", 2, |row| {
+        time(row, |times| Some(times.frame_high_ms))
+    }),
+    figure(
+        "displacement_ms",
+        "displacement ms",
+        "more than a frame of bump mapping without shadows",
+        2,
+        |row| time(row, |times| Some(times.displacement_ms)),
+    ),
+    figure(
+        "displacement_low_ms",
+        "displacement ms from",
+        "what its true median is not below, at 95 in 100",
+        2,
+        |row| time(row, |times| Some(times.displacement_low_ms)),
+    ),
+    figure("displacement_high_ms", "displacement ms to", "what it is not above", 2, |row| {
+        time(row, |times| Some(times.displacement_high_ms))
+    }),
+    figure("base_ms", "base ms", "bump mapping without light", 2, |row| {
+        time(row, |times| Some(times.base_ms))
+    }),
+    figure("shade_ms", "shade ms", "lighting", 2, |row| time(row, |times| Some(times.shade_ms))),
+    figure("shadow_ms", "shadow ms", "shadows", 2, |row| time(row, |times| Some(times.shadow_ms))),
+    figure("trace_pass_ms", "trace pass ms", "rasterising and tracing, by the GPU's clock", 2, |row| {
+        time(row, |times| times.trace_pass_ms)
+    }),
+    figure("shade_pass_ms", "shade pass ms", "shading, by the GPU's clock", 2, |row| {
+        time(row, |times| times.shade_pass_ms)
     }),
     figure("map_bytes", "map bytes", "bytes of the baked maps that it reads", 0, |row| {
         Cell::Number(row.method().map_bytes as f64)

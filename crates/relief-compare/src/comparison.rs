@@ -67,8 +67,22 @@ pub struct Comparison {
     pub machines: Vec<Machine>,
     /// Samples of a pixel in frames that are taken for free of flicker; none: flicker is not measured.
     pub flicker_samples: Option<u32>,
+    /// How frames are timed; none: they are not.
+    pub timing: Option<Timing>,
     /// How many rays the CPU traces at once.
     pub lanes: Lanes,
+}
+
+/// How frames are timed. All methods take turns, so that what slows the machine for a while slows all of
+/// them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Timing {
+    /// Frames of each that count.
+    pub frames: u32,
+    /// Turns before these that do not.
+    pub warm: u32,
+    /// How many times as many pixels as its pictures they have.
+    pub pixels: u32,
 }
 
 /// How a comparison is watched and ended.
@@ -103,9 +117,13 @@ const RAYS: u32 = 20_000;
 /// Samples of frames without flicker when nothing else is said.
 const FLICKER_SAMPLES: u32 = 256;
 
+/// Frames that are timed when nothing else is said, and how many times as many pixels these have.
+const TIMED_FRAMES: u32 = 7;
+const TIMED_PIXELS: u32 = 8;
+
 impl Comparison {
-    /// All methods on a scene, at its own scale: 20,000 rays at each of 10, 30, 60 and 85 degrees, and
-    /// pictures on the CPU beside frames of 256 samples.
+    /// All methods on a scene, at its own scale: 20,000 rays at each of 10, 30, 60 and 85 degrees,
+    /// pictures on the CPU beside frames of 256 samples, and the times of 7 frames of 8 times as many pixels.
     pub fn new(name: impl Into<String>, scene: Scene) -> Self {
         Self {
             name: name.into(),
@@ -118,6 +136,7 @@ impl Comparison {
             rays: RAYS,
             machines: vec![Machine::CPU],
             flicker_samples: Some(FLICKER_SAMPLES),
+            timing: Some(Timing { frames: TIMED_FRAMES, warm: 1, pixels: TIMED_PIXELS }),
             lanes: Lanes::widest(),
         }
     }
@@ -134,6 +153,15 @@ impl Comparison {
         }
         if self.rays == 0 && self.machines.is_empty() {
             return Err(CompareError::Nothing("rays and no pictures"));
+        }
+        if let Some(Timing { frames, pixels, .. }) = self.timing {
+            for (what, value) in
+                [("the number of timed frames", frames), ("the factor on their pixels", pixels)]
+            {
+                if value == 0 {
+                    return Err(CompareError::Value { what, value: 0.0, must: "above 0" });
+                }
+            }
         }
         for &value in &self.angles_deg {
             if !(0.0..90.0).contains(&value) {

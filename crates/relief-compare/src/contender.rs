@@ -58,11 +58,16 @@ impl Contender {
     ///
     /// When so many are not allowed.
     pub fn with_steps(&self, steps: u32) -> Result<Option<Self>, SelectionError> {
-        let Some(key) = STEPS.into_iter().find(|key| self.has(key)) else { return Ok(None) };
+        let Some(key) = self.steps_key() else { return Ok(None) };
         let mut with = self.clone();
         with.selection.set(key, f64::from(steps))?;
         with.steps = Some(steps);
         Ok(Some(with))
+    }
+
+    /// The key of its steps, as in `search.steps`.
+    pub fn steps_key(&self) -> Option<&'static str> {
+        STEPS.into_iter().find(|key| self.has(key))
     }
 
     /// Whether one of its stages has that parameter.
@@ -154,10 +159,7 @@ mod tests {
 
     #[test]
     fn steps_are_those_of_the_search_its_limit_or_the_refinement() {
-        let key = |name: &str| {
-            let contender = Contender::named(name).expect("a method");
-            STEPS.into_iter().find(|key| contender.has(key))
-        };
+        let key = |name: &str| Contender::named(name).expect("a method").steps_key();
         assert_eq!(key("relief"), Some("search.steps"));
         assert_eq!(key("cone"), Some("search.limit"));
         assert_eq!(key("binary-search"), Some("refine.steps"));

@@ -15,7 +15,7 @@
 //! let mut comparison = Comparison::new("steps", Scene::builder(surface).size(32, 24).build()?);
 //! comparison.contenders = vec![Contender::named("relief")?, Contender::named("cone")?];
 //! comparison.rays = 500;
-//! comparison.flicker_samples = None;
+//! (comparison.flicker_samples, comparison.timing) = (None, None);
 //! let compared = comparison.run(&relief_compare::Watch::none())?;
 //! let p99 = |method: &str| {
 //!     let of_method = compared.records.rays.iter().filter(|record| record.method.method == method);
@@ -26,6 +26,7 @@
 //! ```
 
 mod case;
+mod choose;
 pub mod columns;
 mod comparison;
 mod contender;
@@ -37,17 +38,20 @@ pub mod rays;
 mod record;
 pub mod rng;
 mod run;
+mod spread;
 
 /// A map to try methods on: a PNG of 256 x 256 texels of 16 bits, computed cobbles that tile.
 pub const COBBLES_PNG: &[u8] = include_bytes!("../data/cobbles.png");
 
 pub use case::{Case, cost, hits};
-pub use comparison::{Comparison, Machine, MachineBackend, Watch};
+pub use choose::{Candidate, Goal, Tried, choose};
+pub use comparison::{Comparison, Machine, MachineBackend, Timing, Watch};
 pub use contender::Contender;
 pub use csv::csv;
 pub use error::CompareError;
 pub use page::page;
 pub use record::{
     About, CostRecord, ErrorRecord, LeftOut, MachineRecord, MethodRecord, PictureRecord, RayRecord, Records,
+    TimeRecord,
 };
 pub use run::{Compared, Reference, Shown};

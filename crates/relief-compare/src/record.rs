@@ -53,6 +53,8 @@ pub struct MethodRecord {
     pub method: String,
     /// How many steps it takes, where it is compared over these.
     pub steps: Option<u32>,
+    /// The parameter that says so.
+    pub steps_key: Option<String>,
     /// The variant of each stage that finds hits.
     pub geometry: String,
     /// The search.
@@ -122,6 +124,40 @@ pub struct PictureRecord {
     pub cost: Option<CostRecord>,
     /// Mean of the greatest number of reads in tiles of 8 x 4 pixels, for which a GPU's wave waits.
     pub wave_reads: Option<f64>,
+    /// How long frames take, where that was measured.
+    #[serde(flatten)]
+    pub times: Option<TimeRecord>,
+}
+
+/// How long frames of one sample a pixel take.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct TimeRecord {
+    /// What told the time: the machine's clock around whole frames, and of passes the GPU's.
+    pub clock: String,
+    /// Columns and rows of the frames.
+    pub timed_size: [u32; 2],
+    /// Milliseconds of a whole frame: the median, and what the true median lies between, at 95 in 100.
+    pub frame_ms: f64,
+    /// Its lower end.
+    pub frame_low_ms: f64,
+    /// Its upper end.
+    pub frame_high_ms: f64,
+    /// Milliseconds that finding the surface takes: more than bump mapping without shadows does.
+    pub displacement_ms: f64,
+    /// Its lower end.
+    pub displacement_low_ms: f64,
+    /// Its upper end.
+    pub displacement_high_ms: f64,
+    /// Milliseconds of bump mapping without light.
+    pub base_ms: f64,
+    /// Milliseconds of lighting that.
+    pub shade_ms: f64,
+    /// Milliseconds of shadows; 0 where there are none.
+    pub shadow_ms: f64,
+    /// Milliseconds of the pass that rasterises and traces, by a GPU's own clock.
+    pub trace_pass_ms: Option<f64>,
+    /// Milliseconds of the pass that shades.
+    pub shade_pass_ms: Option<f64>,
 }
 
 /// How wrong hits are; shares are from 0 to 1.

@@ -7,6 +7,7 @@ pub mod cpu;
 pub mod depth_buffer;
 mod displaced;
 pub mod environment;
+mod frame_time;
 #[cfg(feature = "gpu")]
 pub mod gpu;
 mod heights_under;
@@ -30,6 +31,7 @@ mod triangles;
 mod wire;
 
 pub use displaced::GeometryError;
+pub use frame_time::{FrameTime, PassTimes};
 pub use glam;
 /// Cameras, base meshes of which scenes are made, and rays against them; they are the core's.
 pub use relief_core::{camera, mesh, raycast};

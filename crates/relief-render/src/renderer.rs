@@ -16,6 +16,7 @@ use web_time::Instant;
 
 use crate::cpu::CpuRenderer;
 use crate::displaced::GeometryError;
+use crate::frame_time::FrameTime;
 #[cfg(feature = "gpu")]
 use crate::gpu::{AdapterChoice, Gpu, GpuError, GpuRenderer, Work};
 use crate::job::{Job, Rendering};
@@ -236,6 +237,34 @@ impl Renderer {
                 .ok_or(RenderError::OutOfMemory { width: job.width, height: job.height })?,
         };
         if ended.is_break() { Err(RenderError::Stopped) } else { Ok(self.made(accounts, started)) }
+    }
+
+    /// Draws a scene, keeps nothing of it, and says how long that took. On the CPU a first frame of a scene
+    /// takes longer, as it is made ready in it.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::render`], and when it was stopped.
+    pub fn time(
+        &mut self,
+        scene: &Scene,
+        maps: &mut Maps,
+        cancel: &AtomicBool,
+    ) -> Result<FrameTime, RenderError> {
+        let (job, _, started) = self.prepare(scene, maps, &Watch { cancel, ..Watch::none() })?;
+        match &mut self.backend {
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(renderer, sampling) => Ok(renderer.time(&job, *sampling)?),
+            Backend::Cpu(renderer) => {
+                let ended = renderer
+                    .render_bands(&job, false, &|_| {}, cancel, &mut |_| ControlFlow::Continue(()))
+                    .ok_or(RenderError::OutOfMemory { width: job.width, height: job.height })?;
+                if ended.is_break() {
+                    return Err(RenderError::Stopped);
+                }
+                Ok(FrameTime { elapsed: started.elapsed(), passes: None })
+            }
+        }
     }
 
     /// "cpu" or "gpu".

@@ -29,7 +29,7 @@ fn comparison(names: &[&str]) -> Comparison {
     let mut comparison = Comparison::new("cobbles", scene);
     comparison.contenders = named(names);
     comparison.rays = 1000;
-    comparison.flicker_samples = Some(4);
+    (comparison.flicker_samples, comparison.timing) = (Some(4), None);
     comparison
 }
 
@@ -155,7 +155,7 @@ fn curved_meshes_are_judged_in_pictures_alone() {
     let scene = Scene::builder(surface).size(96, 72).samples(1).build().expect("a scene");
     let mut comparison = Comparison::new("cobbles", scene);
     comparison.contenders = named(&["exact", "steep", "bump", "relaxed-cone-stepping"]);
-    comparison.flicker_samples = None;
+    (comparison.flicker_samples, comparison.timing) = (None, None);
     let Compared { records, .. } = run(&comparison);
     assert!(records.rays.is_empty());
     let [exact, steep] = &records.pictures[..] else { panic!("two pictures: {:?}", records.left_out) };

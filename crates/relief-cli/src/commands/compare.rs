@@ -2,21 +2,17 @@
 
 mod report;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
-use relief_compare::{COBBLES_PNG, CompareError, Compared, Comparison, Contender, Machine, Watch, csv, page};
-use relief_render::scene::{BackendChoice, Sampling, SceneSpec};
-use relief_render::{RenderError, Renderer};
-use relief_shaders::{DETAIL, GEOMETRY, METHODS, REFINE, SEARCH, STAGES, geometry};
-use tempfile::TempDir;
+use relief_compare::{Compared, Comparison, Contender, Goal, Timing, Tried, Watch, choose, csv, page};
 
-use super::scene_arguments::{SceneArguments, of_scene};
+use super::contest::{Contest, ContestArguments, as_json, of_comparison};
 use super::staged::{Staged, format_of};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::streams::{Files, answer};
-use crate::{advice, interrupt, lanes, say, units};
+use crate::{interrupt, say, units, values};
 
 /// What `relief compare` is given. Flags override the scene file.
 #[derive(Args)]
@@ -25,6 +21,7 @@ use crate::{advice, interrupt, lanes, say, units};
     relief compare --height wall.png --scales 2cm,10cm -o wall.html\n  \
     relief compare --methods relief,occlusion --steps 8,16,32,64 --csv steps.csv\n  \
     relief compare --methods cone,linear+true-secant --angles 60,85 --rays 100000\n  \
+    relief compare --height wall.png --backend cpu --size 1280x720 --budget-ms 40   # the best within 40 ms\n  \
     relief compare scenes/jacksboro.toml --geometry none,vertex --json\n\n\
     Rays at an angle are compared with the exact first hit; pictures with the exact picture, and their pixels' \
     hits with its hits. The page sorts its figures and plots any of them against any other, without network."
@@ -43,15 +40,6 @@ pub struct Arguments {
     #[arg(long)]
     pub json: bool,
 
-    /// Methods, or pairs of a search and a refinement as linear+binary; all for every method
-    #[arg(
-        long,
-        value_name = "A,B",
-        value_delimiter = ',',
-        default_value = "all",
-        help_heading = "What is compared"
-    )]
-    methods: Vec<String>,
     /// Steps that methods are allowed, one row each: of their search where that has them, else the search's
     /// limit, else the refinement's [default: each method's own]
     #[arg(
@@ -59,7 +47,7 @@ pub struct Arguments {
         value_name = "N,..",
         value_delimiter = ',',
         allow_hyphen_values = true,
-        help_heading = "What is compared"
+        help_heading = "What is tried"
     )]
     steps: Vec<u32>,
     /// Degrees between rays and normal, where the mesh is flat
@@ -69,10 +57,11 @@ pub struct Arguments {
         value_delimiter = ',',
         default_value = "10,30,60,85",
         allow_hyphen_values = true,
-        help_heading = "What is compared"
+        help_heading = "What is tried"
     )]
     angles: Vec<f64>,
-    /// Metres of displacement between heights 0 and 1 [default: 0.05,0.15; of a scene its own]
+    /// Metres of displacement between heights 0 and 1 [default: 0.05,0.15; of a scene its own, and of
+    /// what is chosen the usual one]
     #[arg(
         long,
         value_name = "M,..",
@@ -80,7 +69,7 @@ pub struct Arguments {
         value_parser = units::length,
         allow_hyphen_values = true,
         conflicts_with = "scale",
-        help_heading = "What is compared"
+        help_heading = "What is tried"
     )]
     scales: Vec<f64>,
     /// Longer sides of the height map in texels, filtered down by halves [default: as it is]
@@ -89,37 +78,43 @@ pub struct Arguments {
         value_name = "N,..",
         value_delimiter = ',',
         allow_hyphen_values = true,
-        help_heading = "What is compared"
+        help_heading = "What is tried"
     )]
     map_sizes: Vec<u32>,
-    /// Where pictures are made: cpu, gpu (also a software adapter) or both [default: cpu, and gpu if there is
-    /// one]
-    #[arg(long, value_name = "cpu,gpu", value_delimiter = ',', help_heading = "What is compared")]
-    backend: Vec<BackendChoice>,
-    /// How a GPU reads textures: exact, fast or both
-    #[arg(
-        long,
-        value_name = "exact,fast",
-        value_delimiter = ',',
-        default_value = "exact",
-        help_heading = "What is compared"
-    )]
-    sampling: Vec<Sampling>,
     /// Rays of a method at an angle [default: 20000]
     #[arg(
         long,
         value_name = "N",
         value_parser = clap::value_parser!(u32).range(1..=100_000_000),
         allow_hyphen_values = true,
-        help_heading = "What is compared"
+        help_heading = "What is tried"
     )]
     rays: Option<u32>,
-    /// A tenth of the rays, smaller pictures, and no flicker: a minute in place of several
-    #[arg(long, help_heading = "What is compared")]
+    /// Name the method of the least error whose frames of --size take at most so many milliseconds on --backend
+    #[arg(
+        long,
+        value_name = "MS",
+        value_parser = values::positive,
+        allow_hyphen_values = true,
+        conflicts_with = "max_error",
+        help_heading = "What is chosen"
+    )]
+    budget_ms: Option<f64>,
+    /// Name the fastest method of which 99 of 100 hits are at most so many texels off at the worst angle
+    #[arg(
+        long,
+        value_name = "TEXELS",
+        value_parser = values::positive,
+        allow_hyphen_values = true,
+        help_heading = "What is chosen"
+    )]
+    max_error: Option<f64>,
+    /// A tenth of the rays, smaller pictures, no flicker and no times: a minute in place of several
+    #[arg(long, help_heading = "What is tried")]
     quick: bool,
 
     #[command(flatten)]
-    scene: SceneArguments,
+    contest: ContestArguments,
 }
 
 /// What pictures are like where nothing is said of them.
@@ -129,15 +124,17 @@ const QUICK_SIZE: [u32; 2] = [160, 120];
 /// Displacements where nothing is said of them: normal and extreme.
 const SCALES_M: [f64; 2] = [0.05, 0.15];
 
+/// Numbers of steps, and frames of each, among which a method is chosen.
+const STEPS: [u32; 6] = [8, 16, 32, 64, 128, 256];
+const CHOOSING_FRAMES: u32 = 7;
+
 /// Compares and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let cancel = interrupt::catch()?;
-    let spec = arguments.scene.spec()?;
-    let families = arguments.families(&spec)?;
-    let files = arguments.outputs(&spec)?;
-    let sample = Sample::of(&spec)?;
-    let comparison = arguments.comparison(&spec, &families, &sample)?;
-    let written: Vec<&std::path::Path> = files.iter().map(PathBuf::as_path).collect();
+    let mut contest = arguments.contest.contest()?;
+    let files = arguments.outputs(&contest)?;
+    let comparison = arguments.comparison(&mut contest)?;
+    let written: Vec<&Path> = files.iter().map(PathBuf::as_path).collect();
     // Whether they can be written is known before minutes of work.
     let mut staged = Staged::open(&written, arguments.json, cancel)?;
     let progress = Progress::bar("comparing", arguments.json);
@@ -147,10 +144,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let compared = with_command(compared);
     arguments.write(&compared, &mut staged)?;
     staged.finish()?;
+    let tried = arguments.goal().map(|goal| choose(&compared.records, goal));
     for left_out in compared.records.left_out.iter().filter(|_| !arguments.json) {
         say::note(format_args!("{} is left out: {}", left_out.what, left_out.reason));
     }
-    answer(|out| report::tell(arguments.json, &compared.records, &files, out))
+    let chosen = tried.as_ref().map(|tried| (tried, arguments.contest.scene.words()));
+    answer(|out| report::tell(arguments.json, &compared.records, chosen, &files, out))?;
+    tried.map_or(Ok(()), |tried| arguments.check_kept(&tried))
 }
 
 /// The comparison with the command line that asked for it.
@@ -161,33 +161,16 @@ fn with_command(mut compared: Compared) -> Compared {
     compared
 }
 
-/// The sample map, where no other is given: a file as long as this lives.
-struct Sample(Option<(TempDir, PathBuf)>);
-
-impl Sample {
-    fn of(spec: &SceneSpec) -> Result<Self, Failure> {
-        if spec.each_surface().iter().any(|surface| surface.height.is_some()) || !spec.surfaces.is_empty() {
-            return Ok(Self(None));
-        }
-        let failed = |error| Failure::Work(format!("a folder for the sample map cannot be made: {error}"));
-        let folder = tempfile::Builder::new().prefix("relief-").tempdir().map_err(failed)?;
-        let path = folder.path().join("cobbles.png");
-        std::fs::write(&path, COBBLES_PNG).map_err(failed)?;
-        Ok(Self(Some((folder, path))))
-    }
-}
-
 impl Arguments {
     /// The files that may be the standard input.
     pub fn files(&mut self) -> Files<'_> {
-        Files { read: self.scene.files(), ..Files::default() }
+        Files { read: self.contest.scene.files(), ..Files::default() }
     }
 
     /// The page and what is written beside it, each with an ending that says what it is.
-    fn outputs(&self, spec: &SceneSpec) -> Result<Vec<PathBuf>, Failure> {
-        let surfaces = spec.each_surface();
-        let read = surfaces.iter().flat_map(|surface| surface.files()).map(PathBuf::as_path);
-        let inputs: Vec<_> = read.chain(self.scene.file()).collect();
+    fn outputs(&self, contest: &Contest) -> Result<Vec<PathBuf>, Failure> {
+        let read = contest.inputs();
+        let inputs: Vec<&Path> = read.iter().map(PathBuf::as_path).chain(self.contest.scene.file()).collect();
         let named = [
             ("--output", Some(&self.output), "html"),
             ("--records", self.records.as_ref(), "json"),
@@ -202,65 +185,17 @@ impl Arguments {
         Ok(files)
     }
 
-    /// The geometries that are compared: all, or those that are named.
-    fn families(&self, spec: &SceneSpec) -> Result<Vec<String>, Failure> {
-        for surface in spec.each_surface() {
-            let named = |stage: usize| surface.stages.contains_key(STAGES[stage].key);
-            if surface.method.is_some() && self.scene.names_method() || named(SEARCH) || named(REFINE) {
-                return Err(Failure::usage(
-                    "--method, --search and --refine name one method: give --methods the names of those \
-                     that are compared, pairs as linear+binary",
-                ));
-            }
-        }
-        let key = STAGES[GEOMETRY].key;
-        let surfaces = spec.each_surface();
-        let Some(text) = surfaces.iter().find_map(|surface| surface.stages.get(key)) else {
-            return Ok(STAGES[GEOMETRY].entries.iter().map(|entry| entry.name.to_owned()).collect());
-        };
-        let known = || STAGES[GEOMETRY].entries.iter().map(|entry| entry.name);
-        let of = |name: &str| {
-            // Rays are what there is without a geometry.
-            let name = if name == "ray" { geometry::NONE } else { name };
-            if known().any(|known| known == name) {
-                return Ok(name.to_owned());
-            }
-            let unknown = relief_core::registry::UnknownName::new("geometry", name, known());
-            Err(Failure::Usage(format!("--geometry: {unknown}")))
-        };
-        text.split(',').map(of).collect()
-    }
-
     /// What is compared.
-    fn comparison(
-        &self,
-        spec: &SceneSpec,
-        families: &[String],
-        sample: &Sample,
-    ) -> Result<Comparison, Failure> {
-        let mut spec = spec.clone();
-        for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
-            surface.stages.remove(STAGES[GEOMETRY].key);
-            // All methods see the finest level, unless another is asked for.
-            surface.stages.entry(STAGES[DETAIL].key.to_owned()).or_insert_with(|| "none".to_owned());
-            surface.method = None;
-        }
-        // Settings of searches and refinements are the methods' own.
-        let settings = self.settings(&mut spec);
-        if let Sample(Some((_, path))) = sample {
-            spec.surface.height = Some(path.clone());
-        }
-        let is_scene = self.scene.file().is_some();
+    fn comparison(&self, contest: &mut Contest) -> Result<Comparison, Failure> {
+        let spec = &mut contest.spec;
         spec.size = spec.size.or(Some(if self.quick { QUICK_SIZE } else { SIZE }));
         let has_scale = spec.each_surface().iter().any(|surface| surface.scale.is_some());
-        let scene = spec.load().map_err(of_scene)?;
-        let name = spec.each_surface().iter().find_map(|surface| surface.height.clone());
-        let name = name.as_deref().and_then(|path| path.file_stem()).unwrap_or_default();
-        let mut comparison = Comparison::new(name.to_string_lossy(), scene);
-        comparison.contenders = self.contenders(families, &settings)?;
+        let is_scene = self.contest.scene.file().is_some();
+        let mut comparison = contest.comparison()?;
         comparison.steps.clone_from(&self.steps);
         comparison.angles_deg.clone_from(&self.angles);
-        comparison.scales_m = match (self.scales.is_empty(), is_scene || has_scale) {
+        let has_own = is_scene || has_scale || self.goal().is_some();
+        comparison.scales_m = match (self.scales.is_empty(), has_own) {
             (false, _) => self.scales.clone(),
             (true, true) => Vec::new(),
             (true, false) => SCALES_M.to_vec(),
@@ -269,76 +204,42 @@ impl Arguments {
         comparison.rays =
             self.rays.unwrap_or(if self.quick { comparison.rays / 10 } else { comparison.rays });
         comparison.flicker_samples = comparison.flicker_samples.filter(|_| !self.quick);
-        comparison.lanes = lanes::from_environment()?;
-        comparison.machines = self.machines()?;
+        comparison.timing = comparison.timing.filter(|_| !self.quick);
+        if self.goal().is_some() {
+            // What is chosen is for pictures of this size, and may be any number of steps.
+            comparison.timing = Some(Timing { frames: CHOOSING_FRAMES, warm: 1, pixels: 1 });
+            comparison.flicker_samples = None;
+            if self.steps.is_empty() {
+                comparison.contenders = with_other_steps(comparison.contenders);
+            }
+        }
         comparison.check().map_err(of_comparison)?;
         Ok(comparison)
     }
 
-    /// Takes the settings of searches and refinements out of a description.
-    fn settings(&self, spec: &mut SceneSpec) -> Vec<(String, f64)> {
-        let mut taken = Vec::new();
-        for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
-            surface.set.retain(|key, value| {
-                let of = |stage: usize| key.split('.').next() == Some(STAGES[stage].key);
-                let is_of_method = of(SEARCH) || of(REFINE) || of(GEOMETRY);
-                if is_of_method {
-                    taken.push((key.clone(), *value));
-                }
-                !is_of_method
-            });
-        }
-        taken
+    /// What a method is to be chosen for.
+    fn goal(&self) -> Option<Goal> {
+        self.budget_ms.map(Goal::WithinMs).or(self.max_error.map(Goal::WithinTexels))
     }
 
-    /// The methods, with the settings that each has.
-    fn contenders(&self, families: &[String], settings: &[(String, f64)]) -> Result<Vec<Contender>, Failure> {
-        let all: Vec<String> = METHODS.iter().map(|method| method.name.to_owned()).collect();
-        let is_all = self.methods.iter().any(|name| name == "all");
-        let mut contenders = Vec::new();
-        for name in if is_all { &all } else { &self.methods } {
-            let named = Contender::named(name).map_err(|error| Failure::Usage(format!("--methods: {error}")));
-            let contender = named?;
-            let geometry = contender.selection.choices[GEOMETRY].entry.name;
-            if families.iter().any(|family| family == geometry) {
-                contenders.push(contender);
-            }
+    /// An error where no method keeps what is asked.
+    fn check_kept(&self, tried: &Tried) -> Result<(), Failure> {
+        if tried.keep > 0 {
+            return Ok(());
         }
-        for (key, value) in settings {
-            let having = || contenders.iter().filter(|contender| contender.has(key));
-            if having().next().is_none() {
-                return Err(Failure::Usage(format!("--set {key}: none of the methods has such a setting")));
-            }
-            for contender in contenders.iter_mut().filter(|contender| contender.has(key)) {
-                contender
-                    .selection
-                    .set(key, *value)
-                    .map_err(|error| Failure::Usage(format!("--set: {error}")))?;
-            }
-        }
-        Ok(contenders)
-    }
-
-    /// Where pictures are made.
-    fn machines(&self) -> Result<Vec<Machine>, Failure> {
-        let of_gpu = || self.sampling.iter().map(|&sampling| Machine::gpu(sampling));
-        if self.backend.is_empty() {
-            // A software adapter is no GPU, and slower than the CPU is by itself.
-            let found = Renderer::new(BackendChoice::Auto, Sampling::Exact).map_err(of_render)?;
-            let has_gpu = found.backend() == "gpu";
-            return Ok([Machine::CPU].into_iter().chain(of_gpu().filter(|_| has_gpu)).collect());
-        }
-        let mut machines = Vec::new();
-        for backend in &self.backend {
-            match backend {
-                BackendChoice::Auto => {
-                    return Err(Failure::usage("--backend: name cpu, gpu or both: auto is no column"));
-                }
-                BackendChoice::Cpu => machines.push(Machine::CPU),
-                BackendChoice::Gpu => machines.extend(of_gpu()),
-            }
-        }
-        Ok(machines)
+        let Some(nearest) = tried.candidates.first() else {
+            return Err(Failure::work("none of the methods has frames on this mesh that can be timed"));
+        };
+        let what = match self.budget_ms {
+            Some(ms) => format!("no method keeps {ms} ms"),
+            None => format!("no method keeps {} texels", self.max_error.unwrap_or_default()),
+        };
+        Err(Failure::Work(format!(
+            "{what}: the nearest is {}, with {:.2} ms and {:.3} texels",
+            nearest.method.label(),
+            nearest.frame_ms,
+            nearest.p99_texels
+        )))
     }
 
     /// Writes the page and what is asked for beside it.
@@ -351,7 +252,7 @@ impl Arguments {
         let page = page(compared).map_err(Failure::work)?;
         write(staged, &self.output, page)?;
         if let Some(path) = &self.records {
-            write(staged, path, report::json(&compared.records)?)?;
+            write(staged, path, as_json(&compared.records)?)?;
         }
         if let Some(path) = &self.csv {
             write(staged, path, csv(&compared.records))?;
@@ -360,20 +261,12 @@ impl Arguments {
     }
 }
 
-/// Why there is no comparison, with what mends it.
-fn of_comparison(error: CompareError) -> Failure {
-    match error {
-        CompareError::Value { what: "an angle", .. } => Failure::Usage(format!("--angles: {error}")),
-        CompareError::Value { .. } => Failure::Usage(format!("--scales: {error}")),
-        CompareError::NoLevel { .. } => Failure::Usage(format!("--map-sizes: {error}")),
-        CompareError::Nothing(_) => Failure::usage(error),
-        CompareError::Selection(error) => Failure::Usage(format!("--steps: {error}")),
-        CompareError::Stopped => interrupt::cancelled(),
-        CompareError::Render { source, .. } => of_render(*source),
-        other => Failure::work(other),
-    }
-}
-
-fn of_render(error: RenderError) -> Failure {
-    Failure::Work(advice::with(&error, advice::of_render(&error)))
+/// The methods, and those that have steps with fewer and with more of them, too.
+fn with_other_steps(contenders: Vec<Contender>) -> Vec<Contender> {
+    let each = contenders.into_iter().flat_map(|contender| {
+        let other = STEPS.into_iter().filter_map(|steps| contender.with_steps(steps).ok().flatten());
+        let others: Vec<Contender> = other.collect();
+        std::iter::once(contender).chain(others)
+    });
+    each.collect()
 }

@@ -1,8 +1,10 @@
 //! The subcommands, one file each.
 
 pub mod bake;
+pub mod bench;
 pub mod compare;
 pub mod completions;
+pub mod contest;
 pub mod height;
 pub mod inspect;
 pub mod man;

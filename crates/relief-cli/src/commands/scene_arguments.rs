@@ -321,6 +321,15 @@ impl SceneArguments {
         self.scene.as_mut()
     }
 
+    /// The scene as words of a command line: its file, or its height map.
+    pub fn words(&self) -> String {
+        match (&self.scene, &self.height) {
+            (Some(scene), _) => scene.display().to_string(),
+            (None, Some(height)) => format!("--height {}", height.display()),
+            (None, None) => "--height MAP".to_owned(),
+        }
+    }
+
     /// Whether a method is named on the command line.
     pub fn names_method(&self) -> bool {
         self.method.is_some()

@@ -51,7 +51,8 @@ const offer = (select, names, chosen) => names.forEach(([key, title]) => {
 const named = (keys) => keys.map((key) => [key, columns[at(key)].title]);
 const ofRays = groups.filter((group) => group.startsWith('rays'));
 offer(rows, groups.map((group) => [group, group]), ofRays.length ? ofRays[ofRays.length - 1] : groups[0]);
-offer(across, named(['reads', 'p99_reads', 'wave_reads', 'turns', 'bytes', 'map_bytes', 'bake_seconds']), 'reads');
+offer(across, named(['reads', 'p99_reads', 'wave_reads', 'turns', 'bytes', 'displacement_ms', 'frame_ms',
+  'map_bytes', 'bake_seconds']), 'reads');
 offer(up, named(['p99_texels', 'median_texels', 'mean_texels', 'passed', 'flip', 'ssim', 'psnr_db', 'rms',
   'flicker_rms', 'flicker_flip']), 'p99_texels');
 

@@ -3,6 +3,7 @@
 mod pictures;
 mod rays;
 mod reference;
+mod times;
 
 use relief_core::registry::RayClass;
 use relief_core::{HeightMap, MapIdentity, Metric};
@@ -126,7 +127,8 @@ impl Comparison {
         let subjects = self.subjects(surface)?;
         let is_flat = reference::is_flat(surface.mesh());
         let of_rays = if is_flat && self.rays > 0 { usable.len() } else { 0 };
-        let of_pictures = if self.machines.is_empty() { 0 } else { 1 + usable.len() * self.machines.len() };
+        let of_pictures =
+            if self.machines.is_empty() { 0 } else { 1 + (usable.len() + 1) * self.machines.len() };
         let mut baked = Baked::new();
         let mut done = Done { parts: subjects.len() * (of_rays + of_pictures), done: 0 };
         if of_rays > 0 {
@@ -185,6 +187,7 @@ impl MethodRecord {
         Self {
             method: contender.name.clone(),
             steps: contender.steps,
+            steps_key: contender.steps.and(contender.steps_key()).map(str::to_owned),
             geometry: name(GEOMETRY),
             search: name(SEARCH),
             refine: name(REFINE),

@@ -79,9 +79,18 @@ impl Comparison {
             let (map_size, scale_m) = ([heights.width(), heights.height()], heights.scale_m());
             compared.references.push(Reference { map_size, scale_m, image: truth.image.clone() });
             for (machine, renderer) in &mut renderers {
+                let first = compared.records.pictures.len();
+                let mut shown = Vec::new();
                 for contender in contenders {
                     done.next(watch, &contender.name);
-                    self.picture(subject, contender, *machine, renderer, &truth, baked, watch, compared)?;
+                    if self.picture(subject, contender, *machine, renderer, &truth, baked, watch, compared)? {
+                        shown.push(contender.clone());
+                    }
+                }
+                done.next(watch, "times");
+                let times = self.times(subject, &shown, *machine, renderer, &mut baked.maps, watch)?;
+                for (record, times) in compared.records.pictures[first..].iter_mut().zip(times) {
+                    record.times = times;
                 }
             }
         }
@@ -127,7 +136,7 @@ impl Comparison {
         Ok(Truth { image, hits, still })
     }
 
-    /// Adds a method's picture.
+    /// Adds a method's picture, unless it cannot be made of such a surface.
     fn picture(
         &self,
         subject: &Surface,
@@ -138,7 +147,7 @@ impl Comparison {
         baked: &mut Baked,
         watch: &Watch,
         compared: &mut Compared,
-    ) -> Result<(), CompareError> {
+    ) -> Result<bool, CompareError> {
         let heights = subject.height_map();
         let of_method = baked.provide(&contender.selection, heights, watch)?;
         let label = contender.label();
@@ -148,7 +157,7 @@ impl Comparison {
             // Too many triangles, say: the others can be compared all the same.
             Err(CompareError::Render { source, .. }) if matches!(*source, RenderError::Geometry { .. }) => {
                 compared.records.left_out.push(LeftOut { what: label, reason: source.to_string() });
-                return Ok(());
+                return Ok(false);
             }
             Err(other) => return Err(other),
         };
@@ -191,9 +200,10 @@ impl Comparison {
             error: (&report).into(),
             cost: is_searched.then(|| (&CostReport::of(&on_surface, 1)).into()),
             wave_reads: is_searched.then(|| CostReport::of(&hits, size[0] as usize).reads.wave),
+            times: None,
         });
         compared.shown.push(Shown { image, difference, reference: compared.references.len() - 1 });
-        Ok(())
+        Ok(true)
     }
 
     /// The scene with another surface.
@@ -228,7 +238,7 @@ fn rendered(
     renderer.render(scene, maps, &|_, _| {}).map_err(|source| of(method, source))
 }
 
-fn of(method: &str, source: RenderError) -> CompareError {
+pub(super) fn of(method: &str, source: RenderError) -> CompareError {
     CompareError::Render { method: method.to_owned(), source: Box::new(source) }
 }
 

@@ -74,9 +74,9 @@ pub(super) fn limits(adapter: &Adapter) -> Limits {
     }
 }
 
-/// The feature that fast sampling needs, where the adapter has it.
+/// What fast sampling and times of passes need, where the adapter has it.
 pub(super) fn features(adapter: &Adapter) -> Features {
-    adapter.features() & Features::FLOAT32_FILTERABLE
+    adapter.features() & (Features::FLOAT32_FILTERABLE | Features::TIMESTAMP_QUERY)
 }
 
 #[cfg(test)]

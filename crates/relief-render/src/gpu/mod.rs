@@ -15,6 +15,7 @@ mod drawn;
 mod error;
 mod layouts;
 mod light_map;
+mod pass_clock;
 mod probe;
 mod programs;
 mod pyramid;

@@ -7,13 +7,16 @@ use std::ops::ControlFlow;
 use relief_shaders::MapNeed;
 use relief_shaders::cpu::{PixelOut, Record, read_all};
 use relief_shaders::wgsl::{SHADE_GROUP, Sampling};
+use web_time::Instant;
 use wgpu::{
-    BindGroup, Color, CommandEncoder, ComputePipeline, LoadOp, Operations, RenderPassColorAttachment,
-    RenderPassDepthStencilAttachment, RenderPassDescriptor, RenderPipeline, StoreOp, Texture,
+    BindGroup, Color, CommandEncoder, ComputePassDescriptor, ComputePassTimestampWrites, ComputePipeline,
+    LoadOp, Operations, RenderPassColorAttachment, RenderPassDepthStencilAttachment, RenderPassDescriptor,
+    RenderPassTimestampWrites, RenderPipeline, StoreOp, Texture,
 };
 
 use super::drawn::{Drawn, check_triangles};
 use super::light_map::{Caster, Frames, LightMap};
+use super::pass_clock::{PassClock, PassKind, Timed};
 use super::programs::{Programs, Seer};
 use super::resident::{Common, Resident};
 use super::targets::{self, Band, Pass, Targets};
@@ -21,6 +24,7 @@ use super::textures::Precision;
 use super::wait::block_on;
 use super::{Gpu, GpuError, pyramid, tessellate};
 use crate::cpu::tessellated::KeptTessellated;
+use crate::frame_time::FrameTime;
 use crate::job::{Job, JobSurface, Rendering};
 use crate::samples::{Sample, samples};
 
@@ -215,8 +219,8 @@ impl GpuRenderer {
         gpu.guarded(|| {
             let (_, shown) = targets.shown(&gpu, &layouts).clone();
             for passes in &targets.bands {
-                submit_band(&gpu, targets, &ready, passes, |encoder, last| {
-                    dispatch(encoder, &show, &[&maps, &shown], targets.size[0], last);
+                submit_band(&gpu, targets, &ready, passes, None, |encoder, last| {
+                    dispatch(encoder, &show, &[&maps, &shown], targets.size[0], last, None);
                 });
             }
             Ok(())
@@ -225,6 +229,40 @@ impl GpuRenderer {
         self.work = self.work_since(before);
         let targets = self.targets.as_mut().ok_or(GpuError::EmptyPicture)?;
         Ok(&targets.shown(&self.gpu, &self.programs.layouts).0)
+    }
+
+    /// Draws a job as it would be read back, waits until it is done, and says how long that took, without
+    /// compiling, uploading and reading back. Waits for the GPU, which the web does not allow.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::render`].
+    pub fn time(&mut self, job: &Job, sampling: Sampling) -> Result<FrameTime, GpuError> {
+        block_on(self.time_async(job, sampling))
+    }
+
+    async fn time_async(&mut self, job: &Job, sampling: Sampling) -> Result<FrameTime, GpuError> {
+        let ready = self.prepare(job, sampling, samples(job.samples, false)).await?;
+        let gpu = self.gpu.clone();
+        let targets = self.targets()?;
+        // What was uploaded has arrived before the clock starts.
+        gpu.flush()?;
+        let clock = PassClock::new(&gpu);
+        let started = Instant::now();
+        gpu.guarded(|| {
+            for passes in &targets.bands {
+                submit_band(&gpu, targets, &ready, passes, clock.as_ref(), |_, _| {});
+            }
+            Ok(())
+        })
+        .await?;
+        gpu.wait()?;
+        let elapsed = started.elapsed();
+        let passes = match clock {
+            Some(clock) => clock.read(&gpu).await?,
+            None => None,
+        };
+        Ok(FrameTime { elapsed, passes })
     }
 
     fn work_so_far(&self) -> Work {
@@ -372,7 +410,7 @@ impl GpuRenderer {
         let readable = gpu
             .guarded(|| {
                 let readable = targets.readable(&gpu).clone();
-                submit_band(&gpu, targets, ready, &targets.bands[number], |encoder, _| {
+                submit_band(&gpu, targets, ready, &targets.bands[number], None, |encoder, _| {
                     encoder.copy_buffer_to_buffer(&targets.records, 0, &readable, 0, bytes);
                 });
                 Ok(readable)
@@ -393,6 +431,7 @@ fn submit_band(
     targets: &Targets,
     ready: &Passes,
     passes: &[Pass],
+    clock: Option<&PassClock>,
     finish: impl Fn(&mut CommandEncoder, &Pass),
 ) {
     for (number, pass) in passes.iter().enumerate() {
@@ -404,13 +443,14 @@ fn submit_band(
         // Pixels that nothing covers are not written.
         encoder.clear_buffer(&targets.records, 0, Some(records));
         for (number, surface) in ready.surfaces.iter().enumerate() {
-            trace(&mut encoder, targets, surface, pass, number == 0);
+            let timed = |kind| clock.and_then(|clock| clock.next(kind));
+            trace(&mut encoder, targets, surface, pass, number == 0, timed(PassKind::Trace));
             let groups = [&surface.maps, &surface.mesh, &targets.traced];
-            dispatch(&mut encoder, &surface.shade, &groups, targets.size[0], pass);
+            dispatch(&mut encoder, &surface.shade, &groups, targets.size[0], pass, timed(PassKind::Shade));
         }
         if let Some((resolve, surface)) = ready.resolve.as_ref().zip(ready.surfaces.first()) {
             let groups = [&surface.maps, &surface.mesh, &targets.traced];
-            dispatch(&mut encoder, resolve, &groups, targets.size[0], pass);
+            dispatch(&mut encoder, resolve, &groups, targets.size[0], pass, None);
         }
         if pass.is_last {
             finish(&mut encoder, pass);
@@ -420,7 +460,14 @@ fn submit_band(
 }
 
 /// Rasterises and traces a surface, behind the surfaces before it unless it is the first.
-fn trace(encoder: &mut CommandEncoder, targets: &Targets, surface: &Ready, pass: &Pass, is_first: bool) {
+fn trace(
+    encoder: &mut CommandEncoder,
+    targets: &Targets,
+    surface: &Ready,
+    pass: &Pass,
+    is_first: bool,
+    timed: Option<Timed>,
+) {
     let ops = Operations { load: LoadOp::Clear(Color::TRANSPARENT), store: StoreOp::Store };
     let keys = if is_first { LoadOp::Clear(0.0) } else { LoadOp::Load };
     let color = |view| Some(RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops });
@@ -432,7 +479,11 @@ fn trace(encoder: &mut CommandEncoder, targets: &Targets, surface: &Ready, pass:
             depth_ops: Some(Operations { load: keys, store: StoreOp::Store }),
             stencil_ops: None,
         }),
-        timestamp_writes: None,
+        timestamp_writes: timed.map(|Timed { queries, begin, end }| RenderPassTimestampWrites {
+            query_set: queries,
+            beginning_of_pass_write_index: Some(begin),
+            end_of_pass_write_index: Some(end),
+        }),
         occlusion_query_set: None,
         multiview_mask: None,
     });
@@ -450,8 +501,14 @@ fn dispatch(
     groups: &[&BindGroup],
     width: u32,
     pass: &Pass,
+    timed: Option<Timed>,
 ) {
-    let mut run = encoder.begin_compute_pass(&Default::default());
+    let timestamp_writes = timed.map(|Timed { queries, begin, end }| ComputePassTimestampWrites {
+        query_set: queries,
+        beginning_of_pass_write_index: Some(begin),
+        end_of_pass_write_index: Some(end),
+    });
+    let mut run = encoder.begin_compute_pass(&ComputePassDescriptor { label: None, timestamp_writes });
     run.set_pipeline(program);
     for (number, group) in (0u32..).zip(groups) {
         let offsets = [CAMERA, pass.offset];

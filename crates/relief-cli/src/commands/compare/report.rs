@@ -5,24 +5,61 @@ use std::path::PathBuf;
 
 use comfy_table::Table;
 use comfy_table::presets::ASCII_MARKDOWN;
-use relief_compare::Records;
+use relief_compare::{Candidate, Records, Tried};
 
+use crate::commands::contest::as_json;
 use crate::failure::Failure;
 
-/// The records for programs.
-pub fn json(records: &Records) -> Result<String, Failure> {
-    let text = serde_json::to_string_pretty(records).map_err(Failure::work)?;
-    Ok(text + "\n")
-}
-
 /// Says what was found and where it stands.
-pub fn tell(as_json: bool, records: &Records, files: &[PathBuf], out: &mut dyn Write) -> Result<(), Failure> {
-    if as_json {
-        return Ok(out.write_all(json(records)?.as_bytes())?);
+pub fn tell(
+    is_json: bool,
+    records: &Records,
+    chosen: Option<(&Tried, String)>,
+    files: &[PathBuf],
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    if is_json {
+        return Ok(out.write_all(as_json(records)?.as_bytes())?);
     }
-    writeln!(out, "{}", table(records))?;
+    match chosen {
+        Some((tried, scene)) => choice(tried, &scene, out)?,
+        None => writeln!(out, "{}", table(records))?,
+    }
     for file in files {
         writeln!(out, "{}", file.display())?;
+    }
+    Ok(())
+}
+
+/// What was tried, what keeps the goal first, and how to render with the best.
+fn choice(tried: &Tried, scene: &str, out: &mut dyn Write) -> Result<(), Failure> {
+    let mut table = Table::new();
+    table.load_style(ASCII_MARKDOWN).set_header(["", "method", "on", "frame ms", "p99 texels"]);
+    for (place, candidate) in tried.candidates.iter().enumerate() {
+        let Candidate { method, backend, sampling, p99_texels, frame_ms } = candidate;
+        table.add_row([
+            if place < tried.keep { "keeps it" } else { "" }.to_owned(),
+            method.label(),
+            format!("{backend} {sampling}"),
+            format!("{frame_ms:.2}"),
+            format!("{p99_texels:.3}"),
+        ]);
+    }
+    writeln!(out, "{table}")?;
+    if let Some(Candidate { method, backend, sampling, .. }) =
+        tried.candidates.first().filter(|_| tried.keep > 0)
+    {
+        let steps = method.steps_key.as_ref().zip(method.steps);
+        let steps = steps.map_or(String::new(), |(key, steps)| format!(" --set {key}={steps}"));
+        let of_method = match method.method.split_once('+') {
+            Some((search, refine)) => format!("--search {search} --refine {refine}"),
+            None => format!("--method {}", method.method),
+        };
+        writeln!(
+            out,
+            "relief render {scene} {of_method}{steps} --scale {} --backend {backend} --sampling {sampling} -o picture.png",
+            method.scale_m
+        )?;
     }
     Ok(())
 }

@@ -1,0 +1,228 @@
+//! What `relief compare` and `relief bench` have in common: a scene, the methods that are tried on it, and
+//! where.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use relief_compare::{COBBLES_PNG, CompareError, Comparison, Contender, Machine, Records};
+use relief_core::registry::UnknownName;
+use relief_render::scene::{BackendChoice, Sampling, SceneSpec};
+use relief_render::{RenderError, Renderer};
+use relief_shaders::{DETAIL, GEOMETRY, METHODS, REFINE, SEARCH, STAGES, geometry};
+use tempfile::TempDir;
+
+use super::scene_arguments::{SceneArguments, of_scene};
+use crate::failure::Failure;
+use crate::{advice, interrupt, lanes};
+
+/// The methods that are tried, where, and on what.
+#[derive(Args)]
+pub struct ContestArguments {
+    /// Methods, or pairs of a search and a refinement as linear+binary; all for every method
+    #[arg(
+        long,
+        value_name = "A,B",
+        value_delimiter = ',',
+        default_value = "all",
+        help_heading = "What is tried"
+    )]
+    methods: Vec<String>,
+    /// Where pictures are made: cpu, gpu (also a software adapter) or both [default: cpu, and gpu if there is
+    /// one]
+    #[arg(long, value_name = "cpu,gpu", value_delimiter = ',', help_heading = "What is tried")]
+    backend: Vec<BackendChoice>,
+    /// How a GPU reads textures: exact, fast or both
+    #[arg(
+        long,
+        value_name = "exact,fast",
+        value_delimiter = ',',
+        default_value = "exact",
+        help_heading = "What is tried"
+    )]
+    sampling: Vec<Sampling>,
+    #[command(flatten)]
+    pub scene: SceneArguments,
+}
+
+/// A contest with all files named and read but the maps.
+pub struct Contest {
+    /// The scene. Its surfaces have no method of their own.
+    pub spec: SceneSpec,
+    /// The methods.
+    pub contenders: Vec<Contender>,
+    /// Where pictures are made.
+    pub machines: Vec<Machine>,
+    /// The file of the sample map, where no other is given, as long as this lives.
+    _sample: Option<TempDir>,
+}
+
+impl ContestArguments {
+    /// What is tried.
+    pub fn contest(&self) -> Result<Contest, Failure> {
+        let mut spec = self.scene.spec()?;
+        let families = self.families(&spec)?;
+        let settings = settings(&mut spec);
+        for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
+            surface.stages.remove(STAGES[GEOMETRY].key);
+            // All methods see the finest level, unless another is asked for.
+            surface.stages.entry(STAGES[DETAIL].key.to_owned()).or_insert_with(|| "none".to_owned());
+            surface.method = None;
+        }
+        let contenders = self.contenders(&families, &settings)?;
+        let sample = sample(&mut spec)?;
+        Ok(Contest { spec, contenders, machines: self.machines()?, _sample: sample })
+    }
+
+    /// The geometries that are tried: all, or those that are named.
+    fn families(&self, spec: &SceneSpec) -> Result<Vec<String>, Failure> {
+        let surfaces = spec.each_surface();
+        let names_one = surfaces.iter().any(|surface| {
+            let named = |stage: usize| surface.stages.contains_key(STAGES[stage].key);
+            named(SEARCH) || named(REFINE)
+        });
+        if self.scene.names_method() || names_one {
+            return Err(Failure::usage(
+                "--method, --search and --refine name one method: give --methods the names of those that are \
+                 tried, pairs as linear+binary",
+            ));
+        }
+        let known = || STAGES[GEOMETRY].entries.iter().map(|entry| entry.name);
+        let Some(text) = surfaces.iter().find_map(|surface| surface.stages.get(STAGES[GEOMETRY].key)) else {
+            return Ok(known().map(str::to_owned).collect());
+        };
+        let of = |name: &str| {
+            // Rays are what there is without a geometry.
+            let name = if name == "ray" { geometry::NONE } else { name };
+            let is_known = known().any(|known| known == name);
+            let unknown =
+                || Failure::Usage(format!("--geometry: {}", UnknownName::new("geometry", name, known())));
+            if is_known { Ok(name.to_owned()) } else { Err(unknown()) }
+        };
+        text.split(',').map(of).collect()
+    }
+
+    /// The methods, with the settings that each has.
+    fn contenders(&self, families: &[String], settings: &[(String, f64)]) -> Result<Vec<Contender>, Failure> {
+        let all: Vec<String> = METHODS.iter().map(|method| method.name.to_owned()).collect();
+        let is_all = self.methods.iter().any(|name| name == "all");
+        let mut contenders = Vec::new();
+        for name in if is_all { &all } else { &self.methods } {
+            let contender =
+                Contender::named(name).map_err(|error| Failure::Usage(format!("--methods: {error}")))?;
+            let geometry = contender.selection.choices[GEOMETRY].entry.name;
+            if families.iter().any(|family| family == geometry) {
+                contenders.push(contender);
+            }
+        }
+        for (key, value) in settings {
+            if !contenders.iter().any(|contender| contender.has(key)) {
+                return Err(Failure::Usage(format!("--set {key}: none of the methods has such a setting")));
+            }
+            for contender in contenders.iter_mut().filter(|contender| contender.has(key)) {
+                let set = contender.selection.set(key, *value);
+                set.map_err(|error| Failure::Usage(format!("--set: {error}")))?;
+            }
+        }
+        Ok(contenders)
+    }
+
+    /// Where pictures are made.
+    fn machines(&self) -> Result<Vec<Machine>, Failure> {
+        let of_gpu = || self.sampling.iter().map(|&sampling| Machine::gpu(sampling));
+        if self.backend.is_empty() {
+            // A software adapter is no GPU, and slower than the CPU is by itself.
+            let found = Renderer::new(BackendChoice::Auto, Sampling::Exact).map_err(of_render)?;
+            let has_gpu = found.backend() == "gpu";
+            return Ok([Machine::CPU].into_iter().chain(of_gpu().filter(|_| has_gpu)).collect());
+        }
+        let mut machines = Vec::new();
+        for backend in &self.backend {
+            match backend {
+                BackendChoice::Auto => {
+                    return Err(Failure::usage("--backend: name cpu, gpu or both: auto is no column"));
+                }
+                BackendChoice::Cpu => machines.push(Machine::CPU),
+                BackendChoice::Gpu => machines.extend(of_gpu()),
+            }
+        }
+        Ok(machines)
+    }
+}
+
+impl Contest {
+    /// Reads the maps. Everything that is not named here is as [`Comparison::new`] has it.
+    pub fn comparison(&self) -> Result<Comparison, Failure> {
+        let scene = self.spec.load().map_err(of_scene)?;
+        let map = self.spec.each_surface().into_iter().find_map(|surface| surface.height);
+        let name = map.as_deref().and_then(|path| path.file_stem()).unwrap_or_default();
+        let mut comparison = Comparison::new(name.to_string_lossy(), scene);
+        comparison.contenders.clone_from(&self.contenders);
+        comparison.machines.clone_from(&self.machines);
+        comparison.lanes = lanes::from_environment()?;
+        Ok(comparison)
+    }
+
+    /// The files that are read.
+    pub fn inputs(&self) -> Vec<PathBuf> {
+        self.spec
+            .each_surface()
+            .iter()
+            .flat_map(|surface| surface.files().cloned().collect::<Vec<_>>())
+            .collect()
+    }
+}
+
+/// Takes the settings of geometries, searches and refinements out of a description: they are the methods'.
+fn settings(spec: &mut SceneSpec) -> Vec<(String, f64)> {
+    let mut taken = Vec::new();
+    for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
+        surface.set.retain(|key, value| {
+            let stage = key.split('.').next();
+            let is_of_method =
+                [GEOMETRY, SEARCH, REFINE].iter().any(|&place| stage == Some(STAGES[place].key));
+            if is_of_method {
+                taken.push((key.clone(), *value));
+            }
+            !is_of_method
+        });
+    }
+    taken
+}
+
+/// Names the sample map in a description that names none.
+fn sample(spec: &mut SceneSpec) -> Result<Option<TempDir>, Failure> {
+    let has_map = spec.each_surface().iter().any(|surface| surface.height.is_some());
+    if has_map || !spec.surfaces.is_empty() {
+        return Ok(None);
+    }
+    let failed = |error| Failure::Work(format!("a folder for the sample map cannot be made: {error}"));
+    let folder = tempfile::Builder::new().prefix("relief-").tempdir().map_err(failed)?;
+    let path = folder.path().join("cobbles.png");
+    std::fs::write(&path, COBBLES_PNG).map_err(failed)?;
+    spec.surface.height = Some(path);
+    Ok(Some(folder))
+}
+
+/// The records for programs.
+pub fn as_json(records: &Records) -> Result<String, Failure> {
+    let text = serde_json::to_string_pretty(records).map_err(Failure::work)?;
+    Ok(text + "\n")
+}
+
+/// Why there is no comparison, with what mends it.
+pub fn of_comparison(error: CompareError) -> Failure {
+    match error {
+        CompareError::Value { what: "an angle", .. } => Failure::Usage(format!("--angles: {error}")),
+        CompareError::Value { .. } => Failure::Usage(format!("--scales: {error}")),
+        CompareError::NoLevel { .. } => Failure::Usage(format!("--map-sizes: {error}")),
+        CompareError::Nothing(_) => Failure::usage(error),
+        CompareError::Selection(error) => Failure::Usage(format!("--steps: {error}")),
+        CompareError::Stopped => interrupt::cancelled(),
+        CompareError::Render { source, .. } => of_render(*source),
+        other => Failure::work(other),
+    }
+}
+
+fn of_render(error: RenderError) -> Failure {
+    Failure::Work(advice::with(&error, advice::of_render(&error)))
+}

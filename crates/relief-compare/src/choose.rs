@@ -1,0 +1,159 @@
+//! The best method for a budget, or for an error.
+
+use crate::record::{ErrorRecord, MethodRecord, Records};
+
+/// Errors below that many texels are rounding: of methods that keep it the fastest is the best.
+const ROUNDING_TEXELS: f64 = 1e-3;
+
+/// What is asked of a method.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Goal {
+    /// The least error within so many milliseconds a frame.
+    WithinMs(f64),
+    /// The least time within so many texels, which 99 of 100 rays keep at the worst angle.
+    WithinTexels(f64),
+}
+
+/// A method that could be chosen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Candidate {
+    /// The method.
+    pub method: MethodRecord,
+    /// Where its frames were timed.
+    pub backend: String,
+    /// How textures were read there.
+    pub sampling: String,
+    /// Texels that 99 of 100 rays keep, at the worst angle, scale and level; of methods that send no rays, in
+    /// pictures. Infinite where more than one of 100 misses, hits nothing that is there, or ran out of steps.
+    pub p99_texels: f64,
+    /// Milliseconds of a frame: the median, at the worst scale and level.
+    pub frame_ms: f64,
+}
+
+/// What was tried, the best first, and how many of them keep what is asked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tried {
+    /// All candidates: those that keep it from the best on, then the others from the nearest on.
+    pub candidates: Vec<Candidate>,
+    /// How many keep it.
+    pub keep: usize,
+}
+
+impl Goal {
+    /// What is asked, and what is to be least then.
+    fn figures(self, candidate: &Candidate) -> (f64, f64, f64) {
+        let Candidate { p99_texels, frame_ms, .. } = *candidate;
+        match self {
+            Goal::WithinMs(limit) => (frame_ms, limit, p99_texels.max(ROUNDING_TEXELS)),
+            Goal::WithinTexels(limit) => (p99_texels, limit, frame_ms),
+        }
+    }
+
+    /// Whether a candidate keeps what is asked.
+    pub fn is_kept_by(self, candidate: &Candidate) -> bool {
+        let (value, limit, _) = self.figures(candidate);
+        value <= limit
+    }
+}
+
+/// Texels that 99 of 100 rays keep.
+fn kept(error: &ErrorRecord) -> f64 {
+    let without = error.missed + error.false_hits + error.exhausted;
+    if without > 0.01 { f64::INFINITY } else { error.p99_texels }
+}
+
+/// The candidates among some records whose frames were timed, in the order of how well they do.
+pub fn choose(records: &Records, goal: Goal) -> Tried {
+    let mut candidates: Vec<Candidate> = Vec::new();
+    for picture in &records.pictures {
+        let Some(times) = &picture.times else { continue };
+        let is_same = |known: &Candidate| {
+            (known.method.label(), &known.backend, &known.sampling)
+                == (picture.method.label(), &picture.backend, &picture.sampling)
+        };
+        if let Some(known) = candidates.iter_mut().find(|known| is_same(known)) {
+            known.frame_ms = known.frame_ms.max(times.frame_ms);
+            continue;
+        }
+        let label = picture.method.label();
+        let rays = records.rays.iter().filter(|record| record.method.label() == label);
+        let of_rays = rays.map(|record| kept(&record.error)).reduce(f64::max);
+        let of_pictures = || {
+            let pictures = records.pictures.iter().filter(|record| record.method.label() == label);
+            pictures.map(|record| kept(&record.error)).fold(0.0, f64::max)
+        };
+        candidates.push(Candidate {
+            method: picture.method.clone(),
+            backend: picture.backend.clone(),
+            sampling: picture.sampling.clone(),
+            p99_texels: of_rays.unwrap_or_else(of_pictures),
+            frame_ms: times.frame_ms,
+        });
+    }
+    candidates.sort_by(|a, b| {
+        let key = |candidate| {
+            let (value, limit, least) = goal.figures(candidate);
+            // Those that do not keep it by how far they are from it.
+            if value <= limit { (0, least, value) } else { (1, value, least) }
+        };
+        let ((a_kept, a, a_next), (b_kept, b, b_next)) = (key(a), key(b));
+        a_kept.cmp(&b_kept).then(a.total_cmp(&b)).then(a_next.total_cmp(&b_next))
+    });
+    let keep = candidates.iter().filter(|candidate| goal.is_kept_by(candidate)).count();
+    Tried { candidates, keep }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::{ErrorRecord, PictureRecord, RayRecord, TimeRecord};
+
+    /// Methods with their errors at two angles and their frames' times.
+    fn records(methods: &[(&str, [f64; 2], f64)]) -> Records {
+        let mut records = Records::default();
+        for (name, errors, frame_ms) in methods {
+            let method = MethodRecord { method: (*name).to_owned(), ..Default::default() };
+            for p99_texels in *errors {
+                let error = ErrorRecord { p99_texels, ..Default::default() };
+                records.rays.push(RayRecord { method: method.clone(), error, ..Default::default() });
+            }
+            let times = Some(TimeRecord { frame_ms: *frame_ms, ..Default::default() });
+            records.pictures.push(PictureRecord { method, times, ..Default::default() });
+        }
+        records
+    }
+
+    fn names(tried: &Tried) -> Vec<&str> {
+        tried.candidates.iter().map(|candidate| candidate.method.method.as_str()).collect()
+    }
+
+    #[test]
+    fn the_best_within_the_limit_comes_first_and_then_the_nearest() {
+        let records = records(&[
+            ("bump", [9.0, 90.0], 1.0),
+            ("steep", [1.0, 4.0], 3.0),
+            ("cone", [0.0, 0.1], 6.0),
+            ("exact", [0.0, 0.1], 8.0),
+        ]);
+        let tried = choose(&records, Goal::WithinMs(5.0));
+        assert_eq!((names(&tried), tried.keep), (vec!["steep", "bump", "cone", "exact"], 2));
+        // Of errors at angles the worst counts.
+        let tried = choose(&records, Goal::WithinTexels(1.0));
+        assert_eq!((names(&tried), tried.keep), (vec!["cone", "exact", "steep", "bump"], 2));
+        let tried = choose(&records, Goal::WithinTexels(0.01));
+        assert_eq!((names(&tried)[0], tried.keep), ("cone", 0));
+        assert_eq!(choose(&Records::default(), Goal::WithinMs(1.0)).candidates, []);
+        // Of two that are as good as exact the faster one is better.
+        let tried = choose(&records, Goal::WithinMs(10.0));
+        assert_eq!(names(&tried)[..2], ["cone", "exact"]);
+    }
+
+    #[test]
+    fn hits_that_are_none_are_not_near() {
+        let mut records = records(&[("short", [0.0, 0.0], 1.0), ("cone", [0.1, 0.1], 2.0)]);
+        records.rays[1].error.exhausted = 0.02;
+        let tried = choose(&records, Goal::WithinTexels(1.0));
+        assert_eq!((names(&tried), tried.keep), (vec!["cone", "short"], 1));
+        assert_eq!(tried.candidates[1].p99_texels, f64::INFINITY);
+    }
+}

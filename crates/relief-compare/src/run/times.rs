@@ -1,0 +1,153 @@
+//! How long frames take. Parts of a frame are told from each other by frames without them: bump mapping
+//! without light, then with it, then the method, then its shadows.
+
+use std::time::Duration;
+
+use relief_maps::Maps;
+use relief_render::scene::{Scene, Surface};
+use relief_render::{FrameTime, PassTimes, Renderer};
+use relief_shaders::{SHADOW, STAGES, Selection};
+
+use super::pictures::of;
+use crate::comparison::{Comparison, Machine, MachineBackend, Timing, Watch};
+use crate::contender::Contender;
+use crate::error::CompareError;
+use crate::record::TimeRecord;
+use crate::spread::Median;
+
+/// The method that finds no surface.
+const BUMP: &str = "bump";
+
+/// What tells times: the clock of the machine around whole frames, and of passes that of the GPU.
+const WALL: &str = "wall";
+const PASSES: &str = "wall, timestamps of passes";
+
+/// A scene that is timed again and again.
+struct Timed {
+    name: String,
+    scene: Scene,
+    times: Vec<FrameTime>,
+}
+
+impl Timed {
+    /// Milliseconds of the frame of a turn.
+    fn ms(&self, turn: usize) -> f64 {
+        self.times.get(turn).map_or(0.0, |time| milliseconds(time.elapsed))
+    }
+
+    fn frame(&self) -> Median {
+        Median::of((0..self.times.len()).map(|turn| self.ms(turn)).collect())
+    }
+
+    /// By how much its frames take longer than those of another in the same turns.
+    fn beyond(&self, other: &Timed) -> Median {
+        Median::of((0..self.times.len()).map(|turn| self.ms(turn) - other.ms(turn)).collect())
+    }
+
+    /// Milliseconds of passes, where all were timed.
+    fn passes(&self, of: fn(&PassTimes) -> Duration) -> Option<f64> {
+        let each: Option<Vec<f64>> = self
+            .times
+            .iter()
+            .map(|time| time.passes.as_ref().map(|passes| milliseconds(of(passes))))
+            .collect();
+        each.filter(|each| !each.is_empty()).map(|each| Median::of(each).middle)
+    }
+}
+
+fn milliseconds(duration: Duration) -> f64 {
+    1e3 * duration.as_secs_f64()
+}
+
+impl Comparison {
+    /// The times of the methods on a machine, one for each in their order; none where frames are not timed.
+    pub(super) fn times(
+        &self,
+        subject: &Surface,
+        contenders: &[Contender],
+        machine: Machine,
+        renderer: &mut Renderer,
+        maps: &mut Maps,
+        watch: &Watch,
+    ) -> Result<Vec<Option<TimeRecord>>, CompareError> {
+        let Some(timing) = self.timing else { return Ok(vec![None; contenders.len()]) };
+        let bump = Contender::named(BUMP)?;
+        // On some surfaces there is no bump mapping: shells are searched or not there.
+        let Ok(plain) = bump.on(subject).map(without_shadows) else {
+            return Ok(vec![None; contenders.len()]);
+        };
+        let plain = plain?;
+        let timed = |name: &str, selection: Selection, is_lit: bool| -> Result<Timed, CompareError> {
+            let scene = self.timed_scene(subject, selection, timing, is_lit)?;
+            Ok(Timed { name: name.to_owned(), scene, times: Vec::new() })
+        };
+        let mut all = vec![timed(BUMP, plain, false)?, timed(BUMP, plain, true)?];
+        for contender in contenders {
+            let selection = contender.on(subject)?;
+            let name = contender.label();
+            all.push(timed(&name, without_shadows(selection)?, true)?);
+            all.push(timed(&name, selection, true)?);
+        }
+        for turn in 0..timing.warm + timing.frames {
+            for timed in &mut all {
+                watch.check()?;
+                let mut frame = || {
+                    renderer.time(&timed.scene, maps, watch.cancel).map_err(|source| of(&timed.name, source))
+                };
+                // The first frame of another scene makes it ready.
+                if machine.backend == MachineBackend::Cpu {
+                    frame()?;
+                }
+                let time = frame()?;
+                if turn >= timing.warm {
+                    timed.times.push(time);
+                }
+            }
+        }
+        let [base, lit, methods @ ..] = &all[..] else { return Ok(vec![None; contenders.len()]) };
+        let records = methods.as_chunks::<2>().0.iter().map(|[searched, shadowed]| {
+            let (frame, displacement) = (shadowed.frame(), searched.beyond(lit));
+            let trace_pass_ms = shadowed.passes(|passes| passes.trace);
+            Some(TimeRecord {
+                clock: if trace_pass_ms.is_some() { PASSES } else { WALL }.to_owned(),
+                timed_size: shadowed.scene.size(),
+                frame_ms: frame.middle,
+                frame_low_ms: frame.low,
+                frame_high_ms: frame.high,
+                displacement_ms: displacement.middle,
+                displacement_low_ms: displacement.low,
+                displacement_high_ms: displacement.high,
+                base_ms: base.frame().middle,
+                shade_ms: lit.beyond(base).middle,
+                shadow_ms: shadowed.beyond(searched).middle,
+                trace_pass_ms,
+                shade_pass_ms: shadowed.passes(|passes| passes.shade),
+            })
+        });
+        Ok(records.collect())
+    }
+
+    /// The scene that is timed: larger, and of one sample a pixel.
+    fn timed_scene(
+        &self,
+        subject: &Surface,
+        selection: Selection,
+        timing: Timing,
+        is_lit: bool,
+    ) -> Result<Scene, CompareError> {
+        let factor = f64::from(timing.pixels).sqrt();
+        let [columns, rows] = self.scene.size().map(|side| (f64::from(side) * factor).round() as u32);
+        let surface = subject.clone().with_selection(selection);
+        let mut scene = self.scene.to_builder().surfaces(vec![surface]).samples(1).size(columns, rows);
+        if !is_lit {
+            scene = scene.lights(Vec::new());
+        }
+        Ok(scene.build()?)
+    }
+}
+
+/// The same without shadows.
+fn without_shadows(mut selection: Selection) -> Result<Selection, CompareError> {
+    selection.choose(STAGES[SHADOW].key, "none")?;
+    Ok(selection)
+}

@@ -1,0 +1,22 @@
+//! How long a frame takes.
+
+use std::time::Duration;
+
+/// How long a frame takes, without what is done once for many: baking, compiling, uploading, reading back.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FrameTime {
+    /// From its beginning until it is done, by the clock of the machine.
+    pub elapsed: Duration,
+    /// How long its passes took by the clock of the GPU; nothing on the CPU, and where a GPU has no such
+    /// clock, or one that stands still.
+    pub passes: Option<PassTimes>,
+}
+
+/// How long the passes of a frame took on a GPU.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PassTimes {
+    /// Rasterising and tracing.
+    pub trace: Duration,
+    /// Shading, with rays to lights.
+    pub shade: Duration,
+}

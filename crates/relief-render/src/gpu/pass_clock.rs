@@ -1,0 +1,113 @@
+//! Timestamps around the passes of a frame.
+
+use std::cell::RefCell;
+use std::time::Duration;
+
+use wgpu::{BufferUsages, Features, QUERY_RESOLVE_BUFFER_ALIGNMENT, QuerySet, QuerySetDescriptor, QueryType};
+
+use super::{Gpu, GpuError};
+use crate::frame_time::PassTimes;
+
+/// The most passes of a frame that are timed: a set has two timestamps for each, and WebGPU allows 4096.
+const MAX_PASSES: usize = 2048;
+
+/// What a pass does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PassKind {
+    /// It rasterises and traces.
+    Trace,
+    /// It shades.
+    Shade,
+}
+
+/// Where a pass writes when it begins and ends.
+pub struct Timed<'a> {
+    pub queries: &'a QuerySet,
+    pub begin: u32,
+    pub end: u32,
+}
+
+/// Timestamps around passes.
+pub struct PassClock {
+    queries: QuerySet,
+    /// The passes so far; more than there is room for once some were left out.
+    passes: RefCell<Vec<PassKind>>,
+}
+
+impl PassClock {
+    /// A clock, where the device has one.
+    pub fn new(gpu: &Gpu) -> Option<Self> {
+        gpu.device().features().contains(Features::TIMESTAMP_QUERY).then(|| Self {
+            queries: gpu.device().create_query_set(&QuerySetDescriptor {
+                label: Some("pass times"),
+                ty: QueryType::Timestamp,
+                count: 2 * MAX_PASSES as u32,
+            }),
+            passes: RefCell::default(),
+        })
+    }
+
+    /// Where the next pass writes; nowhere if there is no more room.
+    pub fn next(&self, kind: PassKind) -> Option<Timed<'_>> {
+        let mut passes = self.passes.borrow_mut();
+        passes.push(kind);
+        let begin = 2 * (passes.len() as u32 - 1);
+        (passes.len() <= MAX_PASSES).then_some(Timed { queries: &self.queries, begin, end: begin + 1 })
+    }
+
+    /// What was written, once all is done. None where it is no time: some passes were not timed, the clock
+    /// went backward, or it stood still.
+    pub async fn read(self, gpu: &Gpu) -> Result<Option<PassTimes>, GpuError> {
+        let passes = self.passes.into_inner();
+        if passes.is_empty() || passes.len() > MAX_PASSES {
+            return Ok(None);
+        }
+        let stamps = 2 * passes.len();
+        let bytes = (8 * stamps as u64).next_multiple_of(QUERY_RESOLVE_BUFFER_ALIGNMENT);
+        let readable = gpu
+            .guarded(|| {
+                let resolved =
+                    gpu.buffer("resolved times", bytes, BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC);
+                let readable = gpu.buffer("times", bytes, BufferUsages::MAP_READ | BufferUsages::COPY_DST);
+                let mut encoder = gpu.device().create_command_encoder(&Default::default());
+                encoder.resolve_query_set(&self.queries, 0..stamps as u32, &resolved, 0);
+                encoder.copy_buffer_to_buffer(&resolved, 0, &readable, 0, bytes);
+                gpu.queue().submit([encoder.finish()]);
+                Ok(readable)
+            })
+            .await?;
+        let mut times = Vec::with_capacity(stamps);
+        let read = gpu.read(&readable, 8 * stamps as u64, |bytes| {
+            times.extend(bytes.as_chunks::<8>().0.iter().map(|stamp| u64::from_le_bytes(*stamp)));
+        });
+        read.await?;
+        let period_ns = f64::from(gpu.queue().get_timestamp_period());
+        Ok(sums(&passes, &times, period_ns))
+    }
+}
+
+/// The times of passes of each kind, added up.
+fn sums(passes: &[PassKind], times: &[u64], period_ns: f64) -> Option<PassTimes> {
+    let mut sums = [0u64; 2];
+    for (kind, stamps) in passes.iter().zip(times.as_chunks::<2>().0) {
+        let [begin, end] = *stamps;
+        sums[usize::from(*kind == PassKind::Shade)] += end.checked_sub(begin)?;
+    }
+    let [trace, shade] = sums.map(|ticks| Duration::from_nanos((ticks as f64 * period_ns) as u64));
+    (!trace.is_zero() && !shade.is_zero()).then_some(PassTimes { trace, shade })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn passes_are_added_up_and_what_is_no_time_is_none() {
+        use PassKind::{Shade, Trace};
+        let times = sums(&[Trace, Shade, Trace], &[10, 20, 20, 25, 100, 101], 1000.0);
+        let micros = Duration::from_micros;
+        assert_eq!(times, Some(PassTimes { trace: micros(11), shade: micros(5) }));
+        assert_eq!(sums(&[Trace, Shade], &[10, 20, 20, 15], 1.0), None);
+        assert_eq!(sums(&[Trace, Shade], &[7, 7, 7, 7], 1.0), None);
+    }
+}
