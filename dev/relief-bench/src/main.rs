@@ -9,6 +9,7 @@ use clap::{Parser, Subcommand};
 mod accuracy;
 mod adapt;
 mod bake;
+mod compare;
 mod cost;
 mod cracks;
 mod detail;
@@ -49,6 +50,8 @@ enum Command {
     Adapt(adapt::Arguments),
     /// Time and memory of every kind of map
     Bake(bake::Arguments),
+    /// All methods on several maps, their errors against their times, their times against the map's size
+    Compare(compare::Arguments),
     /// Time of a frame of every surface, beside one of `plane`
     Cost(cost::Arguments),
     /// What shines through reliefs on closed meshes: fails where something does
@@ -90,6 +93,7 @@ fn main() -> ExitCode {
         Command::Accuracy(arguments) => accuracy::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Adapt(arguments) => adapt::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Bake(arguments) => bake::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Cost(arguments) => cost::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Cracks(arguments) => cracks::run(&arguments),
         Command::Detail(arguments) => detail::run(&arguments).map(|()| ExitCode::SUCCESS),

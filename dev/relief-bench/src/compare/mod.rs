@@ -1,0 +1,83 @@
+//! `compare`: what `relief-compare` finds of all methods on several maps, of their errors against their times,
+//! and of their times against the size of the map.
+
+mod maps;
+mod sizes;
+mod times;
+
+use clap::{Args, ValueEnum};
+use relief_compare::{Comparison, Contender, Machine, Records, Watch};
+use relief_core::HeightMap;
+use relief_render::mesh::square;
+use relief_render::scene::{Scene, Surface};
+
+/// What `compare` is given.
+#[derive(Args)]
+pub struct Arguments {
+    /// What is printed
+    #[arg(value_enum, default_values = ["maps", "times", "sizes"])]
+    parts: Vec<Part>,
+    /// Rays a map and angle
+    #[arg(long, default_value_t = 20_000)]
+    rays: u32,
+    /// Frames of each that count; medians count
+    #[arg(long, default_value_t = 9, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    frames: u32,
+    /// Times on a GPU, too, or on a program that plays one
+    #[arg(long)]
+    gpu: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Part {
+    /// Every method on five maps, beside the exact answer
+    Maps,
+    /// Errors against times, of methods over their steps
+    Times,
+    /// Times and reads over the size of the map
+    Sizes,
+}
+
+/// Prints the tables.
+pub fn run(arguments: &Arguments) -> Result<(), String> {
+    for part in &arguments.parts {
+        match part {
+            Part::Maps => maps::run(arguments.rays)?,
+            Part::Times => times::run(arguments)?,
+            Part::Sizes => sizes::run(arguments)?,
+        }
+    }
+    Ok(())
+}
+
+/// How deep the relief is, in tiles.
+const SCALE_M: f64 = 0.1;
+
+/// A comparison on a square of a tile of that map, in pictures of that size.
+fn on_square(
+    name: &str,
+    map: HeightMap,
+    size: [u32; 2],
+    machines: Vec<Machine>,
+) -> Result<Comparison, String> {
+    let map = map.with_displacement(SCALE_M, -SCALE_M).map_err(|error| error.to_string())?;
+    let mesh = square(1).map_err(|error| error.to_string())?;
+    let scene = Scene::builder(Surface::new(mesh, map)).size(size[0], size[1]).samples(1);
+    let mut comparison = Comparison::new(name, scene.build().map_err(|error| error.to_string())?);
+    (comparison.flicker_samples, comparison.timing, comparison.machines) = (None, None, machines);
+    Ok(comparison)
+}
+
+fn compared(comparison: &Comparison) -> Result<Records, String> {
+    comparison.run(&Watch::none()).map(|compared| compared.records).map_err(|error| error.to_string())
+}
+
+/// A method, or a pair, with settings.
+fn contender(name: &str, settings: &[(&str, f64)]) -> Result<Contender, String> {
+    let mut contender = Contender::named(name).map_err(|error| error.to_string())?;
+    for (key, value) in settings {
+        contender.selection.set(key, *value).map_err(|error| error.to_string())?;
+        contender.name += &format!(" {key}={value}");
+    }
+    Ok(contender)
+}
