@@ -108,6 +108,9 @@ pub const MODULES: &[Module] = &[
 // A ray goes through texture coordinates in a straight line; its height over a quadric is a quadratic in the
 // metres along it, which is solved without cancellation.
 "# },
+    Module { path: "shared/rasterised", head: r#"// What a rasteriser is given: the base triangles, or boxes around their shells. Nothing is interpolated, so
+// that rays do not depend on how exactly a rasteriser does that.
+"# },
     Module { path: "shared/records", head: r#"// What the host and the GPU exchange in buffers besides the settings. The Rust side of these structs is
 // written by the linker.
 "# },
@@ -420,6 +423,9 @@ pub const MODULES: &[Module] = &[
 // base's normal.
 //
 // Zhukov, Iones and Kronin 1998; horizons as in Szirmay-Kalos and Umenhoffer 2008, section 6.1.
+"# },
+    Module { path: "roots/draw", head: r#"// A surface in a single pass, for any engine: the base mesh is rasterised, every fragment's ray traced, and what
+// it meets shaded. A program whose meshes come otherwise calls `shade_pixel` from a fragment function of its own.
 "# },
     Module { path: "roots/probe", head: r#"// The stages one after the other over a list of rays, with every stage's result: for tests that hold the GPU
 // to the translation, and for measurements of the stages alone.
@@ -4261,6 +4267,70 @@ fn quadric_frame(at: Entered, aside: vec2f) -> Entered {
     let bb = dot(placed.bitangent, placed.bitangent);
     placed.metric = vec4f(tt, tb, bb, m.w);
     return placed;
+}"#,
+    },
+    Declaration {
+        module: "shared/rasterised",
+        name: "Varying",
+        sampling: None,
+        uses: &[],
+        text: r#"struct Varying {
+    @builtin(position) position: vec4f,
+    @location(0) @interpolate(flat) triangle: u32,
+    // 1 or -1 where that is known of the triangle, 0 where its winding tells.
+    @location(1) @interpolate(flat) side: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/rasterised",
+        name: "clip_of",
+        sampling: None,
+        uses: &["frame"],
+        text: r#"// A point of the world in clip space.
+fn clip_of(position: vec3f) -> vec4f {
+    let columns = frame.view_projection;
+    let view_projection = mat4x4f(columns[0], columns[1], columns[2], columns[3]);
+    return view_projection * vec4f(position, 1.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/rasterised",
+        name: "corner_varying",
+        sampling: None,
+        uses: &["Varying", "clip_of", "mesh_corners", "mesh_faces"],
+        text: r#"// The vertex of that number, of three for each triangle.
+fn corner_varying(vertex: u32) -> Varying {
+    let triangle = vertex / 3u;
+    let corner = vertex % 3u;
+    let corners = mesh_faces[triangle].corners;
+    let place = select(select(corners.z, corners.y, corner == 1u), corners.x, corner == 0u);
+    return Varying(clip_of(mesh_corners[place].position), triangle, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/rasterised",
+        name: "box_varying",
+        sampling: None,
+        uses: &["BOX_VERTICES", "Varying", "box_corner", "clip_of", "numbered_triangle", "turned"],
+        text: r#"// The same of boxes. A shell is looked for in all of a box around it, of which the far sides are drawn; where
+// `turned` is 1 the triangle is turned over.
+fn box_varying(vertex: u32, turned: u32) -> Varying {
+    let triangle = vertex / BOX_VERTICES;
+    let side = select(1.0, -1.0, turned == 1u);
+    let position = box_corner(numbered_triangle(triangle), side, vertex % BOX_VERTICES);
+    let clip = clip_of(position);
+    // What is seen is decided by the hits; no plane cuts a box off.
+    return Varying(vec4f(clip.xy, 0.5 * clip.w, clip.w), triangle, side);
+}"#,
+    },
+    Declaration {
+        module: "shared/rasterised",
+        name: "side_of",
+        sampling: None,
+        uses: &["Varying"],
+        text: r#"// The side of its triangle that a fragment sees.
+fn side_of(in: Varying, front: bool) -> f32 {
+    return select(select(-1.0, 1.0, front), in.side, in.side != 0.0);
 }"#,
     },
     Declaration {
@@ -9021,6 +9091,78 @@ const LEAST = 0.000001;"#,
 }"#,
     },
     Declaration {
+        module: "roots/draw",
+        name: "draw_vertex",
+        sampling: None,
+        uses: &["Varying", "corner_varying"],
+        text: r#"// Three vertices for each triangle.
+@vertex
+fn draw_vertex(@builtin(vertex_index) vertex: u32) -> Varying {
+    return corner_varying(vertex);
+}"#,
+    },
+    Declaration {
+        module: "roots/draw",
+        name: "draw_box_vertex",
+        sampling: None,
+        uses: &["Varying", "box_varying", "turned"],
+        text: r#"// BOX_VERTICES for each triangle; a second instance is the mesh turned over.
+@vertex
+fn draw_box_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) turned: u32) -> Varying {
+    return box_varying(vertex, turned);
+}"#,
+    },
+    Declaration {
+        module: "roots/draw",
+        name: "drawn_pixel",
+        sampling: None,
+        uses: &["PixelOut", "Varying", "numbered_pixel", "shade_pixel", "side_of"],
+        text: r#"// What the pixel of a fragment shows.
+fn drawn_pixel(in: Varying, front: bool) -> PixelOut {
+    return shade_pixel(numbered_pixel(in.triangle, side_of(in, front), in.position.xy));
+}"#,
+    },
+    Declaration {
+        module: "roots/draw",
+        name: "draw_fragment",
+        sampling: None,
+        uses: &["Varying", "drawn_pixel"],
+        text: r#"// The linear colour.
+@fragment
+fn draw_fragment(in: Varying, @builtin(front_facing) front: bool) -> @location(0) vec4f {
+    let out = drawn_pixel(in, front);
+    if (out.hit == 0u) {
+        discard;
+    }
+    return out.color;
+}"#,
+    },
+    Declaration {
+        module: "roots/draw",
+        name: "Drawn",
+        sampling: None,
+        uses: &[],
+        text: r#"struct Drawn {
+    @location(0) color: vec4f,
+    @builtin(frag_depth) z: f32,
+}"#,
+    },
+    Declaration {
+        module: "roots/draw",
+        name: "draw_depth_fragment",
+        sampling: None,
+        uses: &["Drawn", "Varying", "drawn_pixel"],
+        text: r#"// The same, and what the depth buffer holds for the hit.
+@fragment
+fn draw_depth_fragment(in: Varying, @builtin(front_facing) front: bool) -> Drawn {
+    let out = drawn_pixel(in, front);
+    if (out.hit == 0u) {
+        discard;
+    }
+    return Drawn(out.color, out.z);
+}"#,
+    },
+    Declaration {
         module: "roots/probe",
         name: "probe_main",
         sampling: None,
@@ -9679,26 +9821,11 @@ fn triangles_main(@builtin(global_invocation_id) id: vec3u) {
     },
     Declaration {
         module: "roots/trace",
-        name: "Varying",
+        name: "clip_of_pass",
         sampling: None,
-        uses: &[],
-        text: r#"struct Varying {
-    @builtin(position) position: vec4f,
-    @location(0) @interpolate(flat) triangle: u32,
-    // 1 or -1 where that is known of the triangle, 0 where its winding tells.
-    @location(1) @interpolate(flat) side: f32,
-}"#,
-    },
-    Declaration {
-        module: "roots/trace",
-        name: "clip_of",
-        sampling: None,
-        uses: &["frame", "pass_settings"],
-        text: r#"// A point of the world in the clip space of the pass.
-fn clip_of(position: vec3f) -> vec4f {
-    let columns = frame.view_projection;
-    let view_projection = mat4x4f(columns[0], columns[1], columns[2], columns[3]);
-    let clip = view_projection * vec4f(position, 1.0);
+        uses: &["pass_settings"],
+        text: r#"// A point of clip space in that of the pass.
+fn clip_of_pass(clip: vec4f) -> vec4f {
     let x = clip.x + pass_settings.shift.x * clip.w;
     let y = clip.y * pass_settings.zoom + pass_settings.shift.y * clip.w;
     return vec4f(x, y, clip.z, clip.w);
@@ -9708,40 +9835,24 @@ fn clip_of(position: vec3f) -> vec4f {
         module: "roots/trace",
         name: "vertex_main",
         sampling: None,
-        uses: &["Varying", "clip_of", "mesh_corners", "mesh_faces"],
+        uses: &["Varying", "clip_of_pass", "corner_varying"],
         text: r#"@vertex
 fn vertex_main(@builtin(vertex_index) vertex: u32) -> Varying {
-    let triangle = vertex / 3u;
-    let corner = vertex % 3u;
-    let corners = mesh_faces[triangle].corners;
-    let place = select(select(corners.z, corners.y, corner == 1u), corners.x, corner == 0u);
-    return Varying(clip_of(mesh_corners[place].position), triangle, 0.0);
+    var out = corner_varying(vertex);
+    out.position = clip_of_pass(out.position);
+    return out;
 }"#,
     },
     Declaration {
         module: "roots/trace",
         name: "shell_vertex",
         sampling: None,
-        uses: &["BOX_VERTICES", "Varying", "box_corner", "clip_of", "numbered_triangle", "turned"],
-        text: r#"// A shell is looked for in all of a box around it, of which the far sides are drawn.
-@vertex
+        uses: &["Varying", "box_varying", "clip_of_pass", "turned"],
+        text: r#"@vertex
 fn shell_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) turned: u32) -> Varying {
-    let triangle = vertex / BOX_VERTICES;
-    let side = select(1.0, -1.0, turned == 1u);
-    let position = box_corner(numbered_triangle(triangle), side, vertex % BOX_VERTICES);
-    let clip = clip_of(position);
-    // What is seen is decided by keys; no plane cuts a box off.
-    return Varying(vec4f(clip.xy, 0.5 * clip.w, clip.w), triangle, side);
-}"#,
-    },
-    Declaration {
-        module: "roots/trace",
-        name: "side_of",
-        sampling: None,
-        uses: &["Varying"],
-        text: r#"// The side of its triangle that a fragment sees.
-fn side_of(in: Varying, front: bool) -> f32 {
-    return select(select(-1.0, 1.0, front), in.side, in.side != 0.0);
+    var out = box_varying(vertex, turned);
+    out.position = clip_of_pass(out.position);
+    return out;
 }"#,
     },
     Declaration {

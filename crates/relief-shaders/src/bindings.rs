@@ -203,7 +203,7 @@ impl Binding {
 }
 
 /// A comment that lists bindings: for the head of a shader.
-pub fn table(bindings: &[&Binding]) -> String {
+pub fn table(bindings: &[Binding]) -> String {
     let mut text = String::new();
     for Binding { group, number, name, holds, .. } in bindings {
         let _ = writeln!(text, "//   group {group}, binding {number}: {name}, {holds}");

@@ -103,6 +103,14 @@ pub enum Root {
     Prepass,
     /// The same of shells: `shell_vertex`, `prepass_main`.
     PrepassShells,
+    /// A surface in a single pass, for a program's own: traces and shades it, and gives linear colours:
+    /// `draw_vertex`, `draw_fragment`. What lies nearer is for the depth test of the triangles to say.
+    Draw,
+    /// The same with the `z` of what is seen, for a program's own depth buffer: `draw_vertex`,
+    /// `draw_depth_fragment`.
+    DrawDepth,
+    /// The same of shells: `draw_box_vertex`, `draw_depth_fragment`.
+    DrawShells,
     /// Shades what was traced: `shade_main`.
     Shade,
     /// Adds what was shaded to the samples before: `resolve_main`.
@@ -122,7 +130,7 @@ pub enum Root {
 
 impl Root {
     /// Every root.
-    pub const ALL: [Root; 13] = [
+    pub const ALL: [Root; 16] = [
         Root::Functions,
         Root::Trace,
         Root::TraceShells,
@@ -130,6 +138,9 @@ impl Root {
         Root::LightShells,
         Root::Prepass,
         Root::PrepassShells,
+        Root::Draw,
+        Root::DrawDepth,
+        Root::DrawShells,
         Root::Shade,
         Root::Resolve,
         Root::Show,
@@ -148,6 +159,9 @@ impl Root {
             Root::LightShells => &["shell_vertex", "light_main"],
             Root::Prepass => &["vertex_main", "prepass_main"],
             Root::PrepassShells => &["shell_vertex", "prepass_main"],
+            Root::Draw => &["draw_vertex", "draw_fragment"],
+            Root::DrawDepth => &["draw_vertex", "draw_depth_fragment"],
+            Root::DrawShells => &["draw_box_vertex", "draw_depth_fragment"],
             Root::Shade => &["shade_main"],
             Root::Resolve => &["resolve_main"],
             Root::Show => &["show_main"],
@@ -192,40 +206,104 @@ pub(crate) struct Declaration {
 
 /// The shader of a selection: what its root reaches, and nothing else. The same text on every run.
 pub fn assemble(selection: &Selection, root: Root, sampling: Sampling) -> String {
-    let reached = reached(selection, root, sampling);
-    let declared = || {
-        DECLARATIONS.iter().filter(|declaration| {
-            declaration.sampling.is_none_or(|of| of == sampling) && reached.contains(declaration.name)
-        })
-    };
-    let mut text = head(selection, &reached, sampling);
-    for Module { path, head } in MODULES {
-        let mut of_module = declared().filter(|declaration| declaration.module == *path).peekable();
-        if of_module.peek().is_none() {
-            continue;
+    let parts = Parts::new(selection, root, sampling);
+    let mut text = parts.choices();
+    if !parts.bindings.is_empty() {
+        let _ = write!(text, "//\n// Bindings:\n{}", bindings::table(&parts.bindings));
+    }
+    text + &parts.code()
+}
+
+/// A shader in parts, for programs that write a head of their own, or number the bindings anew.
+///
+/// ```
+/// use relief_shaders::Selection;
+/// use relief_shaders::wgsl::{Parts, Root, Sampling};
+///
+/// let mut parts = Parts::new(&Selection::method("steep")?, Root::Draw, Sampling::Exact);
+/// for (number, binding) in (0..).zip(&mut parts.bindings) {
+///     (binding.group, binding.number) = (2, number);
+/// }
+/// assert!(parts.code().contains("@group(2) @binding(1) var height_map: texture_2d<f32>;"));
+/// # Ok::<(), relief_shaders::SelectionError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Parts {
+    selection: Selection,
+    sampling: Sampling,
+    reached: BTreeSet<String>,
+    /// What is bound, in the order of [`BINDINGS`](bindings::BINDINGS). The declarations have the groups and
+    /// numbers that are found here.
+    pub bindings: Vec<Binding>,
+}
+
+impl Parts {
+    /// Those of a selection that a root reaches.
+    pub fn new(selection: &Selection, root: Root, sampling: Sampling) -> Self {
+        let reached = reached(selection, root, sampling);
+        let bindings = bindings::BINDINGS.into_iter().filter(|binding| reached.contains(binding.name));
+        Self { selection: *selection, sampling, bindings: bindings.collect(), reached }
+    }
+
+    /// Whether the stage of that place in [`STAGES`] is run.
+    pub fn has_stage(&self, place: usize) -> bool {
+        STAGES[place].functions().any(|function| self.reached.contains(&function))
+    }
+
+    /// A comment on what is chosen: of each stage its variant, where that was published, what it reads and
+    /// its parameters.
+    pub fn choices(&self) -> String {
+        let mut text = format!(
+            "// Relief: displacement mapping, {} sampling.\n// SPDX-License-Identifier: MIT OR Apache-2.0\n",
+            self.sampling
+        );
+        for (place, stage) in STAGES.iter().enumerate().filter(|(place, _)| self.has_stage(*place)) {
+            chosen(&mut text, place, stage, &self.selection.choices[place]);
         }
-        let _ = write!(text, "\n// {}\n", "-".repeat(77));
-        text.push_str(head);
-        let mut was_short = false;
-        for declaration in of_module {
-            // Declarations of a line stand together.
-            let is_short = !declaration.text.contains('\n');
-            if !(is_short && was_short) {
+        text
+    }
+
+    /// The declarations, with the comments of their sources.
+    pub fn code(&self) -> String {
+        let declared = || {
+            DECLARATIONS.iter().filter(|declaration| {
+                declaration.sampling.is_none_or(|of| of == self.sampling)
+                    && self.reached.contains(declaration.name)
+            })
+        };
+        let mut text = String::new();
+        for Module { path, head } in MODULES {
+            let mut of_module = declared().filter(|declaration| declaration.module == *path).peekable();
+            if of_module.peek().is_none() {
+                continue;
+            }
+            let _ = write!(text, "\n// {}\n", "-".repeat(77));
+            text.push_str(head);
+            let mut was_short = false;
+            for declaration in of_module {
+                // Declarations of a line stand together.
+                let is_short = !declaration.text.contains('\n');
+                if !(is_short && was_short) {
+                    text.push('\n');
+                }
+                was_short = is_short;
+                let bound = self.bindings.iter().find(|binding| binding.name == declaration.name);
+                match bound {
+                    Some(binding) => text.push_str(&binding.declaration()),
+                    None => text.push_str(declaration.text),
+                }
                 text.push('\n');
             }
-            was_short = is_short;
-            text.push_str(declaration.text);
-            text.push('\n');
         }
-    }
-    for (place, stage) in STAGES.iter().enumerate() {
-        for call in stage.calls {
-            if reached.contains(stage.function(call).as_str()) {
-                text.push_str(&called(place, stage, call, &selection.choices[place]));
+        for (place, stage) in STAGES.iter().enumerate() {
+            for call in stage.calls {
+                if self.reached.contains(stage.function(call).as_str()) {
+                    text.push_str(&called(place, stage, call, &self.selection.choices[place]));
+                }
             }
         }
+        text
     }
-    text
 }
 
 /// The names that a root reaches.
@@ -267,24 +345,6 @@ fn called(place: usize, stage: &Stage, call: &Call, choice: &Choice) -> String {
     )
 }
 
-/// The comment at the head: what was chosen, with its parameters, and what is to be bound.
-fn head(selection: &Selection, reached: &BTreeSet<String>, sampling: Sampling) -> String {
-    let mut text = format!(
-        "// Relief: displacement mapping, {sampling} sampling.\n// SPDX-License-Identifier: MIT OR Apache-2.0\n"
-    );
-    for (place, stage) in STAGES.iter().enumerate() {
-        if stage.functions().any(|function| reached.contains(&function)) {
-            chosen(&mut text, place, stage, &selection.choices[place]);
-        }
-    }
-    let bound: Vec<&Binding> =
-        bindings::BINDINGS.iter().filter(|binding| reached.contains(binding.name)).collect();
-    if !bound.is_empty() {
-        let _ = write!(text, "//\n// Bindings:\n{}", bindings::table(&bound));
-    }
-    text
-}
-
 /// What is chosen for a stage, where it was published, what it reads and what its parameters are.
 fn chosen(text: &mut String, place: usize, stage: &Stage, choice: &Choice) {
     let Choice { entry, .. } = choice;
@@ -306,63 +366,4 @@ fn chosen(text: &mut String, place: usize, stage: &Stage, choice: &Choice) {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{refine, search};
-
-    fn pairs() -> impl Iterator<Item = Selection> {
-        let names =
-            search::ENTRIES.iter().flat_map(|a| refine::ENTRIES.iter().map(move |b| (a.name, b.name)));
-        names.map(|(search, refine)| Selection::pair(search, refine).expect("listed names"))
-    }
-
-    fn validate(text: &str) -> Result<(), String> {
-        let module = naga::front::wgsl::parse_str(text).map_err(|error| error.emit_to_string(text))?;
-        let (flags, capabilities) = (naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty());
-        let valid = naga::valid::Validator::new(flags, capabilities).validate(&module);
-        valid.map(drop).map_err(|error| error.emit_to_string(text))
-    }
-
-    #[test]
-    fn every_pair_gives_a_valid_shader_and_the_same_one_again() {
-        for selection in pairs() {
-            for root in Root::ALL {
-                for sampling in [Sampling::Exact, Sampling::Fast] {
-                    let text = assemble(&selection, root, sampling);
-                    let name = || format!("{} {} {root:?}", selection.search().name, selection.refine().name);
-                    validate(&text).unwrap_or_else(|error| panic!("{}: {error}", name()));
-                    assert_eq!(text, assemble(&selection, root, sampling), "{}", name());
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn a_broken_shader_is_noticed() {
-        let text = assemble(&Selection::default(), Root::Functions, Sampling::Exact);
-        assert!(validate(&text.replace("fn height_at", "fn height_elsewhere")).is_err());
-    }
-
-    #[test]
-    fn a_shader_holds_what_its_root_reaches_and_nothing_else() {
-        let cone = Selection::method("cone").expect("a method");
-        let trace = assemble(&cone, Root::Trace, Sampling::Exact);
-        for there in ["fn search_cone(", "fn refine_patch(", "// Cone stepping", "search_map, the baked map"]
-        {
-            assert!(trace.contains(there), "{there}");
-        }
-        for gone in ["search_linear", "frustum", "shade_", "color_map", "map_sampler", "override", "switch"] {
-            assert!(!trace.contains(gone), "{gone}");
-        }
-        // Shading without rays to the lights is the same whatever was searched for.
-        let frustum = Selection::method("frustum").expect("a method");
-        let shade = |selection: &Selection, shadow| {
-            let mut selection = *selection;
-            selection.choose("shadow", shadow).expect("a shadow");
-            assemble(&selection, Root::Shade, Sampling::Exact)
-        };
-        assert_eq!(shade(&cone, "none"), shade(&frustum, "none"));
-        assert!(shade(&frustum, "ray").contains("fn search_frustum("));
-        assert!(assemble(&cone, Root::Shade, Sampling::Fast).contains("map_sampler"));
-    }
-}
+mod tests;

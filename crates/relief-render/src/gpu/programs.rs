@@ -344,6 +344,7 @@ fn label(root: Root) -> &'static str {
         Root::Trace | Root::TraceShells => "trace",
         Root::Light | Root::LightShells => "light",
         Root::Prepass | Root::PrepassShells => "prepass",
+        Root::Draw | Root::DrawDepth | Root::DrawShells => "draw",
         Root::Shade => "shade",
         Root::Resolve => "resolve",
         Root::Show => "show",

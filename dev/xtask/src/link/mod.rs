@@ -22,8 +22,9 @@ mod rust;
 mod wesl_link;
 
 /// The roots of what GPUs run, whose declarations are held to what the linker makes of them.
-const GPU_ROOTS: [&str; 7] = [
+const GPU_ROOTS: [&str; 8] = [
     "roots/trace",
+    "roots/draw",
     "roots/shade",
     "roots/resolve",
     "roots/show",

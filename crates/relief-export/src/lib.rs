@@ -1,0 +1,129 @@
+//! Displacement methods as shaders for any engine: in WGSL, GLSL, HLSL, MSL and SPIR-V, with a manifest that
+//! says what is bound where.
+//!
+//! [`export`] makes everything in memory: a selection of stages becomes one shader that rasterises a base
+//! mesh, traces each fragment's ray and shades what it meets, with its example entry points, and holds no
+//! function that these do not call. Parameters, sizes and wrap stay in uniform buffers.
+//!
+//! The WGSL is what `relief-shaders` assembles, with its comments; all other languages are written from that
+//! by naga. The manifest, [`Manifest`], is written beside them as JSON: it names what is bound, the layout of
+//! the buffers and what each language calls them, and suffices to bind and fill everything.
+//!
+//! # Examples
+//!
+//! ```
+//! use relief_export::{Options, Profile, export};
+//! use relief_shaders::Selection;
+//!
+//! let mut selection = Selection::method("relief")?;
+//! selection.set("search.steps", 48.0)?;
+//! let profiles = vec![Profile::Wgsl, Profile::Core450];
+//! let options = Options { name: Some("relief".to_owned()), profiles, ..Options::default() };
+//! let exported = export(&selection, &options)?;
+//!
+//! let names: Vec<&str> = exported.files.iter().map(|file| file.name.as_str()).collect();
+//! assert_eq!(names, ["relief.wgsl", "relief.vert.glsl", "relief.frag.glsl", "relief.json"]);
+//! let heights = exported.manifest.bindings.iter().find(|bound| bound.name == "height_map");
+//! assert_eq!(heights.map(|bound| (bound.group, bound.binding)), Some((0, 1)));
+//! let steps = &exported.manifest.stages.iter().find(|stage| stage.stage == "search").unwrap().params[0];
+//! assert_eq!((steps.name, steps.value), ("steps", 48.0));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod describe;
+mod error;
+mod header;
+mod layout;
+pub mod manifest;
+mod options;
+mod places;
+mod program;
+mod target;
+mod textures;
+mod writers;
+
+use relief_shaders::{GEOMETRY, SHADOW, STAGES, Selection};
+
+pub use error::ExportError;
+pub use manifest::Manifest;
+pub use options::{Options, Placement};
+pub use target::{Profile, Target};
+
+use crate::manifest::Written;
+use crate::program::Program;
+use crate::writers::{Body, Text};
+
+/// An export, in memory.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Exported {
+    /// The shaders, target by target, and last the manifest as JSON.
+    pub files: Vec<File>,
+    /// What the last of the files says.
+    pub manifest: Manifest,
+}
+
+/// A file to be written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct File {
+    /// Its name.
+    pub name: String,
+    /// What it holds.
+    pub bytes: Vec<u8>,
+}
+
+/// Writes the shader of a selection in every profile that is asked for. The same bytes on every run.
+///
+/// # Errors
+///
+/// When the stages make no sense together, when no shader runs them, when a target cannot express them or
+/// bind as much, or when two files would have the same name.
+pub fn export(selection: &Selection, options: &Options) -> Result<Exported, ExportError> {
+    check(selection)?;
+    if options.profiles.is_empty() {
+        return Err(ExportError::NoTarget);
+    }
+    let derived = || format!("{}-{}", selection.search().name, selection.refine().name);
+    let name = options.name.clone().unwrap_or_else(derived);
+    let name = options::checked_name(&name)?;
+    let program = Program::new(selection, options)?;
+    let mut manifest = describe::manifest(selection, &program, name, options);
+    let mut files: Vec<File> = Vec::new();
+    let choices = program.parts.choices();
+    for profile in &options.profiles {
+        let mut written = Vec::new();
+        for Text { file, body } in writers::write(&program, *profile, name, options)? {
+            if files.iter().any(|other| other.name == file.file) {
+                return Err(ExportError::SameFile(file.file));
+            }
+            let bytes = match body {
+                Body::Words(words) => words.iter().flat_map(|word| word.to_le_bytes()).collect(),
+                Body::Source(text, first) => {
+                    let head = header::head(&choices, &manifest, *profile, &file);
+                    let at = text.split_inclusive('\n').take(first).map(str::len).sum();
+                    let (before, after) = text.split_at(at);
+                    [before, &head, "\n", after.trim_start_matches('\n')].concat().into_bytes()
+                }
+            };
+            files.push(File { name: file.file.clone(), bytes });
+            written.push(file);
+        }
+        let (target, profile) = (profile.target().name(), profile.name());
+        manifest.targets.push(Written { target, profile, files: written });
+    }
+    let json = serde_json::to_string_pretty(&manifest);
+    let json = json.map_err(|error| ExportError::Invalid(error.to_string()))?;
+    files.push(File { name: format!("{name}.json"), bytes: (json + "\n").into_bytes() });
+    Ok(Exported { files, manifest })
+}
+
+/// Whether shaders can run all stages of a selection, together.
+fn check(selection: &Selection) -> Result<(), ExportError> {
+    if selection.geometry().is_some() {
+        return Err(ExportError::Displaced { geometry: selection.choices[GEOMETRY].entry.name });
+    }
+    if selection.rays_through_scene().is_some() {
+        let (stage, entry) = (STAGES[SHADOW].title, selection.choices[SHADOW].entry.name);
+        return Err(ExportError::OnlyCpu { stage, entry });
+    }
+    Ok(selection.check()?)
+}

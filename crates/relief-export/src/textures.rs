@@ -1,0 +1,111 @@
+//! What textures must be, and the bakes that fill them.
+
+use relief_core::registry::{MapLevels, MapMetric};
+use relief_shaders::bindings::{Binding, BindingKind};
+use relief_shaders::wgsl::Sampling;
+use relief_shaders::{MapNeed, MapSlot};
+
+use crate::Options;
+use crate::manifest::{Bake, TextureNeed};
+
+/// Formats of heights.
+const HEIGHTS: &[&str] = &["r32float", "r16float", "r16unorm"];
+
+/// Formats of colours and normals. What is filtered may have 16 bits, which every GPU filters.
+const PICTURES: &[&str] = &["rgba32float", "rgba16float"];
+
+/// Formats of masks.
+const MASKS: &[&str] = &["r8unorm"];
+
+/// Formats of baked maps, of as many channels as they have: floats, or codes of 8 bits that the settings say
+/// how to read.
+const BAKED: &[&str] = &[
+    "r32float",
+    "rg32float",
+    "rgba32float",
+    "r16float",
+    "rg16float",
+    "rgba16float",
+    "r8unorm",
+    "rg8unorm",
+    "rgba8unorm",
+];
+
+/// Formats of what lights see.
+const KEYS: &[&str] = &["r32float"];
+
+/// What the texture of a binding must be; none for bindings of another kind.
+pub fn need(binding: &Binding, needs: &[MapNeed], options: &Options) -> Option<TextureNeed> {
+    let BindingKind::Texture { layers: has_layers, filtered } = binding.kind else { return None };
+    let dimension = if has_layers { "2d-array" } else { "2d" };
+    let filtered = filtered && options.sampling == Sampling::Fast;
+    let slot = MapSlot::ALL.into_iter().find(|slot| slot.name() == binding.name);
+    let map = needs.iter().find(|need| Some(need.slot) == slot);
+    let text = |levels: &str, layers: &str| [levels.to_owned(), layers.to_owned()];
+    let (formats, [levels, layers]) = match (binding.name, slot) {
+        ("height_map", _) => (HEIGHTS, text("surface_settings.height_levels", "1")),
+        ("color_map", _) => (PICTURES, text("surface_settings.color_levels", "1")),
+        ("normal_map", _) => {
+            (PICTURES, text("surface_settings.normal_levels", "1; 2 where there is more than one level"))
+        }
+        (_, Some(MapSlot::Environment)) => (PICTURES, text("surface_settings.environment_levels", "6")),
+        (_, Some(MapSlot::Lights)) => (KEYS, text("1", "one for each of the lights' views")),
+        (_, Some(slot)) => {
+            let layers = format!("surface_settings.maps[{}].layers", slot as u32);
+            (BAKED, [map.map_or("1".to_owned(), levels_of), layers])
+        }
+        _ => (MASKS, text("1", "1")),
+    };
+    let bake = map.map(|need| bake(need, options));
+    Some(TextureNeed { dimension, formats, filtered, levels, layers, bake })
+}
+
+fn levels_of(need: &MapNeed) -> String {
+    match need.input.levels {
+        MapLevels::One => "1".to_owned(),
+        MapLevels::ChainFrom(first) => {
+            format!("those of the bake from level {first} on, each padded to half the size of the one before")
+        }
+        MapLevels::Means => "all of the bake".to_owned(),
+        MapLevels::EachDetail => {
+            "one for each level of the height map, baked from that level's heights".to_owned()
+        }
+    }
+}
+
+fn bake(need: &MapNeed, options: &Options) -> Bake {
+    let metric = match need.input.metric {
+        MapMetric::Texture => "texture",
+        MapMetric::Scene => "metres",
+    };
+    Bake {
+        kind: need.input.kind,
+        texture: need.input.texture,
+        settings: need.settings.iter().copied().collect(),
+        metric,
+        how: options.bake.map(|how| how(need)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use relief_shaders::bindings::BINDINGS;
+
+    use super::*;
+
+    #[test]
+    fn every_texture_of_group_0_has_formats() {
+        for binding in BINDINGS.iter().filter(|binding| binding.group == 0) {
+            let need = need(binding, &[], &Options::default());
+            assert_eq!(
+                need.is_some(),
+                matches!(binding.kind, BindingKind::Texture { .. }),
+                "{}",
+                binding.name
+            );
+            // Masks alone are of 8 bits.
+            let is_mask = need.is_some_and(|need| need.formats == MASKS);
+            assert_eq!(is_mask, binding.name == "hole_map", "{}", binding.name);
+        }
+    }
+}

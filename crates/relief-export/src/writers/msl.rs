@@ -1,0 +1,81 @@
+//! MSL: one file with both entry points, and slots for buffers, textures and samplers.
+
+use naga::back::msl;
+use naga::valid::ModuleInfo;
+use naga::{Module, ResourceBinding, TypeInner};
+use relief_shaders::bindings::Binding;
+
+use super::{Body, Text, UNCHECKED, entry_points, same_name};
+use crate::manifest::{At, ShaderFile, SizesBuffer};
+use crate::program::Program;
+use crate::{ExportError, Options, Target, places};
+
+pub fn write(program: &Program, places: &[At], name: &str, options: &Options) -> Result<Text, ExportError> {
+    let checked = &program.checked;
+    let bindings = &program.parts.bindings;
+    let sizes = sizes(program, places, options)?;
+    let mut resources = msl::EntryPointResources {
+        sizes_buffer: sizes.as_ref().map(|sizes| sizes.buffer as u8),
+        ..msl::EntryPointResources::default()
+    };
+    for (binding, place) in bindings.iter().zip(places) {
+        let mut target = msl::BindTarget::default();
+        // The slots have been found to fit.
+        match place {
+            At::Buffer { buffer } => target.buffer = Some(*buffer as u8),
+            At::Texture { texture } => target.texture = Some(*texture as u8),
+            At::Sampler { sampler_state } => {
+                target.sampler = Some(msl::BindSamplerTarget::Resource(*sampler_state as u8));
+            }
+            _ => {}
+        }
+        let resource = ResourceBinding { group: binding.group, binding: binding.number };
+        resources.resources.insert(resource, target);
+    }
+    let per_entry_point = program.entry_points.map(|name| (name.to_owned(), resources.clone()));
+    let options = msl::Options {
+        lang_version: (2, 0),
+        per_entry_point_map: per_entry_point.into(),
+        fake_missing_bindings: false,
+        bounds_check_policies: UNCHECKED,
+        force_loop_bounding: false,
+        ..msl::Options::default()
+    };
+    let pipeline = msl::PipelineOptions::default();
+    let written = |module: &Module, info: &ModuleInfo| {
+        msl::write_string(module, info, &options, &pipeline).map_err(|error| error.to_string())
+    };
+    let refused = |error| checked.refused(Target::Msl, error, written);
+    let (text, info) = written(&checked.module, &checked.info).map_err(refused)?;
+    let names = info.entry_point_names.into_iter().collect::<Result<Vec<String>, _>>();
+    let names = names.map_err(|error| ExportError::Invalid(error.to_string()))?;
+    let [vertex, fragment] = names.as_slice() else {
+        return Err(ExportError::Invalid(format!("{} entry points", names.len())));
+    };
+    let file = ShaderFile {
+        file: format!("{name}.metal"),
+        entry_points: entry_points([vertex, fragment]),
+        bindings: bindings.iter().zip(places).map(|(binding, at)| same_name(binding, at)).collect(),
+        sizes,
+    };
+    Ok(Text { file, body: Body::Source(text, 0) })
+}
+
+/// Metal's arrays do not know their lengths: those that have none in the shader come with their buffers'
+/// sizes, in the order of the module's variables.
+fn sizes(program: &Program, places: &[At], options: &Options) -> Result<Option<SizesBuffer>, ExportError> {
+    let checked = &program.checked;
+    let is_open = |binding: &&Binding| {
+        checked.variable(binding).is_some_and(|(_, variable)| {
+            let inner = &checked.module.types[variable.ty].inner;
+            matches!(inner, TypeInner::Array { size: naga::ArraySize::Dynamic, .. })
+        })
+    };
+    let mut of: Vec<&Binding> = program.parts.bindings.iter().filter(is_open).collect();
+    of.sort_by_key(|binding| checked.variable(binding).map(|(handle, _)| handle.index()));
+    if of.is_empty() {
+        return Ok(None);
+    }
+    let buffer = places::next_buffer(places, options)?;
+    Ok(Some(SizesBuffer { buffer, of: of.into_iter().map(|binding| binding.name).collect() }))
+}
