@@ -80,6 +80,8 @@ enum Command {
     Compare(Box<commands::compare::Arguments>),
     /// Time frames of methods, part by part
     Bench(Box<commands::bench::Arguments>),
+    /// Export a method as a shader for other programs: WGSL, GLSL, HLSL, MSL or SPIR-V, and what it binds
+    Shader(Box<commands::shader::Arguments>),
     /// List every method, search and refinement with its parameters and guarantees
     Methods(commands::methods::Arguments),
     /// Print what shells complete, or write it into files
@@ -140,7 +142,9 @@ impl Command {
             Command::Mesh(arguments) => arguments.files(),
             Command::Compare(arguments) => arguments.files(),
             Command::Bench(arguments) => arguments.files(),
-            Command::Methods(_) | Command::Completions(_) | Command::Man(_) => Files::default(),
+            Command::Shader(_) | Command::Methods(_) | Command::Completions(_) | Command::Man(_) => {
+                Files::default()
+            }
         }
     }
 
@@ -154,6 +158,7 @@ impl Command {
             Command::Mesh(arguments) => arguments.json,
             Command::Compare(arguments) => arguments.json,
             Command::Bench(arguments) => arguments.json,
+            Command::Shader(arguments) => arguments.json,
             Command::Methods(arguments) => arguments.json,
             Command::Scene(_) | Command::Completions(_) | Command::Man(_) => false,
         }
@@ -169,6 +174,7 @@ impl Command {
             Command::Mesh(arguments) => commands::mesh::run(arguments),
             Command::Compare(arguments) => commands::compare::run(arguments),
             Command::Bench(arguments) => commands::bench::run(arguments),
+            Command::Shader(arguments) => commands::shader::run(arguments),
             Command::Methods(arguments) => commands::methods::run(arguments),
             Command::Completions(arguments) => commands::completions::run(arguments, &Arguments::command()),
             Command::Man(arguments) => commands::man::run(arguments, &Arguments::command()),

@@ -252,8 +252,10 @@ fn a_pipe_gets_text_and_nothing_else() {
         "render --height map.png --backend cpu --size 1500x1200 --method relief --set search.steps=512 -o b.png",
         "inspect map.png",
         "methods",
+        "shader --method cone --target wgsl,spirv -o shaders",
         "--help",
         "render --help",
+        "shader --help",
         "--version",
     ];
     for line in lines {
@@ -298,6 +300,10 @@ fn exit_codes_tell_a_wrong_line_from_failed_work() {
         (2, "render --height map.png"),
         (2, "render -o a.png"),
         (2, "render --height map.png -o a.png --method relif"),
+        (0, "shader --method cone --target wgsl -o shaders"),
+        (1, "shader --method cone --target wgsl -o map.png"),
+        (2, "shader --method cone --target wsgl -o shaders"),
+        (2, "shader --method cone --target wgsl"),
         (2, "render --height map.png -o a.png --backend cpu --sampling fast"),
         (2, "inspect map.png --frobnicate"),
     ];

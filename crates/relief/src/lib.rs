@@ -9,6 +9,7 @@
 //! | --- | --- | --- |
 //! | [`shaders`] | | methods, their shaders as WGSL, and rays through them on the CPU |
 //! | [`bake`] | `bake` | the auxiliary maps that methods read |
+//! | [`export`] | `export` | methods as shaders for other programs: WGSL, GLSL, HLSL, MSL, SPIR-V |
 //! | [`io`] | `io` | height maps, pictures, normal maps and meshes from and to files, and from bytes |
 //! | [`maps`] | `maps` (and `bake`) | baked maps looked up, baked and kept |
 //! | [`displace`] | `mesh` | displaced meshes without cracks, streamed |
@@ -64,6 +65,12 @@
 #![cfg_attr(feature = "gpu", doc = include_str!("../examples/device.rs"))]
 //! ```
 //!
+//! # A shader for another program
+//!
+//! ```
+#![cfg_attr(feature = "export", doc = include_str!("../examples/export.rs"))]
+//! ```
+//!
 //! # On the web
 //!
 //! Everything compiles for `wasm32-unknown-unknown`. Read files as bytes, keep maps in memory, and draw on a
@@ -81,6 +88,9 @@ pub use relief_bake as bake;
 /// Methods beside the truth and beside each other: how wrong, how costly, how they look.
 #[cfg(feature = "compare")]
 pub use relief_compare as compare;
+/// Methods as shaders for other programs, in any shading language, with a manifest of what they bind.
+#[cfg(feature = "export")]
+pub use relief_export as export;
 /// Height maps, pictures, normal maps and meshes from files, and pictures, float channels and meshes to
 /// files.
 #[cfg(feature = "io")]

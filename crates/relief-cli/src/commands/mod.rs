@@ -15,5 +15,6 @@ pub mod placed;
 pub mod render;
 pub mod scene;
 pub mod scene_arguments;
+pub mod shader;
 pub mod staged;
 pub mod stages;

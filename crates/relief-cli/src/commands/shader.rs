@@ -1,0 +1,264 @@
+//! `relief shader`: a method as a shader for other programs, and what they bind, as JSON.
+
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use relief_bake::KINDS;
+use relief_core::registry::MapMetric;
+use relief_export::{ExportError, Exported, File, Options, Placement, Profile, Target, export};
+use relief_shaders::wgsl::Sampling;
+use relief_shaders::{
+    AMBIENT, DETAIL, METHODS, MapNeed, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, SURFACE, Selection,
+    SelectionError,
+};
+use serde_json::{Value, json};
+
+use super::staged::Staged;
+use crate::failure::Failure;
+use crate::streams::answer;
+use crate::{interrupt, values};
+
+/// What `relief shader` is given.
+#[derive(Args)]
+#[command(after_help = short_help(), after_long_help = after_help())]
+pub struct Arguments {
+    #[arg(
+        long,
+        value_name = "NAME",
+        conflicts_with_all = ["search", "refine"],
+        required_unless_present = "search",
+        help_heading = "Method",
+        help = method_help(),
+    )]
+    method: Option<String>,
+    /// Search, together with --refine in place of a method
+    #[arg(long, value_name = "NAME", requires = "refine", help_heading = "Method")]
+    search: Option<String>,
+    /// Refinement, together with --search in place of a method
+    #[arg(long, value_name = "NAME", requires = "search", help_heading = "Method")]
+    refine: Option<String>,
+    #[arg(long, value_name = "NAME", help_heading = "Method", help = variants("Surface", SURFACE))]
+    surface: Option<String>,
+    #[arg(long, value_name = "NAME", help_heading = "Method", help = variants("Shadow", SHADOW))]
+    shadow: Option<String>,
+    /// Search for the rays of shadows, as in --search [default: that of the view where it can, else cells]
+    #[arg(long, value_name = "NAME", help_heading = "Method")]
+    shadow_search: Option<String>,
+    #[arg(long, value_name = "NAME", help_heading = "Method", help = variants("Levels of detail", DETAIL))]
+    detail: Option<String>,
+    #[arg(long, value_name = "NAME", help_heading = "Method", help = variants("Ambient light", AMBIENT))]
+    ambient: Option<String>,
+    /// Value to begin with of a stage's setting, as in search.steps=64; it stays in the uniform buffer, and
+    /// NAME.json says where; may be repeated
+    #[arg(long, value_name = "STAGE.NAME=VALUE", value_parser = values::setting, help_heading = "Method")]
+    set: Vec<(String, f64)>,
+    /// Let fragments write the depth of what they show, by frame.clip, so that other geometry meets the
+    /// relief where it is; shaders of the surfaces prism and tetrahedra always do
+    #[arg(long)]
+    depth: bool,
+    /// Languages to write: wgsl, glsl, hlsl, msl, spirv
+    #[arg(long, value_name = "NAME[,NAME...]", value_delimiter = ',', required = true)]
+    target: Vec<String>,
+    /// Version of a target: core450 or es310 of glsl, 5.1 or 6.0 of hlsl, 2.0 of msl, 1.3 of spirv [default:
+    /// the first of each]
+    #[arg(long, value_name = "NAME[,NAME...]", value_delimiter = ',')]
+    profile: Vec<String>,
+    /// How maps are read: exact, texel by texel with the same bits everywhere, or fast, through a sampler
+    #[arg(long, value_name = "exact|fast", default_value_t)]
+    sampling: Sampling,
+    /// Bind everything in this group: the descriptor set of SPIR-V, the register space of HLSL; GLSL and MSL
+    /// have none [default: the maps in 0, the mesh in 1]
+    #[arg(long, value_name = "N")]
+    group: Option<u32>,
+    /// Number of the first binding of the --group; the others follow in the order of NAME.json. MSL counts
+    /// buffers, textures and samplers each from here [default: 0]
+    #[arg(long, value_name = "N", requires = "group")]
+    first_binding: Option<u32>,
+    /// What the files are called before their endings [default: the method, or SEARCH-REFINE]
+    #[arg(long, value_name = "NAME")]
+    name: Option<String>,
+    /// Folder for the files; it is made if it is missing, and files of these names are replaced
+    #[arg(short, long, value_name = "DIR")]
+    output: PathBuf,
+    /// Print one JSON object about the files
+    #[arg(long)]
+    pub json: bool,
+}
+
+const EXAMPLES: &str = "Examples:\n  relief shader --method cone --target wgsl -o shaders\n  \
+    relief shader --method relief --set search.steps=48 --target glsl,spirv --sampling fast -o shaders\n  \
+    relief shader --search frustum --refine patch --surface prism --shadow horizon \\\n    \
+    --target hlsl --profile 6.0 --group 2 -o shaders";
+
+fn short_help() -> String {
+    format!("{EXAMPLES}\n\n`relief shader --help` says what is in the files.")
+}
+
+/// Examples, what is written, and the profiles.
+fn after_help() -> String {
+    let mut text = format!(
+        "{EXAMPLES}\n\n\
+         Each target is one file with a vertex and a fragment function, NAME.wgsl, NAME.hlsl, NAME.metal or \
+         NAME.spv; of GLSL NAME.vert.glsl and NAME.frag.glsl. They draw a surface in a single pass: the \
+         triangles' corners come from storage buffers, every fragment's ray is traced through the relief, and \
+         what it meets is shaded, in linear colours. The functions below them can be called from shaders of \
+         one's own: shade_pixel is a whole pixel.\n\n\
+         The comment at the head of each file, and NAME.json for programs, say what is bound where and what \
+         fills it, which maps `relief bake` makes, the layout of the buffers, the target's own names, and the \
+         values to begin with. A shader serves every map, mesh and setting: only --method and the other \
+         stages, --sampling and --depth change its code.\n\n\
+         With --group N all bindings are in that group, numbered from --first-binding in the order of \
+         NAME.json; without it they are where relief's own shaders have them, and in GLSL storage buffers \
+         come first.\n\n\
+         All files get their names at the end, or none.\n\n\
+         Profiles:\n"
+    );
+    for target in Target::ALL {
+        for profile in target.profiles() {
+            text += &format!("  {target} {}: {}\n", profile.name(), profile.title());
+        }
+    }
+    text + "\nMethods of displaced triangles (vertex, remesh, tessellate) have no shader of their own: `relief \
+            mesh` makes such meshes, and --surface facets --search none --refine none --shadow none shades them."
+}
+
+fn method_help() -> String {
+    let names = METHODS.iter().filter(|method| method.geometry == METHODS[0].geometry);
+    format!("Method: {}", names.map(|method| method.name).collect::<Vec<_>>().join(", "))
+}
+
+/// The variants of a stage, of which the first is chosen where nobody does.
+fn variants(title: &str, place: usize) -> String {
+    let names: Vec<&str> = STAGES[place].entries.iter().map(|entry| entry.name).collect();
+    format!("{title}: {} [default: {}]", names.join(", "), names[0])
+}
+
+/// Writes the files.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let selection = arguments.selection()?;
+    let options = arguments.options()?;
+    let exported = export(&selection, &options).map_err(of_export)?;
+    let paths: Vec<PathBuf> = exported.files.iter().map(|file| arguments.output.join(&file.name)).collect();
+    write(&exported, &paths, arguments.json)?;
+    answer(|out| {
+        if arguments.json {
+            let file = |(path, file): (&PathBuf, &File)| json!({ "path": path, "bytes": file.bytes.len() });
+            let files: Value = paths.iter().zip(&exported.files).map(file).collect();
+            return Ok(writeln!(out, "{:#}", json!({ "files": files }))?);
+        }
+        for (path, file) in paths.iter().zip(&exported.files) {
+            writeln!(out, "{}: {} bytes", path.display(), file.bytes.len())?;
+        }
+        Ok(())
+    })
+}
+
+/// Writes all files, or none.
+fn write(exported: &Exported, paths: &[PathBuf], quiet: bool) -> Result<(), Failure> {
+    let cancel = interrupt::catch()?;
+    let outputs: Vec<&Path> = paths.iter().map(PathBuf::as_path).collect();
+    let mut staged = Staged::open(&outputs, quiet, cancel)?;
+    for (path, file) in outputs.iter().zip(&exported.files) {
+        let aside = staged.aside(path)?;
+        let written = std::fs::write(&aside, &file.bytes);
+        written.map_err(|error| Failure::Work(format!("{}: cannot be written: {error}", path.display())))?;
+    }
+    staged.finish()
+}
+
+impl Arguments {
+    /// The stages that are asked for.
+    fn selection(&self) -> Result<Selection, Failure> {
+        let mut selection = match (&self.method, &self.search, &self.refine) {
+            (None, Some(search), Some(refine)) => {
+                let mut selection = Selection::default();
+                choose(&mut selection, SEARCH, search)?;
+                choose(&mut selection, REFINE, refine)?;
+                selection
+            }
+            (method, ..) => {
+                let name = method.as_deref().unwrap_or_default();
+                Selection::method(name).map_err(|error| Failure::Usage(format!("--method: {error}")))?
+            }
+        };
+        // A search for shadows is chosen after the shadow, with which another one comes.
+        let stages = [
+            (SURFACE, &self.surface),
+            (DETAIL, &self.detail),
+            (SHADOW, &self.shadow),
+            (SHADOW_SEARCH, &self.shadow_search),
+            (AMBIENT, &self.ambient),
+        ];
+        for (stage, name) in stages {
+            if let Some(name) = name {
+                choose(&mut selection, stage, name)?;
+            }
+        }
+        for (key, value) in &self.set {
+            selection.set(key, *value).map_err(|error| Failure::Usage(format!("--set: {error}")))?;
+        }
+        Ok(selection)
+    }
+
+    fn options(&self) -> Result<Options, Failure> {
+        let targets = self.target.iter().map(|name| name.parse::<Target>());
+        let targets: Vec<Target> = targets
+            .collect::<Result<_, _>>()
+            .map_err(|error| Failure::Usage(format!("--target: {error}")))?;
+        let profiles = Profile::of_names(&targets, &self.profile)
+            .map_err(|error| Failure::Usage(format!("--profile: {error}")))?;
+        let first_binding = self.first_binding.unwrap_or_default();
+        Ok(Options {
+            name: self.name.clone().or_else(|| self.method.clone()),
+            sampling: self.sampling,
+            depth: self.depth,
+            profiles,
+            placement: self.group.map(|group| Placement { group, first_binding }),
+            bake: Some(bake_line),
+        })
+    }
+}
+
+fn choose(selection: &mut Selection, stage: usize, name: &str) -> Result<(), Failure> {
+    let key = STAGES[stage].key;
+    selection.choose(key, name).map_err(|error| Failure::Usage(format!("--{key}: {error}")))
+}
+
+/// The command line that bakes a map.
+fn bake_line(need: &MapNeed) -> String {
+    let kind = need.input.kind;
+    let params = KINDS.iter().find(|known| known.name == kind).map_or(&[][..], |known| known.params);
+    let is_default =
+        |name: &str, value: f32| params.iter().any(|param| param.name == name && param.default == value);
+    let mut line = format!("relief bake HEIGHT --kind {kind}");
+    for (name, value) in need.settings.iter().filter(|(name, value)| !is_default(name, *value)) {
+        line += &format!(" --set {kind}.{name}={value}");
+    }
+    if need.input.metric == MapMetric::Scene {
+        line += " --scale M --tile-size U,V";
+    }
+    line + " -o DIR"
+}
+
+/// What there can be no shader of, with the flag that mends it.
+fn of_export(error: ExportError) -> Failure {
+    match &error {
+        ExportError::Selection(
+            SelectionError::Impossible { key, .. }
+            | SelectionError::Surface { key, .. }
+            | SelectionError::OneLevel { key, .. },
+        ) => Failure::Usage(format!("--{key}: {error}")),
+        ExportError::Selection(SelectionError::Pair { taker: (key, _), .. }) => {
+            Failure::Usage(format!("--{key}: {error}"))
+        }
+        ExportError::Displaced { .. } => Failure::Usage(format!(
+            "--method: {error} (relief mesh does the first, --surface facets --search none --refine none --shadow none the other)"
+        )),
+        ExportError::OnlyCpu { .. } => Failure::Usage(format!("--shadow: {error}")),
+        ExportError::Name(_) => Failure::Usage(format!("--name: {error}")),
+        ExportError::SameFile(_) => Failure::Usage(format!("--target: {error}")),
+        ExportError::Placement { .. } => Failure::Usage(format!("--group, --first-binding: {error}")),
+        _ => Failure::work(error),
+    }
+}
