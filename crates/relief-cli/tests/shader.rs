@@ -121,7 +121,7 @@ fn wrong_lines_are_refused_with_what_is_wrong_and_what_there_is() {
         ("--method relief --set search.steps=0 --target wgsl", &["search.steps", "4096"]),
         ("--method relief --set search.step=4 --target wgsl", &["--set", "steps"]),
         ("--method cone --target wgsl --group 4", &["--group", "4", "3"]),
-        ("--method cone --target msl --group 0 --first-binding 30", &["--first-binding", "buffer"]),
+        ("--method cone --target msl --group 0 --first-binding 30", &["--first-binding", "msl", "30"]),
         ("--method cone --target glsl --group 0 --first-binding 4294967295", &["--first-binding", "255"]),
         ("--method cone --target wgsl --group -1", &["--group"]),
         ("--method cone --target wgsl --first-binding 3", &["--group"]),

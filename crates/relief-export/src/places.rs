@@ -56,8 +56,8 @@ fn glsl(bindings: &[Binding], options: &Options) -> Result<Vec<At>, ExportError>
         }
     };
     let mut places = vec![At::Binding { binding: 0 }; bindings.len()];
-    for (number, place) in (first..).zip(order) {
-        let [binding] = checked(Target::Glsl, [GLSL], [number])?;
+    for (number, place) in (0u32..).zip(order) {
+        let [binding] = checked(Target::Glsl, [GLSL], [first.saturating_add(number)])?;
         places[place] = At::Binding { binding };
     }
     Ok(places)
@@ -87,7 +87,7 @@ fn msl(bindings: &[Binding], options: &Options) -> Result<Vec<At>, ExportError> 
 pub fn next_buffer(places: &[At], options: &Options) -> Result<u32, ExportError> {
     let first = options.placement.map_or(0, |placement| placement.first_binding);
     let used = places.iter().filter(|place| matches!(place, At::Buffer { .. })).count() as u32;
-    checked(Target::Msl, [MSL[0]], [first + used]).map(|[slot]| slot)
+    checked(Target::Msl, [MSL[0]], [first.saturating_add(used)]).map(|[slot]| slot)
 }
 
 fn checked<const N: usize>(

@@ -8,7 +8,7 @@ use relief_shaders::bindings::Binding;
 use relief_shaders::surface::Proposal;
 use relief_shaders::wgsl::{Parts, Root};
 
-use crate::{ExportError, Options, Placement, Target};
+use crate::{ExportError, Options, Placement, Target, places};
 
 /// A shader, parsed.
 pub struct Program {
@@ -45,6 +45,10 @@ impl Program {
             for (place, binding) in (0u32..).zip(&mut parts.bindings) {
                 (binding.group, binding.number) = (group, first_binding.saturating_add(place));
             }
+        }
+        // What no target has is told as that, not as a shader that is not valid.
+        for profile in &options.profiles {
+            places::places(profile.target(), &parts.bindings, options)?;
         }
         let code = parts.code();
         let parsed = naga::front::wgsl::parse_str(&code);

@@ -220,9 +220,14 @@ fn what_no_shader_can_is_refused() {
         let options = Options { name: Some(name.to_owned()), ..wgsl.clone() };
         assert_eq!(export(&cone, &options), Err(ExportError::Name(name.to_owned())));
     }
-    for (profile, group, first_binding) in
-        [(Profile::Wgsl, 4, 0), (Profile::Msl20, 0, 30), (Profile::Core450, 0, 250)]
-    {
+    for (profile, group, first_binding) in [
+        (Profile::Wgsl, 4, 0),
+        (Profile::Msl20, 0, 30),
+        (Profile::Core450, 0, 250),
+        (Profile::Core450, 0, u32::MAX),
+        (Profile::Spirv13, 0, u32::MAX),
+        (Profile::Hlsl51, u32::MAX, u32::MAX),
+    ] {
         let placement = Some(Placement { group, first_binding });
         let error =
             export(&cone, &Options { placement, ..options(&[profile]) }).expect_err("beyond the last");

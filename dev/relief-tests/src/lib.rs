@@ -7,6 +7,7 @@ pub mod baked;
 pub mod brute;
 pub mod cast;
 pub mod claims;
+pub mod compilers;
 pub mod curved;
 pub mod detail;
 pub mod displaced;

@@ -69,11 +69,11 @@ pub struct Arguments {
     sampling: Sampling,
     /// Bind everything in this group: the descriptor set of SPIR-V, the register space of HLSL; GLSL and MSL
     /// have none [default: the maps in 0, the mesh in 1]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
     group: Option<u32>,
     /// Number of the first binding of the --group; the others follow in the order of NAME.json. MSL counts
     /// buffers, textures and samplers each from here [default: 0]
-    #[arg(long, value_name = "N", requires = "group")]
+    #[arg(long, value_name = "N", requires = "group", allow_hyphen_values = true)]
     first_binding: Option<u32>,
     /// What the files are called before their endings [default: the method, or SEARCH-REFINE]
     #[arg(long, value_name = "NAME")]
