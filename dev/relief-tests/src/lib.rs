@@ -11,6 +11,7 @@ pub mod compilers;
 pub mod curved;
 pub mod detail;
 pub mod displaced;
+pub mod exported;
 pub mod glb;
 pub mod judge;
 pub mod maps;

@@ -1,0 +1,126 @@
+//! Exported shaders, bound by nothing but their manifests, beside the project's own renderer: the same bits.
+
+use relief_core::Wrap;
+use relief_export::{Exported, Options, Placement, Profile, export};
+use relief_render::gpu::GpuRenderer;
+use relief_shaders::Selection;
+use relief_shaders::wgsl::Sampling;
+use relief_tests::compilers;
+use relief_tests::exported::{Device, Language, draw};
+use relief_tests::one_source::picture::{Picture, Variation};
+
+/// Columns and rows: 100,000 rays.
+const SIZE: [u32; 2] = [400, 250];
+
+/// A device; where there is none the test says that it skips, unless one is required.
+fn device() -> Option<Device> {
+    let device = Device::open();
+    let is_required = std::env::var_os("RELIEF_REQUIRE_GPU").is_some_and(|value| value == "1");
+    assert!(device.is_some() || !is_required, "RELIEF_REQUIRE_GPU is 1: there is no software adapter");
+    if device.is_none() {
+        println!("skipped: there is no software adapter");
+    }
+    device
+}
+
+fn selection(method: &str, shadow: &str, ambient: &str) -> Selection {
+    let mut selection = Selection::method(method).expect("a method");
+    selection.choose("shadow", shadow).expect("a shadow");
+    selection.choose("ambient", ambient).expect("an ambient light");
+    selection
+}
+
+fn picture(selection: &Selection, wrap: Wrap) -> Picture {
+    let variation = Variation { selection, wrap, normal_map: false, two_sided: true };
+    Picture::new(SIZE[0], SIZE[1], &variation)
+}
+
+fn exported(selection: &Selection, placement: Option<Placement>) -> Exported {
+    let profiles = vec![Profile::Wgsl, Profile::Spirv13, Profile::Core450, Profile::Hlsl51];
+    let options = Options { profiles, placement, depth: true, ..Options::default() };
+    export(selection, &options).expect("an export")
+}
+
+/// The renderer's linear colours.
+fn rendered(device: &Device, picture: &Picture) -> Vec<[f32; 4]> {
+    let mut renderer = GpuRenderer::new(device.gpu());
+    let rendering = renderer.render(picture.job(), Sampling::Exact, &|_| ()).expect("a picture");
+    rendering.pixels.iter().map(|pixel| pixel.color).map(|of| [of.x, of.y, of.z, of.w]).collect()
+}
+
+/// How a picture differs from another one of the same size.
+struct Difference {
+    /// Pixels with other bits.
+    bits: usize,
+    /// Pixels of which a colour is off by more than rounding explains.
+    far: usize,
+    /// Pixels that show a surface.
+    covered: usize,
+}
+
+fn compare(a: &[[f32; 4]], b: &[[f32; 4]]) -> Difference {
+    assert_eq!(a.len(), b.len());
+    let count =
+        |is_it: &dyn Fn(&[f32; 4], &[f32; 4]) -> bool| a.iter().zip(b).filter(|(a, b)| is_it(a, b)).count();
+    Difference {
+        bits: count(&|a, b| a.map(f32::to_bits) != b.map(f32::to_bits)),
+        far: count(&|a, b| a.iter().zip(b).any(|(a, b)| (a - b).abs() > 1e-4)),
+        covered: count(&|a, _| a[3] > 0.0),
+    }
+}
+
+const CASES: [(&str, &str, &str, Wrap); 3] = [
+    ("cone", "ray", "constant", Wrap::Repeat),
+    ("relief", "heuristic", "constant", Wrap::Mirror),
+    ("exact", "horizon", "occlusion", Wrap::Clamp),
+];
+
+#[test]
+fn an_export_bound_by_its_manifest_gives_the_bits_of_the_renderer() {
+    let Some(device) = device() else { return };
+    let mut languages = vec![Language::Wgsl, Language::Spirv];
+    if compilers::are_there() {
+        languages.extend([Language::Glsl, Language::Hlsl]);
+    }
+    for (method, shadow, ambient, wrap) in CASES {
+        let selection = selection(method, shadow, ambient);
+        let picture = picture(&selection, wrap);
+        let own = rendered(&device, &picture);
+        let check = |export: &Exported, language| {
+            let drawn = draw(&device, export, picture.job(), language);
+            let Difference { bits, far, covered } = compare(&own, &drawn);
+            assert!(covered > 25_000, "{covered}");
+            // The compiler of HLSL rounds otherwise: a ray at an edge may meet the other side of it.
+            let [most_bits, most_far] = if language == Language::Hlsl { [covered / 10, 100] } else { [0, 0] };
+            assert!(bits <= most_bits && far <= most_far, "{method} {shadow} in {language:?}: {bits}, {far}");
+        };
+        check(&exported(&selection, None), Language::Wgsl);
+        // The device numbers what it binds one after the other, whatever numbers it is told.
+        let export = exported(&selection, Some(Placement { group: 0, first_binding: 0 }));
+        languages.iter().for_each(|language| check(&export, *language));
+    }
+}
+
+#[test]
+fn a_mutated_export_gives_other_bits() {
+    let Some(device) = device() else { return };
+    let selection = selection("relief", "ray", "constant");
+    let picture = picture(&selection, Wrap::Mirror);
+    let (export, own) = (exported(&selection, None), rendered(&device, &picture));
+    // Of the shader, then of the manifest.
+    let mutations = [
+        (".wgsl", "while (k <= steps)", "while (k < steps)"),
+        (".wgsl", "return select(period - 1 - folded, folded, folded < n);", "return min(folded, n - 1);"),
+        (".wgsl", "let top = h.x + (h.y - h.x) * f.x;", "let top = h.x;"),
+        (".json", "\"name\": \"eye_right\"", "\"name\": \"forward\""),
+    ];
+    for (ending, from, to) in mutations {
+        let mut mutated = export.clone();
+        let file = mutated.files.iter_mut().find(|file| file.name.ends_with(ending)).expect("a file");
+        let text = String::from_utf8(file.bytes.clone()).expect("text");
+        assert!(text.contains(from), "{from}");
+        file.bytes = text.replace(from, to).into_bytes();
+        let drawn = draw(&device, &mutated, picture.job(), Language::Wgsl);
+        assert!(compare(&own, &drawn).bits > 0, "{from} as {to} is not noticed");
+    }
+}
