@@ -25,7 +25,7 @@
 //! assert_eq!(names, ["relief.wgsl", "relief.vert.glsl", "relief.frag.glsl", "relief.json"]);
 //! let heights = exported.manifest.bindings.iter().find(|bound| bound.name == "height_map");
 //! assert_eq!(heights.map(|bound| (bound.group, bound.binding)), Some((0, 1)));
-//! let steps = &exported.manifest.stages.iter().find(|stage| stage.stage == "search").unwrap().params[0];
+//! let steps = &exported.manifest.stages.iter().find(|stage| stage.stage == "search").expect("a search").params[0];
 //! assert_eq!((steps.name, steps.value), ("steps", 48.0));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
