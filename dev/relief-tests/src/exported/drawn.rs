@@ -96,10 +96,10 @@ fn compiled(file: &File, stage: &str, entry: &str, language: Language) -> Vec<u8
     let mut text = String::from_utf8_lossy(&file.bytes).into_owned();
     if language == Language::Glsl {
         // OpenGL's textures have samplers, which the device has not where texels alone are loaded; and
-        // Vulkan's GLSL counts vertices under another name.
+        // Vulkan's GLSL counts vertices under other names.
         text = text.replacen('\n', "\n#extension GL_EXT_samplerless_texture_functions : require\n", 1);
-        text =
-            text.replace("uniform sampler2D", "uniform texture2D").replace("gl_VertexID", "gl_VertexIndex");
+        text = text.replace("uniform sampler2D", "uniform texture2D");
+        text = text.replace("gl_VertexID", "gl_VertexIndex").replace("gl_InstanceID", "gl_InstanceIndex");
     }
     std::fs::write(folder.path().join(&file.name), text).expect("the folder is writable");
     let short = if stage == "vertex" { "vert" } else { "frag" };
@@ -195,10 +195,17 @@ pub fn draw(device: &Device, exported: &Exported, job: &Job, language: Language)
         bound.push(gpu.create_bind_group(&descriptor));
         layouts.push(layout);
     }
-    let pipeline = pipeline(device, exported, &target["files"], &layouts, job, language);
-    let per_triangle = manifest["draw"]["vertices_per_triangle"].as_u64().expect("a number") as u32;
+    let how = &manifest["draw"];
+    let is_two_sided = job.surfaces[0].two_sided;
+    let cull = match how["cull"].as_str().expect("faces") {
+        "front" => Some(wgpu::Face::Front),
+        _ => (!is_two_sided).then_some(wgpu::Face::Back),
+    };
+    let pipeline = pipeline(device, exported, &target["files"], &layouts, cull, language);
+    let per_triangle = how["vertices_per_triangle"].as_u64().expect("a number") as u32;
     let vertices = per_triangle * job.surfaces[0].triangles.len() as u32;
-    picture(device, &pipeline, &bound, vertices, [job.width, job.height])
+    let has_backs = is_two_sided && how["instances"].as_str().expect("instances").ends_with('2');
+    picture(device, &pipeline, &bound, [vertices, 1 + u32::from(has_backs)], [job.width, job.height])
 }
 
 fn pipeline(
@@ -206,7 +213,7 @@ fn pipeline(
     exported: &Exported,
     files: &Json,
     layouts: &[wgpu::BindGroupLayout],
-    job: &Job,
+    cull_mode: Option<wgpu::Face>,
     language: Language,
 ) -> wgpu::RenderPipeline {
     let layouts: Vec<_> = layouts.iter().map(Some).collect();
@@ -217,7 +224,6 @@ fn pipeline(
     });
     let [vertex, fragment] =
         ["vertex", "fragment"].map(|name| stage(device, exported, files, name, language));
-    let cull_mode = (!job.surfaces[0].two_sided).then_some(wgpu::Face::Back);
     device.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: None,
         layout: Some(&layout),
@@ -247,12 +253,12 @@ fn pipeline(
     })
 }
 
-/// Draws so many vertices, and reads the colours back.
+/// Draws so many vertices of so many instances, and reads the colours back.
 fn picture(
     Device { device, queue }: &Device,
     pipeline: &wgpu::RenderPipeline,
     bound: &[wgpu::BindGroup],
-    vertices: u32,
+    [vertices, instances]: [u32; 2],
     [width, height]: [u32; 2],
 ) -> Vec<[f32; 4]> {
     let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
@@ -301,7 +307,7 @@ fn picture(
     for (number, group) in (0..).zip(bound) {
         pass.set_bind_group(number, group, &[]);
     }
-    pass.draw(0..vertices, 0..1);
+    pass.draw(0..vertices, 0..instances);
     drop(pass);
     let layout =
         wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(bytes_per_row), rows_per_image: None };
