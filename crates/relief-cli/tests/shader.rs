@@ -92,6 +92,11 @@ fn flags_choose_sampling_depth_places_and_names() {
     }
     folder.relief("shader --search linear --refine secant --target wgsl -o out").fine();
     assert!(folder.path("out/linear-secant.wgsl").is_file());
+    // What shows displaced triangles, as the refusal of their methods says.
+    let refusal = folder.relief("shader --method vertex --target wgsl -o out").stderr;
+    let facets = "--surface facets --search none --refine none --shadow none";
+    assert!(refusal.contains(facets), "{refusal}");
+    folder.relief(&format!("shader {facets} --target wgsl -o out")).fine();
 }
 
 #[test]

@@ -69,10 +69,12 @@ fn drawn(draw: &Draw) -> String {
     let Draw { vertices_per_triangle, instances, cull, front_face, depth } = draw;
     let depth = if *depth { "Fragments write depth" } else { "Fragments leave depth to the triangles" };
     format!(
-        "// Drawn without vertex buffers: {vertices_per_triangle} vertices for each triangle of the mesh; instances: \
-         {instances}.\n// Culled: {cull}; front faces are {front_face} as they are seen. {depth}.\n\
-         // Fragments hold linear colours. The clip space is that of frame.view_projection; rays are made from the\n\
-         // fragment's position and frame.corner, frame.right and frame.down, which say where that is (0, 0).\n"
+        "// Drawn without vertex buffers: {vertices_per_triangle} vertices for each triangle; \
+         instances: {instances}.\n\
+         // Culled: {cull}; front faces are {front_face} as they are seen. {depth}.\n\
+         // Fragments hold linear colours. The clip space is that of frame.view_projection; rays are made\n\
+         // from the fragment's position, and from frame.corner, where that is (0, 0), frame.right and\n\
+         // frame.down.\n"
     )
 }
 

@@ -25,8 +25,9 @@
 //! assert_eq!(names, ["relief.wgsl", "relief.vert.glsl", "relief.frag.glsl", "relief.json"]);
 //! let heights = exported.manifest.bindings.iter().find(|bound| bound.name == "height_map");
 //! assert_eq!(heights.map(|bound| (bound.group, bound.binding)), Some((0, 1)));
-//! let steps = &exported.manifest.stages.iter().find(|stage| stage.stage == "search").expect("a search").params[0];
-//! assert_eq!((steps.name, steps.value), ("steps", 48.0));
+//! let search = exported.manifest.stages.iter().find(|stage| stage.stage == "search");
+//! let steps = search.and_then(|search| search.params.first());
+//! assert_eq!(steps.map(|param| (param.name, param.value)), Some(("steps", 48.0)));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -424,8 +424,9 @@ pub const MODULES: &[Module] = &[
 //
 // Zhukov, Iones and Kronin 1998; horizons as in Szirmay-Kalos and Umenhoffer 2008, section 6.1.
 "# },
-    Module { path: "roots/draw", head: r#"// A surface in a single pass, for any engine: the base mesh is rasterised, every fragment's ray traced, and what
-// it meets shaded. A program whose meshes come otherwise calls `shade_pixel` from a fragment function of its own.
+    Module { path: "roots/draw", head: r#"// A surface in a single pass, for any engine: the base mesh is rasterised, every fragment's ray traced, and
+// what it meets shaded. A program whose meshes come otherwise calls `shade_pixel` from a fragment function of
+// its own.
 "# },
     Module { path: "roots/probe", head: r#"// The stages one after the other over a list of rays, with every stage's result: for tests that hold the GPU
 // to the translation, and for measurements of the stages alone.

@@ -11,8 +11,8 @@ use relief_shaders::{METHODS, Selection, Stage, stage};
 use relief_tests::compilers::{self, GLSLANG, SPIRV_VAL, run};
 use relief_tests::pairs;
 
-/// The languages that have two versions are written in turns. Of MSL there is no compiler here: that it can be
-/// written is all that is seen.
+/// The languages that have two versions are written in turns. Of MSL there is no compiler here: that it can
+/// be written is all that is seen.
 const TURNS: [&[Profile]; 2] = [
     &[Profile::Wgsl, Profile::Core450, Profile::Hlsl51, Profile::Msl20, Profile::Spirv13],
     &[Profile::Es310, Profile::Hlsl60],

@@ -91,6 +91,9 @@ const EXAMPLES: &str = "Examples:\n  relief shader --method cone --target wgsl -
     relief shader --search frustum --refine patch --surface prism --shadow horizon \\\n    \
     --target hlsl --profile 6.0 --group 2 -o shaders";
 
+/// The flags of a shader that shows triangles as they are.
+const FACETS: &str = "--surface facets --search none --refine none --shadow none";
+
 fn short_help() -> String {
     format!("{EXAMPLES}\n\n`relief shader --help` says what is in the files.")
 }
@@ -101,13 +104,13 @@ fn after_help() -> String {
         "{EXAMPLES}\n\n\
          Each target is one file with a vertex and a fragment function, NAME.wgsl, NAME.hlsl, NAME.metal or \
          NAME.spv; of GLSL NAME.vert.glsl and NAME.frag.glsl. They draw a surface in a single pass: the \
-         triangles' corners come from storage buffers, every fragment's ray is traced through the relief, and \
-         what it meets is shaded, in linear colours. The functions below them can be called from shaders of \
-         one's own: shade_pixel is a whole pixel.\n\n\
+         triangles' corners come from storage buffers, every fragment's ray is traced through the \
+         relief, and what it meets is shaded, in linear colours. The functions below them can be \
+         called from shaders of one's own: shade_pixel is a whole pixel.\n\n\
          The comment at the head of each file, and NAME.json for programs, say what is bound where and what \
-         fills it, which maps `relief bake` makes, the layout of the buffers, the target's own names, and the \
-         values to begin with. A shader serves every map, mesh and setting: only --method and the other \
-         stages, --sampling and --depth change its code.\n\n\
+         fills it, which maps `relief bake` makes, the layout of the buffers, the target's own names, \
+         and the values to begin with. A shader serves every map, mesh and setting: only --method and the \
+         other stages, --sampling and --depth change its code.\n\n\
          With --group N all bindings are in that group, numbered from --first-binding in the order of \
          NAME.json; without it they are where relief's own shaders have them, and in GLSL storage buffers \
          come first.\n\n\
@@ -119,8 +122,10 @@ fn after_help() -> String {
             text += &format!("  {target} {}: {}\n", profile.name(), profile.title());
         }
     }
-    text + "\nMethods of displaced triangles (vertex, remesh, tessellate) have no shader of their own: `relief \
-            mesh` makes such meshes, and --surface facets --search none --refine none --shadow none shades them."
+    text + "\nMethods of displaced triangles (vertex, remesh, tessellate) have no shader of their own: \
+            `relief mesh` makes such meshes, and "
+        + FACETS
+        + " shades them."
 }
 
 fn method_help() -> String {
@@ -252,9 +257,9 @@ fn of_export(error: ExportError) -> Failure {
         ExportError::Selection(SelectionError::Pair { taker: (key, _), .. }) => {
             Failure::Usage(format!("--{key}: {error}"))
         }
-        ExportError::Displaced { .. } => Failure::Usage(format!(
-            "--method: {error} (relief mesh does the first, --surface facets --search none --refine none --shadow none the other)"
-        )),
+        ExportError::Displaced { .. } => {
+            Failure::Usage(format!("--method: {error} (relief mesh does the first, {FACETS} the other)"))
+        }
         ExportError::OnlyCpu { .. } => Failure::Usage(format!("--shadow: {error}")),
         ExportError::Name(_) => Failure::Usage(format!("--name: {error}")),
         ExportError::SameFile(_) => Failure::Usage(format!("--target: {error}")),
