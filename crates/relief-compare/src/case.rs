@@ -56,14 +56,27 @@ impl<'a> Case<'a> {
         self.judge(&hits(tracer, &self.paths, lanes))
     }
 
-    /// How wrong these hits of the rays are.
+    /// How wrong these hits of the rays are; see [`judged`].
     ///
     /// # Panics
     ///
     /// When there are not as many as rays.
     pub fn judge(&self, hits: &[Hit]) -> ErrorReport {
-        compare(&self.truth, hits, self.map).unwrap_or_else(|error| panic!("{error}"))
+        judged(&self.truth, hits, self.map)
     }
+}
+
+/// How wrong hits are. Where a method ran out of steps it is judged by the last point that it reached, which
+/// is what a picture shows.
+///
+/// # Panics
+///
+/// When there are not as many as true ones.
+pub fn judged(truth: &[ExactHit], hits: &[Hit], map: &HeightMap) -> ErrorReport {
+    let shown: Vec<Hit> = hits.iter().map(|hit| Hit { exhausted: false, ..*hit }).collect();
+    let report = compare(truth, &shown, map).unwrap_or_else(|error| panic!("{error}"));
+    let exhausted = hits.iter().filter(|hit| hit.exhausted).count();
+    ErrorReport { exhausted: exhausted as f64 / hits.len().max(1) as f64, ..report }
 }
 
 /// The hits of a method.

@@ -24,7 +24,7 @@ pub struct Candidate {
     /// How textures were read there.
     pub sampling: String,
     /// Texels that 99 of 100 rays keep, at the worst angle, scale and level; of methods that send no rays, in
-    /// pictures. Infinite where more than one of 100 misses, hits nothing that is there, or ran out of steps.
+    /// pictures. Infinite where more than one of 100 misses, or hits what is not there.
     pub p99_texels: f64,
     /// Milliseconds of a frame: the median, at the worst scale and level.
     pub frame_ms: f64,
@@ -58,7 +58,7 @@ impl Goal {
 
 /// Texels that 99 of 100 rays keep.
 fn kept(error: &ErrorRecord) -> f64 {
-    let without = error.missed + error.false_hits + error.exhausted;
+    let without = error.missed + error.false_hits;
     if without > 0.01 { f64::INFINITY } else { error.p99_texels }
 }
 
@@ -149,9 +149,9 @@ mod tests {
     }
 
     #[test]
-    fn hits_that_are_none_are_not_near() {
+    fn misses_are_not_near() {
         let mut records = records(&[("short", [0.0, 0.0], 1.0), ("cone", [0.1, 0.1], 2.0)]);
-        records.rays[1].error.exhausted = 0.02;
+        records.rays[1].error.missed = 0.02;
         let tried = choose(&records, Goal::WithinTexels(1.0));
         assert_eq!((names(&tried), tried.keep), (vec!["cone", "short"], 1));
         assert_eq!(tried.candidates[1].p99_texels, f64::INFINITY);

@@ -43,7 +43,7 @@ mod spread;
 /// A map to try methods on: a PNG of 256 x 256 texels of 16 bits, computed cobbles that tile.
 pub const COBBLES_PNG: &[u8] = include_bytes!("../data/cobbles.png");
 
-pub use case::{Case, cost, hits};
+pub use case::{Case, cost, hits, judged};
 pub use choose::{Candidate, Goal, Tried, choose};
 pub use comparison::{Comparison, Machine, MachineBackend, Timing, Watch};
 pub use contender::Contender;

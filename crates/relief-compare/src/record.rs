@@ -175,7 +175,7 @@ pub struct ErrorRecord {
     pub late: f64,
     /// Share of hits more than half a texel before the true one.
     pub early: f64,
-    /// Share that ran out of steps.
+    /// Share that ran out of steps; they are judged by the last point that they reached.
     pub exhausted: f64,
     /// Distance from the true hit in texels: mean.
     pub mean_texels: f64,

@@ -2,15 +2,16 @@
 
 use relief_core::Hit;
 use relief_core::exact::ExactHit;
-use relief_core::metrics::{CostReport, compare};
+use relief_core::metrics::CostReport;
 use relief_maps::Maps;
 use relief_render::camera::Camera;
 use relief_render::scene::{Scene, Surface};
 use relief_render::{RenderError, Rendered, Renderer};
 use relief_shaders::Selection;
 
-use super::reference::{hit_of, in_tile_of, is_flat, judged, selection, truth};
+use super::reference::{hit_of, in_tile_of, is_flat, seen_by_judge, selection, truth};
 use super::{Baked, Compared, Done, Reference, Shown};
+use crate::case::judged;
 use crate::comparison::{Comparison, Machine, MachineBackend, Watch};
 use crate::contender::Contender;
 use crate::error::CompareError;
@@ -120,7 +121,7 @@ impl Comparison {
         let hits = if is_flat {
             rendered.rendering.pixels.iter().map(|pixel| truth(hit_of(pixel))).collect()
         } else {
-            judged(subject, self.scene.camera(), self.scene.size())?
+            seen_by_judge(subject, self.scene.camera(), self.scene.size())?
         };
         let image = Image::of(&rendered.rendering, &self.scene.look())?;
         let still = match self.flicker_samples {
@@ -182,8 +183,7 @@ impl Comparison {
             && !(machine.backend == MachineBackend::Cpu && contender.selection.is_exact());
         let on_surface = hits.iter().zip(&truth.hits).filter(|(hit, truth)| hit.found || truth.hit.found);
         let on_surface: Vec<Hit> = on_surface.map(|(hit, _)| *hit).collect();
-        // As many as pixels, both.
-        let report = compare(&truth.hits, &hits, heights).unwrap_or_default();
+        let report = judged(&truth.hits, &hits, heights);
         let difference = flip(&truth.image, &image, PIXELS_PER_DEGREE)?;
         compared.records.pictures.push(PictureRecord {
             method: MethodRecord::of(contender, heights, &of_method),

@@ -70,7 +70,7 @@ pub fn truth(hit: Hit) -> ExactHit {
 }
 
 /// What the judge of displaced meshes sees at the centre of every pixel.
-pub fn judged(
+pub fn seen_by_judge(
     surface: &Surface,
     camera: &Camera,
     [columns, rows]: [u32; 2],
