@@ -8,7 +8,6 @@ use relief_core::metrics::{CostReport, CostSpread};
 use relief_shaders::{METHODS, Selection};
 use relief_tests::accuracy::{ANGLES, Named, case, maps, picture_cost, report_with};
 use relief_tests::baked::{maps_for, slots};
-use relief_tests::claims::{Measure, verdicts};
 
 use crate::table::table;
 
@@ -38,7 +37,6 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         "Doubling the linear steps: mean error in texels over all maps and angles\n{}\n",
         doubling(&maps, arguments.rays)?
     );
-    println!("What the survey says of the order\n{}", order(&maps, arguments.rays));
     Ok(())
 }
 
@@ -179,28 +177,4 @@ fn doubling(maps: &[Named], rays: usize) -> Result<Table, String> {
         table.add_row(row);
     }
     Ok(table)
-}
-
-fn order(maps: &[Named], rays: usize) -> Table {
-    let mut table =
-        table(&["section", "claim", "nearer", "farther", "measure", "nearer's", "farther's", "verdict"]);
-    for verdict in verdicts(maps, rays) {
-        let claim = verdict.claim;
-        let measure = match claim.measure {
-            Measure::Median => "median texels",
-            Measure::Tail => "p99 texels",
-            Measure::Passed => "passed, share",
-        };
-        table.add_row([
-            claim.section.to_owned(),
-            claim.text.to_owned(),
-            claim.better.to_string(),
-            claim.worse.to_string(),
-            measure.to_owned(),
-            format!("{:.5}", verdict.better),
-            format!("{:.5}", verdict.worse),
-            if verdict.holds() { "holds" } else { "refuted" }.to_owned(),
-        ]);
-    }
-    table
 }

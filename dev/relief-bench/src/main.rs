@@ -9,6 +9,7 @@ use clap::{Parser, Subcommand};
 mod accuracy;
 mod adapt;
 mod bake;
+mod claims;
 mod compare;
 mod cost;
 mod cracks;
@@ -44,12 +45,14 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// How near every method comes to the truth, and whether the survey's order holds
+    /// How near every method comes to the truth, and what its rays cost
     Accuracy(accuracy::Arguments),
     /// Triangles and seconds that a plane to an error takes, beside packages of PyPI
     Adapt(adapt::Arguments),
     /// Time and memory of every kind of map
     Bake(bake::Arguments),
+    /// What the papers say of the methods, one by one, and whether it holds
+    Claims(claims::Arguments),
     /// All methods on several maps, their errors against their times, their times against the map's size
     Compare(compare::Arguments),
     /// Time of a frame of every surface, beside one of `plane`
@@ -93,6 +96,7 @@ fn main() -> ExitCode {
         Command::Accuracy(arguments) => accuracy::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Adapt(arguments) => adapt::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Bake(arguments) => bake::run(&arguments),
+        Command::Claims(arguments) => claims::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Compare(arguments) => compare::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Cost(arguments) => cost::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Cracks(arguments) => cracks::run(&arguments),

@@ -10,6 +10,7 @@ use relief_compare::{Comparison, Contender, Machine, Records, Watch};
 use relief_core::HeightMap;
 use relief_render::mesh::square;
 use relief_render::scene::{Scene, Surface};
+use relief_shaders::{SHADOW, STAGES, Selection};
 
 /// What `compare` is given.
 #[derive(Args)]
@@ -53,7 +54,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
 /// How deep the relief is, in tiles.
 const SCALE_M: f64 = 0.1;
 
-/// A comparison on a square of a tile of that map, in pictures of that size.
+/// A comparison on a square of a tile of that map, in pictures of that size, without shadows.
 fn on_square(
     name: &str,
     map: HeightMap,
@@ -62,7 +63,10 @@ fn on_square(
 ) -> Result<Comparison, String> {
     let map = map.with_displacement(SCALE_M, -SCALE_M).map_err(|error| error.to_string())?;
     let mesh = square(1).map_err(|error| error.to_string())?;
-    let scene = Scene::builder(Surface::new(mesh, map)).size(size[0], size[1]).samples(1);
+    let mut selection = Selection::exact();
+    selection.choose(STAGES[SHADOW].key, "none").map_err(|error| error.to_string())?;
+    let surface = Surface::new(mesh, map).with_selection(selection);
+    let scene = Scene::builder(surface).size(size[0], size[1]).samples(1);
     let mut comparison = Comparison::new(name, scene.build().map_err(|error| error.to_string())?);
     (comparison.flicker_samples, comparison.timing, comparison.machines) = (None, None, machines);
     Ok(comparison)

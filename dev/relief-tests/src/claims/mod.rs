@@ -1,0 +1,181 @@
+//! What the papers say about the order of the methods, pair by pair, and whether it holds: a file a paper.
+
+mod pyramidal;
+mod survey;
+
+use relief_compare::Case;
+use relief_core::metrics::ErrorReport;
+use relief_shaders::Selection;
+
+use crate::accuracy::{ANGLES, Named, case, report_with};
+use crate::baked::{maps_for, slots};
+
+/// A method with settings, such as `occlusion search.steps=64`.
+#[derive(Clone, Copy, Debug)]
+pub struct Contender {
+    /// Name of the method.
+    pub method: &'static str,
+    /// Settings on top of the method's own.
+    pub settings: &'static [(&'static str, f64)],
+}
+
+/// What is compared. Smaller is better.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measure {
+    /// Median distance to the true hit, in texels.
+    Median,
+    /// 99th percentile of the distance, in texels.
+    Tail,
+    /// Share of rays that miss or hit more than half a texel too late: the first hit was passed.
+    Passed,
+    /// Share of rays that miss, hit what is not there, or hit more than half a texel too late or too early.
+    Off,
+    /// Mean reads of a ray.
+    Reads,
+    /// Bytes of the baked maps that are read.
+    MapBytes,
+}
+
+/// A claim: at some angles `better` has less of something than a part of what `worse` has.
+#[derive(Clone, Copy, Debug)]
+pub struct Claim {
+    /// The paper.
+    pub paper: &'static str,
+    /// Its section or figure.
+    pub section: &'static str,
+    /// The claim in words.
+    pub text: &'static str,
+    /// The method said to be better.
+    pub better: Contender,
+    /// The method said to be worse.
+    pub worse: Contender,
+    /// The part of what the worse one has that the better one stays below.
+    pub factor: f64,
+    /// Metres of displacement on a tile of 1 m.
+    pub scale_m: f64,
+    /// By what.
+    pub measure: Measure,
+    /// Where, in degrees from the normal.
+    pub angles: &'static [f64],
+    /// What was found when it was measured: whether the mean over the maps bears the claim out. A claim that
+    /// does not hold is recorded here, with its figures in the table, and not forgotten.
+    pub holds: bool,
+}
+
+const fn plain(method: &'static str) -> Contender {
+    Contender { method, settings: &[] }
+}
+
+const fn with(method: &'static str, settings: &'static [(&'static str, f64)]) -> Contender {
+    Contender { method, settings }
+}
+
+/// Metres of displacement that a tile of 1 m has as a rule, and of the deepest in the survey's pictures.
+const NORMAL_M: f64 = 0.05;
+const EXTREME_M: f64 = 0.3;
+
+const STEEP: &[f64] = &[10.0, 30.0];
+const GRAZING: &[f64] = &[85.0];
+const ALL: &[f64] = &ANGLES;
+
+/// A claim measured.
+pub struct Verdict {
+    /// The claim.
+    pub claim: &'static Claim,
+    /// Mean of the measure over maps and angles, of the method said to be better.
+    pub better: f64,
+    /// The same of the other.
+    pub worse: f64,
+}
+
+impl Verdict {
+    /// Whether what was measured bears the claim out.
+    pub fn holds(&self) -> bool {
+        self.better < self.claim.factor * self.worse
+    }
+}
+
+impl Contender {
+    /// Its stages.
+    ///
+    /// # Panics
+    ///
+    /// When the table above names what does not exist.
+    pub fn selection(&self) -> Selection {
+        let made = match self.method {
+            // The pair that has no name of its own.
+            "true-secant" => Selection::pair("linear", "true-secant"),
+            method => Selection::method(method),
+        };
+        let mut selection = made.unwrap_or_else(|error| panic!("{error}"));
+        for &(key, value) in self.settings {
+            selection.set(key, value).unwrap_or_else(|error| panic!("{error}"));
+        }
+        selection
+    }
+}
+
+impl std::fmt::Display for Contender {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.method)?;
+        self.settings.iter().try_for_each(|(key, value)| write!(f, " {key}={value}"))
+    }
+}
+
+impl Measure {
+    /// What tables call it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Measure::Median => "median texels",
+            Measure::Tail => "p99 texels",
+            Measure::Passed => "passed, share",
+            Measure::Off => "off, share",
+            Measure::Reads => "reads",
+            Measure::MapBytes => "bytes of maps",
+        }
+    }
+
+    fn of(self, report: &ErrorReport, map_bytes: u64) -> f64 {
+        let passed = report.missed + report.late;
+        match self {
+            Measure::Median => report.distance_texels.median,
+            Measure::Tail => report.distance_texels.p99,
+            Measure::Passed => passed,
+            Measure::Off => passed + report.early + report.false_hits,
+            Measure::Reads => report.mean_reads,
+            Measure::MapBytes => map_bytes as f64,
+        }
+    }
+}
+
+/// All claims, paper by paper.
+pub fn claims() -> impl Iterator<Item = &'static Claim> {
+    survey::CLAIMS.iter().chain(pyramidal::CLAIMS)
+}
+
+/// Measures every claim with that many rays a map and angle.
+///
+/// # Panics
+///
+/// When a map cannot be displaced so.
+pub fn verdicts(maps: &[Named], rays: usize) -> Vec<Verdict> {
+    let verdict = |claim: &'static Claim| {
+        let mut sums = [0.0; 2];
+        for Named { map, .. } in maps {
+            let map = map.clone().with_displacement(claim.scale_m, -claim.scale_m).expect("a length");
+            let cases: Vec<Case> = claim.angles.iter().map(|&degrees| case(&map, degrees, rays)).collect();
+            for (sum, contender) in sums.iter_mut().zip([claim.better, claim.worse]) {
+                let selection = contender.selection();
+                let baked = maps_for(&map, &selection);
+                let bytes = baked.iter().map(|map| map.layout().bytes()).sum();
+                let slots = slots(&map, &selection, &baked);
+                for case in &cases {
+                    *sum += claim.measure.of(&report_with(case, &selection, &slots), bytes);
+                }
+            }
+        }
+        let [better, worse] = sums.map(|sum| sum / (maps.len() * claim.angles.len()) as f64);
+        Verdict { claim, better, worse }
+    };
+    claims().map(verdict).collect()
+}
