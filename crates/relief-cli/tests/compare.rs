@@ -96,6 +96,8 @@ fn what_cannot_be_compared_is_told_and_nothing_is_written() {
         ("--map-sizes 5", 2, "--map-sizes"),
         ("--rays -1", 2, "--rays"),
         ("--rays 0", 2, "--rays"),
+        ("--rays 100000000", 1, "--max-memory"),
+        ("--size 16384x16384", 1, "--max-memory"),
         ("--size 0x12", 2, "--size"),
         ("--size 99999x12", 2, "--size"),
         ("--backend auto", 2, "--backend"),

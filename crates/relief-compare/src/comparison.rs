@@ -2,8 +2,8 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use relief_core::{HeightMap, Lanes};
-use relief_render::scene::{BackendChoice, Sampling, Scene, Surface};
+use relief_core::{ByteSize, HeightMap, Lanes};
+use relief_render::scene::{BackendChoice, DEFAULT_MAX_MEMORY, Sampling, Scene, Surface};
 
 use crate::contender::Contender;
 use crate::error::CompareError;
@@ -71,7 +71,15 @@ pub struct Comparison {
     pub timing: Option<Timing>,
     /// How many rays the CPU traces at once.
     pub lanes: Lanes,
+    /// The most memory that rays and pictures may take besides the maps.
+    pub max_memory: ByteSize,
 }
+
+/// Bytes of a ray with its path, its truth and a method's hit; of a pixel of a picture while it is compared,
+/// in all its steps; and of one that is kept for the page.
+const BYTES_PER_RAY: u64 = 512;
+const BYTES_PER_PIXEL: u64 = 768;
+const BYTES_PER_SHOWN_PIXEL: u64 = 16;
 
 /// How frames are timed. All methods take turns, so that what slows the machine for a while slows all of
 /// them.
@@ -138,6 +146,7 @@ impl Comparison {
             flicker_samples: Some(FLICKER_SAMPLES),
             timing: Some(Timing { frames: TIMED_FRAMES, warm: 1, pixels: TIMED_PIXELS }),
             lanes: Lanes::widest(),
+            max_memory: DEFAULT_MAX_MEMORY,
         }
     }
 
@@ -145,7 +154,7 @@ impl Comparison {
     ///
     /// # Errors
     ///
-    /// When one is not, or there is nothing to compare.
+    /// When one is not, there is nothing to compare, or it takes more memory than it may.
     pub fn check(&self) -> Result<(), CompareError> {
         let surface = self.surface()?;
         if self.contenders.is_empty() {
@@ -174,7 +183,20 @@ impl Comparison {
                 return Err(CompareError::Value { what: "a scale", value, must: "above 0 m" });
             }
         }
-        self.levels(surface.height_map()).map(drop)
+        let levels = self.levels(surface.height_map())?.len();
+        let (needed, limit) = (self.bytes(levels)?, self.max_memory);
+        if needed <= limit.0 { Ok(()) } else { Err(CompareError::TooMuchMemory { needed, limit }) }
+    }
+
+    /// What rays and pictures take, of so many levels of the map.
+    fn bytes(&self, levels: usize) -> Result<u64, CompareError> {
+        let rays = u64::from(self.rays).saturating_mul(self.angles_deg.len() as u64);
+        let pixels = self.scene.size().map(u64::from).iter().product::<u64>();
+        let subjects = levels * self.scales_m.len().max(1);
+        let shown = (self.entrants()?.len() * subjects * self.machines.len()) as u64;
+        let of_pixel = BYTES_PER_PIXEL.saturating_add(BYTES_PER_SHOWN_PIXEL.saturating_mul(shown));
+        let pictures = if self.machines.is_empty() { 0 } else { pixels.saturating_mul(of_pixel) };
+        Ok(rays.saturating_mul(BYTES_PER_RAY).saturating_add(pictures))
     }
 
     /// The surface.

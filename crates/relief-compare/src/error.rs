@@ -1,8 +1,8 @@
 //! Why there is no comparison.
 
-use relief_core::HeightMapError;
 use relief_core::camera::CameraError;
 use relief_core::exact::DisplacedMeshError;
+use relief_core::{ByteSize, HeightMapError};
 use relief_maps::MapsError;
 use relief_render::RenderError;
 use relief_render::scene::ValueError;
@@ -26,6 +26,14 @@ pub enum CompareError {
     /// There is nothing to compare.
     #[error("there are no {0} to compare")]
     Nothing(&'static str),
+    /// It is too much.
+    #[error("{} MiB are needed for rays and pictures, more than the {limit} allowed", needed.div_ceil(1 << 20))]
+    TooMuchMemory {
+        /// Bytes.
+        needed: u64,
+        /// The most that may be taken.
+        limit: ByteSize,
+    },
     /// The map has no level of that size.
     #[error("the map of {}x{} texels cannot be filtered down to {side}: its levels are {}", size[0], size[1], listed(sides))]
     NoLevel {

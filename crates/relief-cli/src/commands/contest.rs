@@ -159,6 +159,7 @@ impl Contest {
         comparison.contenders.clone_from(&self.contenders);
         comparison.machines.clone_from(&self.machines);
         comparison.lanes = lanes::from_environment()?;
+        comparison.max_memory = self.spec.max_memory.unwrap_or(comparison.max_memory);
         Ok(comparison)
     }
 
@@ -217,6 +218,9 @@ pub fn of_comparison(error: CompareError) -> Failure {
         CompareError::NoLevel { .. } => Failure::Usage(format!("--map-sizes: {error}")),
         CompareError::Nothing(_) => Failure::usage(error),
         CompareError::Selection(error) => Failure::Usage(format!("--steps: {error}")),
+        CompareError::TooMuchMemory { .. } => Failure::Work(format!(
+            "{error}: --max-memory raises it; fewer --rays, a smaller --size and fewer --methods need less"
+        )),
         CompareError::Stopped => interrupt::cancelled(),
         CompareError::Render { source, .. } => of_render(*source),
         other => Failure::work(other),

@@ -90,6 +90,13 @@ impl Comparison {
                 }
                 done.next(watch, "times");
                 let times = self.times(subject, &shown, *machine, renderer, &mut baked.maps, watch)?;
+                if self.timing.is_some() && !times.is_empty() && times.iter().all(Option::is_none) {
+                    let reason = "frames are timed beside bump mapping, of which this surface has none";
+                    compared
+                        .records
+                        .left_out
+                        .push(LeftOut { what: "times".to_owned(), reason: reason.to_owned() });
+                }
                 for (record, times) in compared.records.pictures[first..].iter_mut().zip(times) {
                     record.times = times;
                 }

@@ -92,7 +92,9 @@ impl Comparison {
             for timed in &mut all {
                 watch.check()?;
                 let mut frame = || {
-                    renderer.time(&timed.scene, maps, watch.cancel).map_err(|source| of(&timed.name, source))
+                    let time = renderer.time(&timed.scene, maps, watch.cancel);
+                    // What was stopped did not fail.
+                    time.map_err(|source| watch.check().err().unwrap_or_else(|| of(&timed.name, source)))
                 };
                 // The first frame of another scene makes it ready.
                 if machine.backend == MachineBackend::Cpu {

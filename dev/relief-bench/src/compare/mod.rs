@@ -1,7 +1,8 @@
 //! `compare`: what `relief-compare` finds of all methods on several maps, of their errors against their times,
-//! and of their times against the size of the map.
+//! and of their times against the size of the map, the covered pixels and the triangles.
 
 mod maps;
+mod pixels;
 mod sizes;
 mod times;
 
@@ -16,7 +17,7 @@ use relief_shaders::{SHADOW, STAGES, Selection};
 #[derive(Args)]
 pub struct Arguments {
     /// What is printed
-    #[arg(value_enum, default_values = ["maps", "times", "sizes"])]
+    #[arg(value_enum, default_values = ["maps", "times", "sizes", "pixels"])]
     parts: Vec<Part>,
     /// Rays a map and angle
     #[arg(long, default_value_t = 20_000)]
@@ -37,6 +38,8 @@ enum Part {
     Times,
     /// Times and reads over the size of the map
     Sizes,
+    /// Times over covered pixels and over triangles
+    Pixels,
 }
 
 /// Prints the tables.
@@ -46,6 +49,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
             Part::Maps => maps::run(arguments.rays)?,
             Part::Times => times::run(arguments)?,
             Part::Sizes => sizes::run(arguments)?,
+            Part::Pixels => pixels::run(arguments)?,
         }
     }
     Ok(())
