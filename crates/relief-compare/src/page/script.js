@@ -88,6 +88,10 @@ const plotted = () => {
       x: value(row, at(across.value)) * columns[at(across.value)].factor,
       y: row.cells[at(up.value)].textContent === '' ? NaN : value(row, at(up.value)) * columns[at(up.value)].factor,
       has: row.cells[at(across.value)].textContent !== '',
+      // Of medians that have them, what the true ones lie between.
+      sure: ['low', 'high'].map((end) => at(across.value.replace('_ms', `_${end}_ms`)))
+        .filter((place) => place >= 0 && place !== at(across.value))
+        .map((place) => value(row, place) * columns[place].factor),
     };
   }).filter((point) => point.has && Number.isFinite(point.y));
   svg.replaceChildren();
@@ -119,6 +123,10 @@ const plotted = () => {
   for (const point of [...best, ...points.filter((other) => !best.includes(other))]) {
     const isBest = best.includes(point);
     const [left, top] = [x.place(point.x), y.place(point.y)];
+    if (point.sure.length === 2) {
+      const [from, to] = point.sure.map(x.place);
+      draw('line', { x1: from, x2: to, y1: top, y2: top, stroke: '#94a3b8', 'stroke-width': 2 });
+    }
     draw('circle', { cx: left, cy: top, r: isBest ? 5 : 4, fill: isBest ? '#c2410c' : '#64748b' });
     const wide = 7 * point.name.length + 10;
     const free = (at) => named.every(([l, t, w]) => left > l + w || left + wide < l || Math.abs(at - t) > 12);
