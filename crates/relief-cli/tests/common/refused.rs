@@ -37,3 +37,17 @@ pub fn assert_refused(folder: &Folder, ran: &Ran, code: i32, words: &[&str]) {
     }
     assert_eq!(entries(&folder.path(OUT)), Vec::<String>::new(), "relief {line} left something behind");
 }
+
+/// Makes the folder [`OUT`] one that nobody may write into, and says whether it has become that: some users,
+/// root among them, may write anywhere, which is told.
+pub fn make_read_only(folder: &Folder) -> bool {
+    let out = folder.path(OUT);
+    let mut permissions = std::fs::metadata(&out).expect("it is there").permissions();
+    permissions.set_readonly(true);
+    std::fs::set_permissions(&out, permissions).expect("it is ours");
+    let is_read_only = std::fs::write(out.join("probe"), "").is_err();
+    if !is_read_only {
+        println!("skipped: this user may write into folders that are read-only");
+    }
+    is_read_only
+}

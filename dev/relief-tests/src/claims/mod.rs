@@ -7,7 +7,7 @@ use relief_compare::Case;
 use relief_core::metrics::ErrorReport;
 use relief_shaders::Selection;
 
-use crate::accuracy::{ANGLES, Named, case, report_with};
+use crate::accuracy::{ANGLES, Named, SCALE_M, case, report_with};
 use crate::baked::{maps_for, slots};
 
 /// A method with settings, such as `occlusion search.steps=64`.
@@ -69,6 +69,20 @@ const fn plain(method: &'static str) -> Contender {
 const fn with(method: &'static str, settings: &'static [(&'static str, f64)]) -> Contender {
     Contender { method, settings }
 }
+
+/// Where a claim does not say otherwise: it is about the order alone, at all angles, and holds.
+const ORDER: Claim = Claim {
+    paper: "",
+    section: "",
+    text: "",
+    better: plain(""),
+    worse: plain(""),
+    factor: 1.0,
+    scale_m: SCALE_M,
+    measure: Measure::Median,
+    angles: ALL,
+    holds: true,
+};
 
 /// Metres of displacement that a tile of 1 m has as a rule, and of the deepest in the survey's pictures.
 const NORMAL_M: f64 = 0.05;
