@@ -54,7 +54,8 @@ fn without_a_map_the_sample_is_compared_and_the_page_has_a_name() {
 fn a_scene_keeps_its_scale_and_settings_go_to_the_methods_that_have_them() {
     let folder = folder();
     folder.write("s.toml", "height = 'map.png'\nscale = 0.02\nsize = [16, 12]\nsamples = 1\n");
-    let line = "compare s.toml --methods relief,steep,bump --set search.steps=4 --quick --rays 50 --backend cpu --json";
+    let line = "compare s.toml --methods relief,steep,bump --set search.steps=4 --quick --rays 50 \
+                --backend cpu --json";
     let answer = json_of(&folder.relief(line).fine());
     let rays = answer["rays"].as_array().expect("records");
     assert!(rays.iter().all(|record| record["scale_m"] == 0.02));

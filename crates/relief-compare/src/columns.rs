@@ -110,7 +110,7 @@ const fn word(
     summary: &'static str,
     cell: fn(&Row) -> Cell,
 ) -> Column {
-    Column { key, title, summary, factor: 1.0, digits: 0, cell }
+    figure(key, title, summary, 0, cell)
 }
 
 const fn figure(
@@ -129,7 +129,7 @@ const fn share(
     summary: &'static str,
     cell: fn(&Row) -> Cell,
 ) -> Column {
-    Column { key, title, summary, factor: 100.0, digits: 3, cell }
+    Column { factor: 100.0, ..figure(key, title, summary, 3, cell) }
 }
 
 /// All columns.

@@ -41,6 +41,11 @@ impl Machine {
             MachineBackend::Gpu => BackendChoice::Gpu,
         }
     }
+
+    /// The name of its backend.
+    pub(crate) fn name(self) -> &'static str {
+        self.backend_choice().name()
+    }
 }
 
 /// A scene, and what is to be compared on it. [`new`](Self::new) gives what `relief compare` takes by itself.

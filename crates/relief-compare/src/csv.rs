@@ -3,8 +3,8 @@
 use crate::columns::{COLUMNS, Cell, Row};
 use crate::record::Records;
 
-/// The records as comma-separated values (RFC 4180): a row for each, with a column for each field, empty where
-/// a record has no such figure. The column `kind` says `rays` or `picture`.
+/// The records as comma-separated values (RFC 4180): a row for each, with a column for each field, empty
+/// where a record has no such figure. The column `kind` says `rays` or `picture`.
 pub fn csv(records: &Records) -> String {
     let line = |cells: Vec<String>| cells.join(",") + "\r\n";
     let mut text = line(COLUMNS.iter().map(|column| column.key.to_owned()).collect());

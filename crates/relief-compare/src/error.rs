@@ -27,7 +27,10 @@ pub enum CompareError {
     #[error("there are no {0} to compare")]
     Nothing(&'static str),
     /// It is too much.
-    #[error("{} MiB are needed for rays and pictures, more than the {limit} allowed", needed.div_ceil(1 << 20))]
+    #[error(
+        "{} MiB are needed for rays and pictures, more than the {limit} allowed",
+        needed.div_ceil(1 << 20)
+    )]
     TooMuchMemory {
         /// Bytes.
         needed: u64,
@@ -35,7 +38,12 @@ pub enum CompareError {
         limit: ByteSize,
     },
     /// The map has no level of that size.
-    #[error("the map of {}x{} texels cannot be filtered down to {side}: its levels are {}", size[0], size[1], listed(sides))]
+    #[error(
+        "the map of {}x{} texels cannot be filtered down to {side}: its levels are {}",
+        size[0],
+        size[1],
+        listed(sides)
+    )]
     NoLevel {
         /// The side that was asked for.
         side: u32,

@@ -47,8 +47,8 @@ pub const PICTURE: [usize; 2] = [20 * WAVE[0], 30 * WAVE[1]];
 const DIRECTIONS: usize = 8;
 
 /// View rays of neighbouring pixels: orthographic pictures of the map, a tile of it a metre large, at that
-/// angle, seen from several sides, one below the other. A pixel is a texel of the longer side wide, and as high, so that along the view a
-/// pixel's footprint is longer.
+/// angle, seen from several sides, one below the other. A pixel is a texel of the longer side wide, and as
+/// high, so that along the view a pixel's footprint is longer.
 pub fn picture_paths(map: &HeightMap, degrees: f64) -> Vec<Path> {
     let pixel = 1.0 / f64::from(map.width().max(map.height()));
     let stretched = pixel / degrees.to_radians().cos();

@@ -12,8 +12,8 @@ pub struct Median {
 }
 
 impl Median {
-    /// The median of some numbers; of none it is 0. Its interval has the ranks `n/2 ± 0.98 √n` (half of the
-    /// numbers are below the true median, each with a chance of a half), which of fewer than six are all.
+    /// The median of some numbers; of none it is 0. Its interval has the ranks `n/2 ± 0.98 √n`, which of
+    /// fewer than six are all: each number is below the true median with a chance of a half.
     pub fn of(mut numbers: Vec<f64>) -> Self {
         numbers.sort_unstable_by(f64::total_cmp);
         let count = numbers.len();

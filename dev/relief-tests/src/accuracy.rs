@@ -62,7 +62,8 @@ pub fn sample_maps() -> PathBuf {
     FilePath::new(env!("CARGO_MANIFEST_DIR")).join("../../data")
 }
 
-/// What a pair of stages pays for [`picture_paths`](relief_compare::rays::picture_paths); a baked map that its search reads is baked first.
+/// What a pair of stages pays for [`picture_paths`](relief_compare::rays::picture_paths); a baked map that
+/// its search reads is baked first.
 pub fn picture_cost(map: &HeightMap, selection: &Selection, paths: &[Path]) -> CostReport {
     let maps = maps_for(map, selection);
     let tracer = MethodTracer::over(map, selection, slots(map, selection, &maps));

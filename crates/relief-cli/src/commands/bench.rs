@@ -5,24 +5,23 @@ use std::io::Write;
 use clap::Args;
 use comfy_table::Table;
 use comfy_table::presets::ASCII_MARKDOWN;
-use relief_compare::{Comparison, MachineRecord, PictureRecord, Records, Timing, Watch};
+use relief_compare::{Comparison, MachineRecord, PictureRecord, Records, Timing};
 
-use super::contest::{ContestArguments, as_json, of_comparison};
+use super::contest::{ContestArguments, as_json, compared, of_comparison};
 use crate::failure::Failure;
-use crate::progress::Progress;
+use crate::interrupt;
 use crate::streams::{Files, answer};
-use crate::{interrupt, say};
 
 /// What `relief bench` is given. Flags override the scene file.
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  relief bench                                    # all methods on the sample cobbles\n  \
+    after_help = "Examples:\n  relief bench                      # all methods on the sample cobbles\n  \
     relief bench scenes/cobbles.toml --methods bump,relief,cone --size 1280x720\n  \
     relief bench --height wall.png --backend cpu,gpu --sampling exact,fast --json\n\n\
-    Frames have one sample a pixel. Methods take turns, so that what slows the machine for a while slows all of \
-    them; medians are given, with what the true ones lie between at 95 in 100. Compiling, uploading, baking and \
-    reading back are no part of a frame. What finding the surface takes is what a frame takes more than one of \
-    bump mapping. A GPU's passes are timed by its own clock where it has one."
+    Frames have one sample a pixel. Methods take turns, so that what slows the machine for a while slows \
+    all of them; medians are given, with what the true ones lie between at 95 in 100. Compiling, \
+    uploading, baking and reading back are no part of a frame. What finding the surface takes is what a \
+    frame takes more than one of bump mapping. A GPU's passes are timed by its own clock where it has one."
 )]
 pub struct Arguments {
     /// Frames of each that count
@@ -70,14 +69,8 @@ impl Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let cancel = interrupt::catch()?;
     let comparison = arguments.comparison()?;
-    let progress = Progress::bar("timing", arguments.json);
-    let told = |_: &str, part: f32| progress.show(part);
-    let compared = comparison.run(&Watch { progress: &told, cancel }).map_err(of_comparison)?;
-    drop(progress);
+    let compared = compared("timing", &comparison, arguments.json, cancel)?;
     let records = &compared.records;
-    for left_out in records.left_out.iter().filter(|_| !arguments.json) {
-        say::note(format_args!("{} is left out: {}", left_out.what, left_out.reason));
-    }
     answer(|out| {
         if arguments.json {
             return Ok(out.write_all(as_json(records)?.as_bytes())?);

@@ -5,26 +5,26 @@ mod report;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use relief_compare::{Compared, Comparison, Contender, Goal, Timing, Tried, Watch, choose, csv, page};
+use relief_compare::{Compared, Comparison, Contender, Goal, Timing, Tried, choose, csv, page};
 
-use super::contest::{Contest, ContestArguments, as_json, of_comparison};
+use super::contest::{Contest, ContestArguments, as_json, compared, of_comparison};
 use super::staged::{Staged, format_of};
 use crate::failure::Failure;
-use crate::progress::Progress;
 use crate::streams::{Files, answer};
-use crate::{interrupt, say, units, values};
+use crate::{interrupt, units, values};
 
 /// What `relief compare` is given. Flags override the scene file.
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  relief compare                                  # all methods on the sample cobbles\n  \
+    after_help = "Examples:\n  relief compare                    # all methods on the sample cobbles\n  \
     relief compare --height wall.png --scales 2cm,10cm -o wall.html\n  \
     relief compare --methods relief,occlusion --steps 8,16,32,64 --csv steps.csv\n  \
     relief compare --methods cone,linear+true-secant --angles 60,85 --rays 100000\n  \
-    relief compare --height wall.png --backend cpu --size 1280x720 --budget-ms 40   # the best within 40 ms\n  \
+    relief compare --height wall.png --backend cpu --budget-ms 40   # the best within 40 ms\n  \
     relief compare scenes/jacksboro.toml --geometry none,vertex --json\n\n\
-    Rays at an angle are compared with the exact first hit; pictures with the exact picture, and their pixels' \
-    hits with its hits. The page sorts its figures and plots any of them against any other, without network."
+    Rays at an angle are compared with the exact first hit; pictures with the exact picture, and their \
+    pixels' hits with its hits. The page sorts its figures and plots any of them against any other, \
+    without network."
 )]
 pub struct Arguments {
     /// Page to write
@@ -90,7 +90,8 @@ pub struct Arguments {
         help_heading = "What is tried"
     )]
     rays: Option<u32>,
-    /// Name the method of the least error whose frames of --size take at most so many milliseconds on --backend
+    /// Name the method of the least error whose frames of --size take at most so many milliseconds on
+    /// --backend
     #[arg(
         long,
         value_name = "MS",
@@ -137,17 +138,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let written: Vec<&Path> = files.iter().map(PathBuf::as_path).collect();
     // Whether they can be written is known before minutes of work.
     let mut staged = Staged::open(&written, arguments.json, cancel)?;
-    let progress = Progress::bar("comparing", arguments.json);
-    let told = |_method: &str, part: f32| progress.show(part);
-    let compared = comparison.run(&Watch { progress: &told, cancel }).map_err(of_comparison)?;
-    drop(progress);
-    let compared = with_command(compared);
+    let compared = with_command(compared("comparing", &comparison, arguments.json, cancel)?);
     arguments.write(&compared, &mut staged)?;
     staged.finish()?;
     let tried = arguments.goal().map(|goal| choose(&compared.records, goal));
-    for left_out in compared.records.left_out.iter().filter(|_| !arguments.json) {
-        say::note(format_args!("{} is left out: {}", left_out.what, left_out.reason));
-    }
     let chosen = tried.as_ref().map(|tried| (tried, arguments.contest.scene.words()));
     answer(|out| report::tell(arguments.json, &compared.records, chosen, &files, out))?;
     tried.map_or(Ok(()), |tried| arguments.check_kept(&tried))
@@ -244,18 +238,12 @@ impl Arguments {
 
     /// Writes the page and what is asked for beside it.
     fn write(&self, compared: &Compared, staged: &mut Staged) -> Result<(), Failure> {
-        let write = |staged: &mut Staged, path: &PathBuf, text: String| {
-            let aside = staged.aside(path)?;
-            std::fs::write(aside, text)
-                .map_err(|error| Failure::Work(format!("{}: cannot be written: {error}", path.display())))
-        };
-        let page = page(compared).map_err(Failure::work)?;
-        write(staged, &self.output, page)?;
+        staged.write(&self.output, page(compared).map_err(Failure::work)?)?;
         if let Some(path) = &self.records {
-            write(staged, path, as_json(&compared.records)?)?;
+            staged.write(path, as_json(&compared.records)?)?;
         }
         if let Some(path) = &self.csv {
-            write(staged, path, csv(&compared.records))?;
+            staged.write(path, csv(&compared.records))?;
         }
         Ok(())
     }

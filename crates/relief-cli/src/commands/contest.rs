@@ -2,18 +2,22 @@
 //! where.
 
 use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
 
 use clap::Args;
-use relief_compare::{COBBLES_PNG, CompareError, Comparison, Contender, Machine, Records};
+use relief_compare::{
+    COBBLES_PNG, CompareError, Compared, Comparison, Contender, LeftOut, Machine, Records, Watch,
+};
 use relief_core::registry::UnknownName;
 use relief_render::scene::{BackendChoice, Sampling, SceneSpec};
 use relief_render::{RenderError, Renderer};
-use relief_shaders::{DETAIL, GEOMETRY, METHODS, REFINE, SEARCH, STAGES, geometry};
+use relief_shaders::{DETAIL, GEOMETRY, REFINE, SEARCH, STAGES, geometry};
 use tempfile::TempDir;
 
 use super::scene_arguments::{SceneArguments, of_scene};
 use crate::failure::Failure;
-use crate::{advice, interrupt, lanes};
+use crate::progress::Progress;
+use crate::{advice, interrupt, lanes, say};
 
 /// The methods that are tried, where, and on what.
 #[derive(Args)]
@@ -103,17 +107,16 @@ impl ContestArguments {
 
     /// The methods, with the settings that each has.
     fn contenders(&self, families: &[String], settings: &[(String, f64)]) -> Result<Vec<Contender>, Failure> {
-        let all: Vec<String> = METHODS.iter().map(|method| method.name.to_owned()).collect();
-        let is_all = self.methods.iter().any(|name| name == "all");
-        let mut contenders = Vec::new();
-        for name in if is_all { &all } else { &self.methods } {
-            let contender =
-                Contender::named(name).map_err(|error| Failure::Usage(format!("--methods: {error}")))?;
+        let mut contenders = if self.methods.iter().any(|name| name == "all") {
+            Contender::all()
+        } else {
+            let named = self.methods.iter().map(|name| Contender::named(name));
+            named.collect::<Result<_, _>>().map_err(|error| Failure::Usage(format!("--methods: {error}")))?
+        };
+        contenders.retain(|contender| {
             let geometry = contender.selection.choices[GEOMETRY].entry.name;
-            if families.iter().any(|family| family == geometry) {
-                contenders.push(contender);
-            }
-        }
+            families.iter().any(|family| family == geometry)
+        });
         for (key, value) in settings {
             if !contenders.iter().any(|contender| contender.has(key)) {
                 return Err(Failure::Usage(format!("--set {key}: none of the methods has such a setting")));
@@ -202,6 +205,23 @@ fn sample(spec: &mut SceneSpec) -> Result<Option<TempDir>, Failure> {
     std::fs::write(&path, COBBLES_PNG).map_err(failed)?;
     spec.surface.height = Some(path);
     Ok(Some(folder))
+}
+
+/// Compares, with a bar that says what is done, and notes on what was left out.
+pub fn compared(
+    what: &'static str,
+    comparison: &Comparison,
+    quiet: bool,
+    cancel: &AtomicBool,
+) -> Result<Compared, Failure> {
+    let progress = Progress::bar(what, quiet);
+    let told = |_: &str, part: f32| progress.show(part);
+    let compared = comparison.run(&Watch { progress: &told, cancel }).map_err(of_comparison)?;
+    drop(progress);
+    for LeftOut { what, reason } in compared.records.left_out.iter().filter(|_| !quiet) {
+        say::note(format_args!("{what} is left out: {reason}"));
+    }
+    Ok(compared)
 }
 
 /// The records for programs.

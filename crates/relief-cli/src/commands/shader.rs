@@ -165,9 +165,7 @@ fn write(exported: &Exported, paths: &[PathBuf], quiet: bool) -> Result<(), Fail
     let outputs: Vec<&Path> = paths.iter().map(PathBuf::as_path).collect();
     let mut staged = Staged::open(&outputs, quiet, cancel)?;
     for (path, file) in outputs.iter().zip(&exported.files) {
-        let aside = staged.aside(path)?;
-        let written = std::fs::write(&aside, &file.bytes);
-        written.map_err(|error| Failure::Work(format!("{}: cannot be written: {error}", path.display())))?;
+        staged.write(path, &file.bytes)?;
     }
     staged.finish()
 }

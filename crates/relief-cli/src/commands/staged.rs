@@ -76,6 +76,12 @@ impl Staged {
         self.0.put(output).map_err(Failure::work)
     }
 
+    /// Writes an output, until it takes its name.
+    pub fn write(&mut self, output: &Path, bytes: impl AsRef<[u8]>) -> Result<(), Failure> {
+        let written = std::fs::write(self.aside(output)?, bytes);
+        written.map_err(|error| Failure::Work(format!("{}: cannot be written: {error}", output.display())))
+    }
+
     /// Gives all files their names.
     pub fn finish(self) -> Result<(), Failure> {
         self.0.commit().map_err(Failure::work)

@@ -61,7 +61,10 @@ fn about(about: &About) -> Markup {
     html! {
         dl {
             dt { "Map" }
-            dd { (map) ", " (columns) " x " (rows) " texels on a tile of " (rounded(*u)) " x " (rounded(*v)) " m" }
+            dd {
+                (map) ", " (columns) " x " (rows) " texels on a tile of "
+                (rounded(*u)) " x " (rounded(*v)) " m"
+            }
             dt { "Truth" }
             dd { "Rays: the cell walk in f64. Pictures: " (reference) "." }
             @for machine in machines {

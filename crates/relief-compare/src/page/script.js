@@ -81,19 +81,23 @@ const scale = (numbers, from, to) => {
   return { ticks, place: (number) => (number > 0 ? place(Math.log10(number)) : from) };
 };
 const plotted = () => {
+  // NaN where a row has no such figure.
+  const figure = (row, key) => {
+    const place = at(key);
+    return row.cells[place].textContent === '' ? NaN : value(row, place) * columns[place].factor;
+  };
   const points = [...body.rows].filter((row) => groupOf(row) === rows.value).map((row) => {
     const steps = row.cells[at('steps')].textContent;
     return {
       name: row.cells[at('method')].textContent + (steps ? ` (${steps})` : ''),
-      x: value(row, at(across.value)) * columns[at(across.value)].factor,
-      y: row.cells[at(up.value)].textContent === '' ? NaN : value(row, at(up.value)) * columns[at(up.value)].factor,
-      has: row.cells[at(across.value)].textContent !== '',
+      x: figure(row, across.value),
+      y: figure(row, up.value),
       // Of medians that have them, what the true ones lie between.
       sure: ['low', 'high'].map((end) => at(across.value.replace('_ms', `_${end}_ms`)))
         .filter((place) => place >= 0 && place !== at(across.value))
         .map((place) => value(row, place) * columns[place].factor),
     };
-  }).filter((point) => point.has && Number.isFinite(point.y));
+  }).filter((point) => Number.isFinite(point.x) && Number.isFinite(point.y));
   svg.replaceChildren();
   const frontier = document.getElementById('frontier');
   frontier.textContent = points.length ? '' : 'These rows have no such figures.';
@@ -130,7 +134,7 @@ const plotted = () => {
     draw('circle', { cx: left, cy: top, r: isBest ? 5 : 4, fill: isBest ? '#c2410c' : '#64748b' });
     const wide = 7 * point.name.length + 10;
     const free = (at) => named.every(([l, t, w]) => left > l + w || left + wide < l || Math.abs(at - t) > 12);
-    const places = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9].flatMap((step) => [top - 5 - 13 * step, top - 5 + 13 * step]);
+    const places = [...Array(10).keys()].flatMap((step) => [top - 5 - 13 * step, top - 5 + 13 * step]);
     const place = places.find((at) => at > 24 && at < HEIGHT - MARGIN && free(at)) ?? top - 5;
     named.push([left, place, wide]);
     if (Math.abs(place - top + 5) > 14) {
@@ -138,7 +142,8 @@ const plotted = () => {
     }
     draw('text', { x: left + 8, y: place, 'font-weight': isBest ? 600 : 400 }, point.name);
   }
-  frontier.textContent = `On the frontier, where no other method is better in both: ${best.map((point) => point.name).join(', ')}.`;
+  const names = best.map((point) => point.name).join(', ');
+  frontier.textContent = `On the frontier, where no other method is better in both: ${names}.`;
 };
 [rows, across, up].forEach((select) => select.addEventListener('change', plotted));
 plotted();

@@ -259,13 +259,3 @@ fn moved(scene: &Scene) -> Result<Scene, CompareError> {
     let moved: Camera = camera.moved(camera.eye() + aside, camera.target() + aside)?;
     Ok(scene.to_builder().camera(moved).build()?)
 }
-
-impl Machine {
-    /// The name of its backend.
-    pub(crate) fn name(self) -> &'static str {
-        match self.backend {
-            MachineBackend::Cpu => "cpu",
-            MachineBackend::Gpu => "gpu",
-        }
-    }
-}

@@ -33,8 +33,8 @@ pub fn words(is_flat: bool) -> &'static str {
     if is_flat {
         "the picture of the method exact, on the CPU, and its hits"
     } else {
-        "the picture of the method exact on the surface prism, on the CPU, and the hits of the exact judge of \
-         displaced meshes"
+        "the picture of the method exact on the surface prism, on the CPU, and the hits of the exact judge \
+         of displaced meshes"
     }
 }
 

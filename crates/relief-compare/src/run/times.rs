@@ -70,12 +70,11 @@ impl Comparison {
         maps: &mut Maps,
         watch: &Watch,
     ) -> Result<Vec<Option<TimeRecord>>, CompareError> {
-        let Some(timing) = self.timing else { return Ok(vec![None; contenders.len()]) };
+        let none = vec![None; contenders.len()];
+        let Some(timing) = self.timing else { return Ok(none) };
         let bump = Contender::named(BUMP)?;
         // On some surfaces there is no bump mapping: shells are searched or not there.
-        let Ok(plain) = bump.on(subject).map(without_shadows) else {
-            return Ok(vec![None; contenders.len()]);
-        };
+        let Ok(plain) = bump.on(subject).map(without_shadows) else { return Ok(none) };
         let plain = plain?;
         let timed = |name: &str, selection: Selection, is_lit: bool| -> Result<Timed, CompareError> {
             let scene = self.timed_scene(subject, selection, timing, is_lit)?;
@@ -106,7 +105,7 @@ impl Comparison {
                 }
             }
         }
-        let [base, lit, methods @ ..] = &all[..] else { return Ok(vec![None; contenders.len()]) };
+        let [base, lit, methods @ ..] = &all[..] else { return Ok(none) };
         let records = methods.as_chunks::<2>().0.iter().map(|[searched, shadowed]| {
             let (frame, displacement) = (shadowed.frame(), searched.beyond(lit));
             let trace_pass_ms = shadowed.passes(|passes| passes.trace);

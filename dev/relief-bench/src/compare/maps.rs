@@ -47,7 +47,8 @@ fn contenders() -> Result<Vec<Contender>, String> {
 /// Prints a table a map: means over four angles.
 pub fn run(rays: u32) -> Result<(), String> {
     println!(
-        "{rays} rays a map at each of 10, 30, 60 and 85 degrees; relief as deep as a tenth of the tile. Means over the angles, and the 99th percentile at the worst.\n"
+        "{rays} rays a map at each of 10, 30, 60 and 85 degrees; relief as deep as a tenth of the tile. \
+         Means over the angles, and the 99th percentile at the worst.\n"
     );
     for (name, map) in maps()? {
         let size = [map.width(), map.height()];

@@ -1,5 +1,5 @@
-//! `compare`: what `relief-compare` finds of all methods on several maps, of their errors against their times,
-//! and of their times against the size of the map, the covered pixels and the triangles.
+//! `compare`: what `relief-compare` finds of all methods on several maps, of their errors against their
+//! times, and of their times against the size of the map, the covered pixels and the triangles.
 
 mod maps;
 mod pixels;

@@ -55,7 +55,8 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         by_distance.push((format!("{times} times as far"), compared(&comparison)?));
     }
     println!(
-        "Milliseconds of a frame, of cobbles on a square without shadows, the triangles kept from frame to frame\n"
+        "Milliseconds of a frame, of cobbles on a square without shadows, the triangles kept from frame to \
+         frame\n"
     );
     for machine in by_size[0].1.about.machines.clone() {
         let on = (machine.backend.as_str(), machine.sampling.as_str());

@@ -1,5 +1,5 @@
-//! Times and reads over the size of the map: Oh, Ki and Lee 2006, Figure 21, which has 1.28 times the time for
-//! 64 times the texels.
+//! Times and reads over the size of the map: Oh, Ki and Lee 2006, Figure 21, which has 1.28 times the time
+//! for 64 times the texels.
 
 use relief_compare::{Machine, Timing};
 use relief_core::{HeightMap, Wrap};
@@ -33,8 +33,8 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
     let records = compared(&comparison)?;
     for machine in &records.about.machines {
         println!(
-            "A fractal map filtered down, the same picture of 512x512 pixels: milliseconds of a frame / reads of a pixel. \
-             {}, {} sampling, on {}\n",
+            "A fractal map filtered down, the same picture of 512x512 pixels: milliseconds of a frame / \
+             reads of a pixel. {}, {} sampling, on {}\n",
             machine.backend, machine.sampling, machine.device
         );
         let sides = SIDES.map(|side| format!("{side}²"));

@@ -60,8 +60,8 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         };
         let of_machine: Vec<&PictureRecord> = records.pictures.iter().filter(on).collect();
         println!(
-            "{}, {} sampling, on {}: {} frames of each in turn; displacement is what a frame takes more than one of \
-             bump mapping, without shadows\n",
+            "{}, {} sampling, on {}: {} frames of each in turn; displacement is what a frame takes more than \
+             one of bump mapping, without shadows\n",
             machine.backend, machine.sampling, machine.device, arguments.frames
         );
         let mut rows = table(&[
@@ -116,7 +116,8 @@ fn ratios(records: &[&PictureRecord]) {
             };
             let ratio = ours.displacement_ms / theirs.displacement_ms;
             println!(
-                "{}: {} takes {ratio:.2} of its time ({:.2} to {:.2} ms of {:.2} to {:.2}); the aim is {aim}: {}",
+                "{}: {} takes {ratio:.2} of its time ({:.2} to {:.2} ms of {:.2} to {:.2}); the aim is \
+                 {aim}: {}",
                 shipped.method.label(),
                 best.method.label(),
                 ours.displacement_low_ms,

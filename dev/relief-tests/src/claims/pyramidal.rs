@@ -36,7 +36,7 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         section: "3.3, Figure 16",
-        text: "that interpolation is correct: no more hits are off than a hundredth of those of texels as columns",
+        text: "that interpolation is correct: a hundredth as many hits are off as of texels as columns",
         better: plain("pyramidal-bilinear"),
         worse: plain("pyramidal"),
         factor: 0.01,

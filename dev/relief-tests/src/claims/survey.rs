@@ -5,7 +5,7 @@ use super::{Claim, EXTREME_M, GRAZING, Measure, NORMAL_M, ORDER, STEEP, plain, w
 /// A claim about the order that holds.
 const SURVEY: Claim = Claim { paper: "Szirmay-Kalos and Umenhoffer 2008", ..ORDER };
 
-/// What section 4 says.
+/// What sections 4 and 7 say.
 pub const CLAIMS: &[Claim] = &[
     Claim {
         section: "4.1.2",
@@ -148,7 +148,7 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         section: "4.3.4, Figure 23",
-        text: "a distance field of sixty-four layers is better than one of thirty-two: fewer reads to the hit",
+        text: "sixty-four layers of a distance field are better than thirty-two: fewer reads",
         better: plain("sphere-tracing"),
         worse: with("sphere-tracing", &[("search.slices", 32.0)]),
         measure: Measure::Reads,
@@ -201,7 +201,7 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         section: "4.4.3, Figures 28 and 29",
-        text: "where their count is limited strict cones stop before the surface more often than relaxed ones: at sixteen",
+        text: "with sixteen steps strict cones stop before the surface more often than relaxed ones",
         better: with("relaxed-cone-stepping", &[("search.limit", 32.0)]),
         worse: with("cone-stepping", &[("search.steps", 16.0)]),
         measure: Measure::Off,
@@ -227,7 +227,7 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         section: "7, Figure 35",
-        text: "at extreme displacement relief mapping is nearer than cone stepping as published, 32 steps each",
+        text: "at extreme displacement, 32 steps each, relief mapping is nearer than cone stepping",
         better: plain("relief"),
         worse: plain("cone-stepping"),
         scale_m: EXTREME_M,

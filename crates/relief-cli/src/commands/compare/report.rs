@@ -57,7 +57,8 @@ fn choice(tried: &Tried, scene: &str, out: &mut dyn Write) -> Result<(), Failure
         };
         writeln!(
             out,
-            "relief render {scene} {of_method}{steps} --scale {} --backend {backend} --sampling {sampling} -o picture.png",
+            "relief render {scene} {of_method}{steps} --scale {} --backend {backend} --sampling {sampling} \
+             -o picture.png",
             method.scale_m
         )?;
     }
