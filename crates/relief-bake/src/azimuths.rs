@@ -15,6 +15,7 @@ pub(crate) const AZIMUTHS: Param = Param {
     max: 256.0,
     default: 16.0,
     integer: true,
+    names: &[],
 };
 
 /// How far the horizon is looked for.
@@ -26,6 +27,7 @@ pub(crate) const TILES: Param = Param {
     max: 16.0,
     default: 1.0,
     integer: true,
+    names: &[],
 };
 
 /// A direction along the base plane.

@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use relief_core::registry::UnknownName;
 use relief_render::scene::{LightSpec, MaterialSpec};
+use relief_shaders::{Selection, SelectionError};
 
 /// `N` finite numbers between commas.
 fn numbers<const N: usize, T: FromStr>(text: &str, form: &str) -> Result<[T; N], String>
@@ -60,12 +61,17 @@ pub fn size(text: &str) -> Result<[u32; 2], String> {
     Ok([width.parse().map_err(|_| wrong())?, height.parse().map_err(|_| wrong())?])
 }
 
-/// A setting `search.steps=64`.
+/// A setting `search.steps=64`, or `slices.test=band` where values have names.
 pub fn setting(text: &str) -> Result<(String, f64), String> {
-    let wrong = || "write it as STAGE.NAME=NUMBER, as in search.steps=64".to_owned();
+    let wrong = || "write it as STAGE.NAME=VALUE, as in search.steps=64".to_owned();
     let (key, value) = text.split_once('=').ok_or_else(wrong)?;
-    let [value] = finite([value.trim().parse().map_err(|_| wrong())?])?;
-    Ok((key.trim().to_owned(), value))
+    let (key, value) = (key.trim(), value.trim());
+    let value = Selection::value_of(key, value).map_err(|error| match error {
+        SelectionError::NoNumber { .. } => wrong(),
+        error => error.to_string(),
+    })?;
+    let [value] = finite([value])?;
+    Ok((key.to_owned(), value))
 }
 
 /// Part of a material, `diffuse=R,G,B`, `specular=R,G,B` or `shininess=N`.

@@ -7,6 +7,7 @@
 //! ever lost to 0, which counts as inside. Both triangles at an edge see the same two projected corners, so a
 //! ray cannot pass between them.
 
+use self::found::{Found, Nearest, Several};
 use crate::mesh::Mesh;
 use glam::{DVec2, DVec3, Vec3};
 use obvhs::BvhBuildParams;
@@ -14,6 +15,7 @@ use obvhs::bvh2::{Bvh2, builder::build_bvh2_from_tris};
 use obvhs::triangle::Triangle;
 use std::fmt;
 
+mod found;
 pub mod tiles;
 
 /// How far boxes are grown, relative to the largest coordinate in play. It must exceed the triangle test's
@@ -131,24 +133,53 @@ impl RayCaster {
 
     /// As [`Self::next_hit`], after a hit of that `(t, triangle)`.
     fn next_after(&self, ray: &Ray, sides: Sides, after: Option<(f64, u32)>) -> Option<SurfaceHit> {
-        let query = Query::new(ray, sides, after, self.extent)?;
+        let mut nearest = Nearest::default();
+        self.find_after(ray, sides, after, &mut nearest);
+        nearest.hit
+    }
+
+    /// Finds the first hits after one of that `(t, triangle)`, as many as are kept.
+    fn find_after(&self, ray: &Ray, sides: Sides, after: Option<(f64, u32)>, found: &mut impl Found) {
+        let Some(query) = Query::new(ray, sides, after, self.extent) else { return };
         if self.depth <= STACK_DEPTH {
-            self.walk(&query, &mut [(0.0, 0); STACK_DEPTH])
+            self.walk(&query, &mut [(0.0, 0); STACK_DEPTH], found);
         } else {
-            self.walk(&query, &mut vec![(0.0, 0); self.depth])
+            self.walk(&query, &mut vec![(0.0, 0); self.depth], found);
         }
     }
 
-    /// All hits in the order of `(t, triangle)`, found one by one as they are asked for.
+    /// All hits in the order of `(t, triangle)`, found as they are asked for: the first one alone, those after
+    /// it several at a time.
     pub fn hits<'a>(&'a self, ray: &'a Ray, sides: Sides) -> impl Iterator<Item = SurfaceHit> + 'a {
-        std::iter::successors(self.next_hit(ray, sides, None), move |last| {
-            self.next_hit(ray, sides, Some(last))
+        self.hits_after(*ray, sides, None)
+    }
+
+    /// Those after a hit of that `(t, triangle)`.
+    fn hits_after(
+        &self,
+        ray: Ray,
+        sides: Sides,
+        after: Option<(f64, u32)>,
+    ) -> impl Iterator<Item = SurfaceHit> {
+        let (mut last, mut several) = (after, None::<Several>);
+        std::iter::from_fn(move || {
+            let hit = match several.as_mut().and_then(Several::next) {
+                Some(hit) => hit,
+                None if several.as_ref().is_some_and(Several::has_all) => return None,
+                None if last.is_none() => self.next_after(&ray, sides, None)?,
+                None => {
+                    let found = several.insert(Several::default());
+                    self.find_after(&ray, sides, last, found);
+                    found.next()?
+                }
+            };
+            last = Some((hit.t, hit.triangle));
+            Some(hit)
         })
     }
 
     /// Walks the hierarchy near to far. `stack` has room for a node on every level.
-    fn walk(&self, query: &Query, stack: &mut [(f64, u32)]) -> Option<SurfaceHit> {
-        let mut best: Option<SurfaceHit> = None;
+    fn walk(&self, query: &Query, stack: &mut [(f64, u32)], found: &mut impl Found) {
         let mut waiting = 0;
         let mut next = self.enter(query, 0).map(|entry| (entry, 0));
         loop {
@@ -156,19 +187,17 @@ impl RayCaster {
                 waiting = usize::checked_sub(waiting, 1)?;
                 Some(stack[waiting])
             }) else {
-                return best;
+                return;
             };
-            if best.is_some_and(|best| entry > best.t) {
+            if entry > found.reach() {
                 continue;
             }
             let node = &self.bvh.nodes[index as usize];
             if node.is_leaf() {
                 let first = node.first_index as usize;
                 for &triangle in &self.bvh.primitive_indices[first..first + node.prim_count as usize] {
-                    if let Some(hit) = query.triangle(triangle, &self.corners[triangle as usize])
-                        && best.is_none_or(|best| precedes((hit.t, hit.triangle), (best.t, best.triangle)))
-                    {
-                        best = Some(hit);
+                    if let Some(hit) = query.triangle(triangle, &self.corners[triangle as usize]) {
+                        found.offer(hit);
                     }
                 }
                 continue;

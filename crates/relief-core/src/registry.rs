@@ -136,6 +136,16 @@ pub struct Param {
     pub default: f32,
     /// Whether only whole numbers are accepted.
     pub integer: bool,
+    /// Names of its values, from 0 on, where these stand for choices; empty where they are numbers.
+    pub names: &'static [&'static str],
+}
+
+impl Param {
+    /// A choice among names, of which the first is the default.
+    pub const fn of_names(name: &'static str, summary: &'static str, names: &'static [&'static str]) -> Self {
+        let max = (names.len() - 1) as f32;
+        Self { name, summary, unit: "", min: 0.0, max, default: 0.0, integer: true, names }
+    }
 }
 
 /// How strong an answer is.

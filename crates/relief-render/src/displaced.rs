@@ -5,7 +5,10 @@ use std::sync::atomic::AtomicBool;
 
 use relief_core::HeightMap;
 use relief_core::mesh::{Mesh, Vertex};
-use relief_mesh::{Cull, MeshSettings, Mesher, MesherError, Outside, Stream, StreamError, View, Watch};
+use relief_mesh::{
+    Cull, MeshSettings, Mesher, MesherError, Outside, SliceError, SliceSettings, Slicer, Stream, StreamError,
+    View, Watch,
+};
 use relief_shaders::Selection;
 use relief_shaders::cpu::{Corner, Shell};
 use relief_shaders::geometry::Geometry;
@@ -33,12 +36,15 @@ const FINEST_TEXELS: f64 = 0.25;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum GeometryError {
     /// They cannot be made.
-    #[error("its displaced triangles cannot be made: {0}; a larger 'geometry.{1}' makes fewer")]
+    #[error("its displaced triangles cannot be made: {0}; {1} makes fewer")]
     Mesh(MesherError, &'static str),
+    /// There are no slices.
+    #[error("it cannot be sliced: {0}")]
+    Slices(SliceError),
     /// They take more memory than is allowed.
     #[error(
-        "its {triangles} displaced triangles need {} MiB of memory, {} MiB are left for them: choose a \
-         larger 'geometry.{setting}', or allow more memory",
+        "its {triangles} triangles need {} MiB of memory, {} MiB are left for them: choose {setting}, or allow \
+         more memory",
         needed.div_ceil(1 << 20), left >> 20
     )]
     Memory {
@@ -48,7 +54,7 @@ pub enum GeometryError {
         needed: u64,
         /// Bytes that may be used and that others leave for them.
         left: u64,
-        /// The setting that makes them fewer.
+        /// What makes them fewer.
         setting: &'static str,
     },
     /// A vertex lies too far away.
@@ -72,6 +78,8 @@ enum Cut {
     Seen(View, u32, Option<Cull>),
     /// The same, by the backend itself.
     Tessellated(View, u32, Cull),
+    /// By slices through the relief.
+    Sliced(SliceSettings),
 }
 
 impl DisplacedOf {
@@ -89,6 +97,7 @@ impl DisplacedOf {
                 let cull = cull(scene, surface, &view).unwrap_or_default();
                 Cut::Tessellated(view, selection.levels_of(map), cull)
             }
+            Geometry::Slices(count) => Cut::Sliced(SliceSettings { count }),
         };
         Some(Self { mesh: Arc::clone(surface.mesh()), map: Arc::clone(map), cut })
     }
@@ -105,11 +114,12 @@ impl DisplacedOf {
             && levels(&self.cut).is_some_and(|own| levels(&other.cut) == Some(own))
     }
 
-    /// The setting that makes them fewer.
+    /// What makes them fewer.
     fn setting(&self) -> &'static str {
         match self.cut {
-            Cut::Texels(_) => "texels",
-            Cut::Seen(..) | Cut::Tessellated(..) => "pixels",
+            Cut::Texels(_) => "a larger 'geometry.texels'",
+            Cut::Seen(..) | Cut::Tessellated(..) => "a larger 'geometry.pixels'",
+            Cut::Sliced(_) => "a smaller 'slices.count'",
         }
     }
 
@@ -229,6 +239,7 @@ impl Displaced {
                     let mesher = Mesher::with_levels(&of.mesh, &of.map, &coarser, &settings, &watch);
                     mesher.map_err(|error| of.error(error)).and_then(|mesher| made(&of, &mesher, left, watch))
                 }
+                Cut::Sliced(settings) => sliced(&of, settings, left, watch),
                 Cut::Tessellated(view, levels, cull) => {
                     let known = self.bases.iter().find(|known| known.of.has_base_of(&of));
                     let base = match known.map(|known| Arc::clone(&known.base)) {
@@ -311,6 +322,43 @@ fn made(
     }
     let faces = faces.into_iter().zip(std::iter::repeat(Shell::whole()));
     Ok((Arc::new(Triangles::new(corners, faces).among(mesher.everything().cloned())), bytes))
+}
+
+/// Slices and the memory that they take; the error is none where it was cancelled.
+fn sliced(
+    of: &DisplacedOf,
+    settings: SliceSettings,
+    left: u64,
+    watch: Watch,
+) -> Result<(Arc<Triangles>, u64), Option<GeometryError>> {
+    let error = |error| match error {
+        SliceError::Cancelled => None,
+        SliceError::NotFinite => Some(GeometryError::NotFinite),
+        error => Some(GeometryError::Slices(error)),
+    };
+    let slicer = Slicer::new(&of.mesh, &of.map, settings).map_err(error)?;
+    let (vertices, triangles) = (slicer.vertices(), slicer.triangles());
+    let each = |count: u64, bytes: u64| count.saturating_mul(bytes);
+    let needed = each(vertices, BYTES_PER_VERTEX).saturating_add(each(triangles, BYTES_PER_TRIANGLE));
+    // The numbers of corners fit 32 bits.
+    if needed > left || vertices > u64::from(u32::MAX) {
+        return Err(Some(GeometryError::Memory { triangles, needed, left, setting: of.setting() }));
+    }
+    let mut corners: Vec<Corner> = Vec::with_capacity(vertices as usize);
+    let mut faces: Vec<[u32; 3]> = Vec::with_capacity(triangles as usize);
+    let made = slicer.each(&watch, |block| {
+        let first = corners.len() as u32;
+        corners.extend(
+            block
+                .vertices
+                .iter()
+                .map(|of| Corner { of_surface: [of.height, of.spacing, 0.0].into(), ..corner(&of.vertex) }),
+        );
+        faces.extend(block.triangles.iter().map(|triangle| triangle.map(|corner| first + corner)));
+    });
+    made.map_err(error)?;
+    let faces = faces.into_iter().zip(std::iter::repeat(Shell::whole()));
+    Ok((Arc::new(Triangles::new(corners, faces)), needed))
 }
 
 /// A vertex as the shaders have it.

@@ -170,7 +170,7 @@ fn shells(of: &ShellsOf) -> Arc<Triangles> {
 fn triangles(mesh: &Mesh, quadrics: &[[f32; 3]], shells: impl Iterator<Item = Shell>) -> Triangles {
     let corners = (0..).zip(mesh.vertices()).map(|(place, vertex): (usize, &Vertex)| {
         let quadric = quadrics.get(place).copied().unwrap_or_default();
-        Corner { quadric: quadric.into(), ..corner(vertex) }
+        Corner { of_surface: quadric.into(), ..corner(vertex) }
     });
     Triangles::new(corners.collect(), mesh.triangles().iter().copied().zip(shells))
 }

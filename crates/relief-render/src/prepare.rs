@@ -8,6 +8,7 @@ use relief_core::BakedMap;
 use relief_io::Picture;
 use relief_maps::{Account, Maps, MapsError, Watch};
 use relief_shaders::cpu::{Frame, Light as ShaderLight, SurfaceSettings};
+use relief_shaders::surface::Shown;
 use relief_shaders::{MapNeed, MapSlot, SlotMaps};
 
 use crate::displaced::Displaced;
@@ -81,7 +82,7 @@ impl Preparer {
             let color = surface.color().map(|picture| pictures.of(picture, levels, &self.pictures));
             let normal_map = match surface.normal_map() {
                 Some(normals) => Some(pictures.of_normals(normals, levels, &self.pictures)),
-                None if levels && surface.selection().paths().has_relief => {
+                None if levels && surface.selection().paths().has_normals_of_relief() => {
                     pictures.derived(surface, &self.pictures)
                 }
                 None => None,
@@ -103,7 +104,8 @@ impl Preparer {
                 color,
                 normal_map,
                 maps,
-                two_sided: surface.two_sided(),
+                // Slices have no back.
+                two_sided: surface.two_sided() || surface.selection().paths().shown == Shown::Slices,
             }
         });
         let surfaces: Vec<JobSurface> = surfaces.collect();

@@ -141,7 +141,7 @@ pub struct EnteredBlock {
     pub level: [u32; BLOCK],
     pub facing: [[f32; BLOCK]; 3],
     pub span: [[f32; BLOCK]; 2],
-    pub quadric: [[f32; BLOCK]; 4],
+    pub of_surface: [[f32; BLOCK]; 4],
     pub footprint: [f32; BLOCK],
     pub fade: [f32; BLOCK],
     pub depth: [f32; BLOCK],
@@ -160,7 +160,7 @@ impl Default for EnteredBlock {
             level: [0u32; BLOCK],
             facing: [[0f32; BLOCK]; 3],
             span: [[0f32; BLOCK]; 2],
-            quadric: [[0f32; BLOCK]; 4],
+            of_surface: [[0f32; BLOCK]; 4],
             footprint: [0f32; BLOCK],
             fade: [0f32; BLOCK],
             depth: [0f32; BLOCK],
@@ -197,10 +197,10 @@ impl EnteredBlock {
         self.facing[2][at] = value.facing.z;
         self.span[0][at] = value.span.x;
         self.span[1][at] = value.span.y;
-        self.quadric[0][at] = value.quadric.x;
-        self.quadric[1][at] = value.quadric.y;
-        self.quadric[2][at] = value.quadric.z;
-        self.quadric[3][at] = value.quadric.w;
+        self.of_surface[0][at] = value.of_surface.x;
+        self.of_surface[1][at] = value.of_surface.y;
+        self.of_surface[2][at] = value.of_surface.z;
+        self.of_surface[3][at] = value.of_surface.w;
         self.footprint[at] = value.footprint;
         self.fade[at] = value.fade;
         self.depth[at] = value.depth;
@@ -220,7 +220,7 @@ impl EnteredBlock {
             level: self.level[at],
             facing: Vec3 { x: self.facing[0][at], y: self.facing[1][at], z: self.facing[2][at] },
             span: Vec2 { x: self.span[0][at], y: self.span[1][at] },
-            quadric: Vec4 { x: self.quadric[0][at], y: self.quadric[1][at], z: self.quadric[2][at], w: self.quadric[3][at] },
+            of_surface: Vec4 { x: self.of_surface[0][at], y: self.of_surface[1][at], z: self.of_surface[2][at], w: self.of_surface[3][at] },
             footprint: self.footprint[at],
             fade: self.fade[at],
             depth: self.depth[at],

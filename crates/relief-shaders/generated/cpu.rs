@@ -143,9 +143,10 @@ pub struct Corner {
     pub tangent: rt::Vec3<f32>,
     pub bitangent: rt::Vec3<f32>,
     pub uv: rt::Vec2<f32>,
-    /// The quadric that the base follows around the corner, where the surface stage is one of quadrics, zeros
-    /// elsewhere: of q(du, dv) = x du² + y du dv + z dv², in metres a tile squared, positive along the normal.
-    pub quadric: rt::Vec3<f32>,
+    /// What the surface stage alone knows of it, zeros elsewhere. Of quadrics the one that the base follows
+    /// around the corner: of q(du, dv) = x du² + y du dv + z dv², in metres a tile squared, positive along the
+    /// normal. Of slices the height that they have there, and how far apart they are, as a height.
+    pub of_surface: rt::Vec3<f32>,
 }
 impl Corner {
     pub fn new(
@@ -154,9 +155,9 @@ impl Corner {
         tangent: impl rt::Into<rt::Vec3<f32>>,
         bitangent: impl rt::Into<rt::Vec3<f32>>,
         uv: impl rt::Into<rt::Vec2<f32>>,
-        quadric: impl rt::Into<rt::Vec3<f32>>,
+        of_surface: impl rt::Into<rt::Vec3<f32>>,
     ) -> Self {
-        Self { position: rt::into(position), normal: rt::into(normal), tangent: rt::into(tangent), bitangent: rt::into(bitangent), uv: rt::into(uv), quadric: rt::into(quadric) }
+        Self { position: rt::into(position), normal: rt::into(normal), tangent: rt::into(tangent), bitangent: rt::into(bitangent), uv: rt::into(uv), of_surface: rt::into(of_surface) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -268,9 +269,9 @@ pub struct Entered {
     pub facing: rt::Vec3<f32>,
     /// Where the ray may be in a shell: metres from the place where it comes nearest to the triangle.
     pub span: rt::Vec2<f32>,
-    /// The quadric at the point as in `Corner`, positive toward the ray's side, and the height that the point
-    /// has in the relief. Zeros where the surface is none of quadrics.
-    pub quadric: rt::Vec4<f32>,
+    /// As in `Corner`, at the point. Of quadrics positive toward the ray's side, and after that the height that
+    /// the point has in the relief.
+    pub of_surface: rt::Vec4<f32>,
     /// How many texels of the height map's finest level the pixel's footprint is wide; 0 where all is seen in
     /// the finest level.
     pub footprint: f32,
@@ -292,12 +293,12 @@ impl Entered {
         level: impl rt::Into<u32>,
         facing: impl rt::Into<rt::Vec3<f32>>,
         span: impl rt::Into<rt::Vec2<f32>>,
-        quadric: impl rt::Into<rt::Vec4<f32>>,
+        of_surface: impl rt::Into<rt::Vec4<f32>>,
         footprint: impl rt::Into<f32>,
         fade: impl rt::Into<f32>,
         depth: impl rt::Into<f32>,
     ) -> Self {
-        Self { segments: rt::into(segments), point: rt::into(point), uv: rt::into(uv), tangent: rt::into(tangent), bitangent: rt::into(bitangent), normal: rt::into(normal), metric: rt::into(metric), level: rt::into(level), facing: rt::into(facing), span: rt::into(span), quadric: rt::into(quadric), footprint: rt::into(footprint), fade: rt::into(fade), depth: rt::into(depth) }
+        Self { segments: rt::into(segments), point: rt::into(point), uv: rt::into(uv), tangent: rt::into(tangent), bitangent: rt::into(bitangent), normal: rt::into(normal), metric: rt::into(metric), level: rt::into(level), facing: rt::into(facing), span: rt::into(span), of_surface: rt::into(of_surface), footprint: rt::into(footprint), fade: rt::into(fade), depth: rt::into(depth) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -895,7 +896,7 @@ impl ShellPoint {
 /// What belongs to a surface: its maps, displacement, material and method.
 pub struct SurfaceSettings {
     /// For each stage, in the order in which a pixel goes through them.
-    pub choices: [Choice; 9],
+    pub choices: [Choice; 10],
     /// For each slot of baked maps.
     pub maps: [MapSettings; 7],
     pub diffuse: rt::Vec4<f32>,
@@ -944,7 +945,7 @@ pub struct SurfaceSettings {
 }
 impl SurfaceSettings {
     pub fn new(
-        choices: impl rt::Into<[Choice; 9]>,
+        choices: impl rt::Into<[Choice; 10]>,
         maps: impl rt::Into<[MapSettings; 7]>,
         diffuse: impl rt::Into<rt::Vec4<f32>>,
         specular: impl rt::Into<rt::Vec4<f32>>,
@@ -1220,7 +1221,7 @@ pub const SLOT_SHADOW: rt::Scalar<u32> = rt::Scalar(3u32);
 #[allow(non_upper_case_globals)]
 pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
-pub const STAGES: rt::Scalar<u32> = rt::Scalar(9u32);
+pub const STAGES: rt::Scalar<u32> = rt::Scalar(10u32);
 #[allow(non_upper_case_globals)]
 pub const STEP: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(0u32), rt::Scalar(1u32), rt::Scalar(0u32));
 #[allow(non_upper_case_globals)]
@@ -1317,20 +1318,20 @@ impl<'g> Resources<'g> {
         ray_2: Across,
         t_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let c_11 = (t_1 * (rt::Scalar(ray_2.descent) + (t_1 * rt::Scalar(ray_2.along))));
+        let c_12 = (t_1 * (rt::Scalar(ray_2.descent) + (t_1 * rt::Scalar(ray_2.along))));
         let _e7 = self.v_across_discriminant(ray_2, t_1);
         if rt::Scalar::into_branch_condition((!_e7.elementwise_ge(rt::Scalar(0f32)))) {
-            return c_11;
+            return c_12;
         }
-        let b_17 = ((t_1 * rt::Scalar(ray_2.mixed)) - rt::Scalar(ray_2.sine));
+        let b_18 = ((t_1 * rt::Scalar(ray_2.mixed)) - rt::Scalar(ray_2.sine));
         let root = _e7.sqrt();
-        if rt::Scalar::into_branch_condition(b_17.elementwise_lt(rt::Scalar(0f32))) {
-            return ((rt::Scalar(2f32) * c_11) / (root - b_17));
+        if rt::Scalar::into_branch_condition(b_18.elementwise_lt(rt::Scalar(0f32))) {
+            return ((rt::Scalar(2f32) * c_12) / (root - b_18));
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(ray_2.across).elementwise_ne(rt::Scalar(0f32))) {
-            return (((rt::Scalar(0f32) - b_17) - root) / (rt::Scalar(2f32) * rt::Scalar(ray_2.across)));
+            return (((rt::Scalar(0f32) - b_18) - root) / (rt::Scalar(2f32) * rt::Scalar(ray_2.across)));
         }
-        return c_11;
+        return c_12;
     }
     pub(crate) fn traced_scale_m(&self) -> f32 {
         rt::into(self.v_traced_scale_m())
@@ -1414,7 +1415,7 @@ impl<'g> Resources<'g> {
         let descent_1 = (rt::Scalar(0f32) - at_1.normal.dot(direction_1));
         let aside_1 = (at_1.normal + (direction_1 * descent_1));
         let sine = aside_1.length().max(rt::Scalar(0.0009765625f32));
-        let q_1 = at_1.quadric.xyz();
+        let q_1 = at_1.of_surface.xyz();
         let _e18 = self.v_climb(at_1, (aside_1 / rt::Vec3::splat_from_scalar(sine)));
         let beside_2 = _e18.xy();
         let _e20 = self.v_quadric_slope(q_1, duv_3);
@@ -1617,7 +1618,7 @@ impl<'g> Resources<'g> {
 
         let nowhere = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
         let _e6 = self.v_traced_scale_m();
-        let height_7 = at_2.quadric.w();
+        let height_7 = at_2.of_surface.w();
         let over = ((height_7 - rt::Scalar(1f32)) * _e6);
         let _e12 = self.v_down_across(ray_7, over);
         let _e13 = self.v_down_along(ray_7, over);
@@ -1757,14 +1758,14 @@ impl<'g> Resources<'g> {
         uv: rt::Vec2<f32>,
         n_2: rt::Vec2<i32>,
     ) -> Around {
-        let point_9 = ((uv * n_2.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_9);
+        let point_11 = ((uv * n_2.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_11);
         let i_1 = _e8.to_i32();
         let _e12 = self.v_wrap_index(i_1.x(), n_2.x());
         let _e17 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_2.x());
         let _e21 = self.v_wrap_index(i_1.y(), n_2.y());
         let _e26 = self.v_wrap_index((i_1.y() + rt::Scalar(1i32)), n_2.y());
-        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_9 - _e8));
+        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_11 - _e8));
     }
     pub(crate) fn level_texels(
         &self,
@@ -1872,11 +1873,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_3);
         let _e3 = self.v_texels_around(uv_1, _e2);
-        let k_27 = level_3.to_i32();
-        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_27);
-        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_27);
-        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_27);
-        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_27);
+        let k_28 = level_3.to_i32();
+        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_28);
+        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_28);
+        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_28);
+        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_28);
         let _e34 = self.v_bilinear(_e11, _e18, _e25, _e32, _e3.part);
         return _e34;
     }
@@ -2084,16 +2085,16 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_face_place(direction_2);
         let _e5 = rt::Scalar(self.surface_settings.environment_side);
         let last_2 = ((_e5 >> level_6).to_i32().max(rt::Scalar(1i32)) - rt::Scalar(1i32));
-        let point_10 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
+        let point_12 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
         let most_2 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).to_f32();
-        let corner_3 = point_10.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
+        let corner_3 = point_12.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
         let texel_5 = corner_3.to_i32();
-        let k_28 = level_6.to_i32();
-        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_28);
-        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_28);
-        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_28);
-        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_28);
-        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_10 - corner_3));
+        let k_29 = level_6.to_i32();
+        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_29);
+        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_29);
+        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_29);
+        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_29);
+        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_12 - corner_3));
         return _e55.xyz();
     }
     pub(crate) fn environment_in_lobe(
@@ -2161,8 +2162,8 @@ impl<'g> Resources<'g> {
         let eta = (rt::Scalar(1f32) / ior);
         let inside_4 = (rt::Scalar(1f32) - ((eta * eta) * (rt::Scalar(1f32) - (cosine_3 * cosine_3)))).max(rt::Scalar(0f32)).sqrt();
         let across_1 = ((cosine_3 - (ior * inside_4)) / (cosine_3 + (ior * inside_4)).max(rt::Scalar(0.000001f32)));
-        let along_16 = (((ior * cosine_3) - inside_4) / ((ior * cosine_3) + inside_4).max(rt::Scalar(0.000001f32)));
-        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_16);
+        let along_17 = (((ior * cosine_3) - inside_4) / ((ior * cosine_3) + inside_4).max(rt::Scalar(0.000001f32)));
+        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_17);
         let reflected = (rt::Scalar(0.5f32) * waves.dot(waves));
         let _e47 = rt::Scalar(self.surface_settings.shininess);
         let lean = ((rt::Scalar(2f32) / (_e47.to_f32() + rt::Scalar(2f32))) + (rt::Scalar(2f32) * (rt::Scalar(1f32) - mean_2).max(rt::Scalar(0f32)))).sqrt();
@@ -2227,30 +2228,30 @@ impl<'g> Resources<'g> {
         view_5: rt::Vec3<f32>,
         color_6: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e9 = rt::Scalar(self.surface_settings.choices[8usize].number);
+        let _e9 = rt::Scalar(self.surface_settings.choices[9usize].number);
         match rt::Scalar::into_inner(_e9) {
             0u32 => {
-                let _e14 = self.surface_settings.choices[8usize].params;
+                let _e14 = self.surface_settings.choices[9usize].params;
                 let _e15 = self.v_ambient_constant(at_9, hit_5, normal_6, view_5, color_6, _e14);
                 return _e15;
             }
             1u32 => {
-                let _e20 = self.surface_settings.choices[8usize].params;
+                let _e20 = self.surface_settings.choices[9usize].params;
                 let _e21 = self.v_ambient_occlusion(at_9, hit_5, normal_6, view_5, color_6, _e20);
                 return _e21;
             }
             2u32 => {
-                let _e26 = self.surface_settings.choices[8usize].params;
+                let _e26 = self.surface_settings.choices[9usize].params;
                 let _e27 = self.v_ambient_bent_normal(at_9, hit_5, normal_6, view_5, color_6, _e26);
                 return _e27;
             }
             3u32 => {
-                let _e32 = self.surface_settings.choices[8usize].params;
+                let _e32 = self.surface_settings.choices[9usize].params;
                 let _e33 = self.v_ambient_bounce(at_9, hit_5, normal_6, view_5, color_6, _e32);
                 return _e33;
             }
             _ => {
-                let _e38 = self.surface_settings.choices[8usize].params;
+                let _e38 = self.surface_settings.choices[9usize].params;
                 let _e39 = self.v_ambient_environment(at_9, hit_5, normal_6, view_5, color_6, _e38);
                 return _e39;
             }
@@ -2324,12 +2325,12 @@ impl<'g> Resources<'g> {
         let parts_3 = <rt::Vec3<f32>>::from_scalars(_e16, _e18, _e20);
         let limited = parts_3.min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)));
         let w_3 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
-        let normal_18 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
-        let place_18 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_18 * offset));
+        let normal_20 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
+        let place_18 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_20 * offset));
         let t_33 = place_18.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let second_1 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
         let third = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
-        let volume = (second_1.cross(third).dot(normal_18) * rt::Scalar(way.turn));
+        let volume = (second_1.cross(third).dot(normal_20) * rt::Scalar(way.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
         let height_8 = (((offset - low) - _e83) / width_1).min(rt::Scalar(300000000000000000000000000000000000000f32));
         return <WayPoint>::new(<ShellPoint>::new(w_3, height_8), t_33, (place_18 - (along * t_33)).length(), volume);
@@ -2598,15 +2599,15 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_29 = level_8.to_i32();
+        let k_30 = level_8.to_i32();
         let _e6 = self.v_wrap_index(cell.x(), _e2.x());
         let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
         let _e14 = self.v_wrap_index(cell.y(), _e2.y());
         let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_29));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_29));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_29));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_29));
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_30));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_30));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_30));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_30));
         return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
     }
     pub(crate) fn height_at(
@@ -2624,9 +2625,9 @@ impl<'g> Resources<'g> {
         level_9: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
         let _e2 = self.v_height_size(level_9);
-        let point_11 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_11);
-        let f = (point_11 - _e8);
+        let point_13 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_13);
+        let f = (point_13 - _e8);
         let _e11 = self.v_height_cell(_e8.to_i32(), level_9);
         let top_2 = (_e11.x() + ((_e11.y() - _e11.x()) * f.x()));
         let bottom_1 = (_e11.z() + ((_e11.w() - _e11.z()) * f.x()));
@@ -2748,10 +2749,10 @@ impl<'g> Resources<'g> {
         let bx = (h_1.y() - h_1.x());
         let by_1 = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_100 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
+        let at_103 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
         let z = (path_4.h.x() + (t_8 * (path_4.h.y() + (t_8 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_8) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_100.x())) + (by_1 * at_100.y())) + ((twist * at_100.x()) * at_100.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_100.x() * grid_1.step.y()) + (at_100.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_103.x())) + (by_1 * at_103.y())) + ((twist * at_103.x()) * at_103.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_103.x() * grid_1.step.y()) + (at_103.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -2940,9 +2941,9 @@ impl<'g> Resources<'g> {
             }
             return interval_1;
         }
-        let a_17 = ((rt::Scalar(0f32) - x0_) / dx);
-        let b_18 = ((rt::Scalar(1f32) - x0_) / dx);
-        return <rt::Vec2<f32>>::from_scalars(interval_1.x().max(a_17.min(b_18)), interval_1.y().min(a_17.max(b_18)));
+        let a_18 = ((rt::Scalar(0f32) - x0_) / dx);
+        let b_19 = ((rt::Scalar(1f32) - x0_) / dx);
+        return <rt::Vec2<f32>>::from_scalars(interval_1.x().max(a_18.min(b_19)), interval_1.y().min(a_18.max(b_19)));
     }
     pub(crate) fn path_from(
         &self,
@@ -3347,11 +3348,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_10);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_30 = level_10.to_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_30));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_30));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_30));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_30));
+        let k_31 = level_10.to_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_31));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_31));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_31));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_31));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -3543,8 +3544,8 @@ impl<'g> Resources<'g> {
         direction_4: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
         let aside_3 = (origin + (direction_4 * t_12));
-        let along_17 = (normal_8.dot(aside_3) / normal_8.dot(pixel_11.direction));
-        let _e15 = self.v_climb(at_16, (aside_3 - (pixel_11.direction * along_17)));
+        let along_18 = (normal_8.dot(aside_3) / normal_8.dot(pixel_11.direction));
+        let _e15 = self.v_climb(at_16, (aside_3 - (pixel_11.direction * along_18)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.to_f32());
     }
@@ -3563,14 +3564,14 @@ impl<'g> Resources<'g> {
         at_17: Entered,
         anisotropy: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let normal_19 = at_17.facing;
-        let _e4 = self.v_plane_distance(pixel_12, normal_19);
+        let normal_21 = at_17.facing;
+        let _e4 = self.v_plane_distance(pixel_12, normal_21);
         let _e7 = self.frame.eye_right;
         let _e11 = self.frame.right;
-        let _e13 = self.v_footprint_axis(pixel_12, at_17, normal_19, _e4, _e7.xyz(), _e11.xyz());
+        let _e13 = self.v_footprint_axis(pixel_12, at_17, normal_21, _e4, _e7.xyz(), _e11.xyz());
         let _e16 = self.frame.eye_down;
         let _e20 = self.frame.down;
-        let _e22 = self.v_footprint_axis(pixel_12, at_17, normal_19, _e4, _e16.xyz(), _e20.xyz());
+        let _e22 = self.v_footprint_axis(pixel_12, at_17, normal_21, _e4, _e16.xyz(), _e20.xyz());
         let both = <rt::Vec4<f32>>::new_22(_e13, _e22);
         let sum_2 = both.dot(both);
         let area_1 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
@@ -3650,20 +3651,20 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_stage(&self, pixel_16: PixelIn, at_21: Entered) -> Detail {
-        let _e6 = rt::Scalar(self.surface_settings.choices[2usize].number);
+        let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
-                let _e11 = self.surface_settings.choices[2usize].params;
+                let _e11 = self.surface_settings.choices[3usize].params;
                 let _e12 = self.v_detail_none(pixel_16, at_21, _e11);
                 return _e12;
             }
             1u32 => {
-                let _e17 = self.surface_settings.choices[2usize].params;
+                let _e17 = self.surface_settings.choices[3usize].params;
                 let _e18 = self.v_detail_footprint(pixel_16, at_21, _e17);
                 return _e18;
             }
             _ => {
-                let _e23 = self.surface_settings.choices[2usize].params;
+                let _e23 = self.surface_settings.choices[3usize].params;
                 let _e24 = self.v_detail_fade(pixel_16, at_21, _e23);
                 return _e24;
             }
@@ -3708,11 +3709,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_13);
         let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_31 = (level_13 - SEEN_FIRST_LEVEL).to_i32();
-        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_31);
-        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_31);
-        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_31);
-        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_31);
+        let k_32 = (level_13 - SEEN_FIRST_LEVEL).to_i32();
+        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_32);
+        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_32);
+        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_32);
+        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_32);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e4.part);
         return _e33;
     }
@@ -4324,9 +4325,9 @@ impl<'g> Resources<'g> {
         level_14: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_height_size(level_14);
-        let point_12 = ((uv_6 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_12);
-        let f_1 = (point_12 - _e8);
+        let point_14 = ((uv_6 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_14);
+        let f_1 = (point_14 - _e8);
         let _e11 = self.v_height_cell(_e8.to_i32(), level_14);
         let top_4 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_2 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
@@ -4469,31 +4470,53 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_normal(&self, pixel_17: PixelIn) -> rt::Vec3<f32> {
-        let a_18 = pixel_17.a.position;
-        return (pixel_17.b.position - a_18).cross((pixel_17.c.position - a_18));
+        let a_19 = pixel_17.a.position;
+        return (pixel_17.b.position - a_19).cross((pixel_17.c.position - a_19));
+    }
+    pub(crate) fn weights_of(
+        &self,
+        a_8: impl rt::Into<rt::Vec3<f32>>,
+        b_8: impl rt::Into<rt::Vec3<f32>>,
+        c_3: impl rt::Into<rt::Vec3<f32>>,
+        normal_10: impl rt::Into<rt::Vec3<f32>>,
+        point_1: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_weights_of(rt::into(a_8), rt::into(b_8), rt::into(c_3), rt::into(normal_10), rt::into(point_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_weights_of(
+        &self,
+        a_8: rt::Vec3<f32>,
+        b_8: rt::Vec3<f32>,
+        c_3: rt::Vec3<f32>,
+        normal_10: rt::Vec3<f32>,
+        point_1: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let nn = normal_10.dot(normal_10);
+        let from_a = (point_1 - a_8);
+        let wb = (from_a.cross((c_3 - a_8)).dot(normal_10) / nn);
+        let wc = ((b_8 - a_8).cross(from_a).dot(normal_10) / nn);
+        return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - wb) - wc), wb, wc);
     }
     pub(crate) fn plane_weights(
         &self,
         pixel_18: PixelIn,
-        normal_10: impl rt::Into<rt::Vec3<f32>>,
-        point_1: impl rt::Into<rt::Vec3<f32>>,
+        normal_11: impl rt::Into<rt::Vec3<f32>>,
+        point_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_plane_weights(pixel_18, rt::into(normal_10), rt::into(point_1)))
+        rt::into(self.v_plane_weights(pixel_18, rt::into(normal_11), rt::into(point_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_weights(
         &self,
         pixel_18: PixelIn,
-        normal_10: rt::Vec3<f32>,
-        point_1: rt::Vec3<f32>,
+        normal_11: rt::Vec3<f32>,
+        point_2: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let a_19 = pixel_18.a.position;
-        let nn = normal_10.dot(normal_10);
-        let from_a = (point_1 - a_19);
-        let wb = (from_a.cross((pixel_18.c.position - a_19)).dot(normal_10) / nn);
-        let wc = ((pixel_18.b.position - a_19).cross(from_a).dot(normal_10) / nn);
-        return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - wb) - wc), wb, wc);
+        let _e9 = self.v_weights_of(pixel_18.a.position, pixel_18.b.position, pixel_18.c.position, normal_11, point_2);
+        return _e9;
     }
     pub(crate) fn surface_plane_enter(
         &self,
@@ -4512,22 +4535,22 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_plane_normal(pixel_19);
         let _e5 = self.v_plane_distance(pixel_19, _e2);
-        let point_13 = (pixel_19.origin + (pixel_19.direction * _e5));
-        let _e8 = self.v_plane_weights(pixel_19, _e2, point_13);
+        let point_15 = (pixel_19.origin + (pixel_19.direction * _e5));
+        let _e8 = self.v_plane_weights(pixel_19, _e2, point_15);
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_28 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
+        let uv_29 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
         let tangent_1 = (((pixel_19.a.tangent * wa) + (pixel_19.b.tangent * wb_1)) + (pixel_19.c.tangent * wc_1));
         let bitangent = (((pixel_19.a.bitangent * wa) + (pixel_19.b.bitangent * wb_1)) + (pixel_19.c.bitangent * wc_1));
-        let normal_20 = ((((pixel_19.a.normal * wa) + (pixel_19.b.normal * wb_1)) + (pixel_19.c.normal * wc_1)).normalize() * rt::Scalar(pixel_19.side));
+        let normal_22 = ((((pixel_19.a.normal * wa) + (pixel_19.b.normal * wb_1)) + (pixel_19.c.normal * wc_1)).normalize() * rt::Scalar(pixel_19.side));
         let tt = tangent_1.dot(tangent_1);
         let tb = tangent_1.dot(bitangent);
         let bb = bitangent.dot(bitangent);
         let area_2 = ((tt * bb) - (tb * tb));
         let _e67 = rt::Scalar(self.surface_settings.scale_m);
         let metric_1 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e67);
-        let descent_2 = (rt::Scalar(0f32) - normal_20.dot((pixel_19.direction / rt::Vec3::splat_from_scalar(pixel_19.direction.length()))));
+        let descent_2 = (rt::Scalar(0f32) - normal_22.dot((pixel_19.direction / rt::Vec3::splat_from_scalar(pixel_19.direction.length()))));
         if rt::Scalar::into_branch_condition(area_2.elementwise_gt(rt::Scalar(0f32))) {
             local_25 = descent_2.elementwise_gt(rt::Scalar(0f32));
         } else {
@@ -4535,7 +4558,7 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_25;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_13, uv_28, tangent_1, bitangent, normal_20, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_15, uv_29, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -4582,11 +4605,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_22: PixelIn,
         weights_1: impl rt::Into<rt::Vec3<f32>>,
-        point_2: impl rt::Into<rt::Vec3<f32>>,
+        point_3: impl rt::Into<rt::Vec3<f32>>,
         uv_10: impl rt::Into<rt::Vec2<f32>>,
         facing: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_frame_at(pixel_22, rt::into(weights_1), rt::into(point_2), rt::into(uv_10), rt::into(facing)))
+        rt::into(self.v_frame_at(pixel_22, rt::into(weights_1), rt::into(point_3), rt::into(uv_10), rt::into(facing)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4594,7 +4617,7 @@ impl<'g> Resources<'g> {
         &self,
         pixel_22: PixelIn,
         weights_1: rt::Vec3<f32>,
-        point_2: rt::Vec3<f32>,
+        point_3: rt::Vec3<f32>,
         uv_10: rt::Vec2<f32>,
         facing: rt::Vec3<f32>,
     ) -> Entered {
@@ -4603,11 +4626,11 @@ impl<'g> Resources<'g> {
         let _e10 = self.v_ordered(pixel_22, rt::Scalar(2u32));
         let tangent_2 = (((_e6.tangent * weights_1.x()) + (_e8.tangent * weights_1.y())) + (_e10.tangent * weights_1.z()));
         let bitangent_1 = (((_e6.bitangent * weights_1.x()) + (_e8.bitangent * weights_1.y())) + (_e10.bitangent * weights_1.z()));
-        let normal_21 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
+        let normal_23 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
         let _e49 = rt::Scalar(self.surface_settings.scale_m);
         let metric_2 = <rt::Vec4<f32>>::from_scalars(tangent_2.dot(tangent_2), tangent_2.dot(bitangent_1), bitangent_1.dot(bitangent_1), _e49);
-        let unit = (normal_21.normalize() * rt::Scalar(pixel_22.side));
-        return <Entered>::new(rt::Scalar(1u32), point_2, uv_10, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let unit = (normal_23.normalize() * rt::Scalar(pixel_22.side));
+        return <Entered>::new(rt::Scalar(1u32), point_3, uv_10, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn facing_of(
         &self,
@@ -4645,11 +4668,11 @@ impl<'g> Resources<'g> {
         let mut at_23: Entered;
 
         let third_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_29 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
+        let uv_30 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_24, along_7);
-        let point_14 = (pixel_24.origin + (along_7 * _e17));
+        let point_16 = (pixel_24.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_24, along_7);
-        let _e21 = self.v_frame_at(pixel_24, third_1, point_14, uv_29, _e20);
+        let _e21 = self.v_frame_at(pixel_24, third_1, point_16, uv_30, _e20);
         at_23 = _e21;
         rt::Scalar(at_23.segments) = rt::Scalar(0u32);
         let _e25 = at_23;
@@ -4761,9 +4784,9 @@ impl<'g> Resources<'g> {
         offset_2: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let a_20 = ((prism_5.p2_ - prism_5.p1_) + ((prism_5.n2_ - prism_5.n1_) * offset_2));
-        let b_19 = ((prism_5.p0_ - prism_5.p2_) + ((prism_5.n0_ - prism_5.n2_) * offset_2));
-        let c_12 = ((prism_5.p1_ - prism_5.p0_) + ((prism_5.n1_ - prism_5.n0_) * offset_2));
-        return (<rt::Vec3<f32>>::from_scalars(a_20.length(), b_19.length(), c_12.length()) / rt::Vec3::splat_from_scalar(b_19.cross(c_12).length().max(rt::Scalar(0.000000000000000000000000000001f32))));
+        let b_20 = ((prism_5.p0_ - prism_5.p2_) + ((prism_5.n0_ - prism_5.n2_) * offset_2));
+        let c_13 = ((prism_5.p1_ - prism_5.p0_) + ((prism_5.n1_ - prism_5.n0_) * offset_2));
+        return (<rt::Vec3<f32>>::from_scalars(a_20.length(), b_20.length(), c_13.length()) / rt::Vec3::splat_from_scalar(b_20.cross(c_13).length().max(rt::Scalar(0.000000000000000000000000000001f32))));
     }
     pub(crate) fn way_beyond(
         &self,
@@ -4804,23 +4827,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn root_behind(
         &self,
-        c_3: impl rt::Into<rt::Vec3<f32>>,
+        c_4: impl rt::Into<rt::Vec3<f32>>,
         place_8: impl rt::Into<rt::Scalar<f32>>,
         end: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_root_behind(rt::into(c_3), rt::into(place_8), rt::into(end)))
+        rt::into(self.v_root_behind(rt::into(c_4), rt::into(place_8), rt::into(end)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_root_behind(
         &self,
-        c_3: rt::Vec3<f32>,
+        c_4: rt::Vec3<f32>,
         place_8: rt::Scalar<f32>,
         end: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut first: rt::Scalar<f32>;
 
-        let _e3 = self.v_both_roots(c_3);
+        let _e3 = self.v_both_roots(c_4);
         first = end;
         if rt::Scalar::into_branch_condition(_e3.x().elementwise_gt(place_8)) {
             let _e7 = first;
@@ -4968,18 +4991,18 @@ impl<'g> Resources<'g> {
     ) -> Entered {
         let mut at_24: Entered;
 
-        let along_18 = pixel_28.direction.normalize();
-        let _e4 = self.v_middle_of(pixel_28, along_18);
-        let _e5 = self.v_prism_of(pixel_28, along_18, _e4, params_12);
-        let _e6 = self.v_shell_middle(pixel_28, along_18);
+        let along_19 = pixel_28.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_28, along_19);
+        let _e5 = self.v_prism_of(pixel_28, along_19, _e4, params_12);
+        let _e6 = self.v_shell_middle(pixel_28, along_19);
         at_24 = _e6;
-        let _e8 = self.v_way_of(pixel_28, _e5, along_18);
+        let _e8 = self.v_way_of(pixel_28, _e5, along_19);
         let _e9 = self.v_shell_slack(pixel_28, _e4);
         let _e10 = self.v_way_offsets(pixel_28, _e5, _e9);
         let _e11 = at_24;
         let _e12 = self.v_chord_reach(pixel_28, _e11, _e4, params_12);
         let _e13 = self.v_way_beyond(_e5, _e10, _e12);
-        let _e17 = self.v_way_chord(pixel_28, _e5, along_18, _e8, _e10, _e13, params_12.x(), rt::Scalar(0u32));
+        let _e17 = self.v_way_chord(pixel_28, _e5, along_19, _e8, _e10, _e13, params_12.x(), rt::Scalar(0u32));
         rt::Scalar(at_24.segments) = rt::Scalar(_e17.count);
         let _e19 = at_24;
         return _e19;
@@ -4987,34 +5010,34 @@ impl<'g> Resources<'g> {
     pub(crate) fn in_slab(
         &self,
         interval_2: impl rt::Into<rt::Vec2<f32>>,
-        normal_11: impl rt::Into<rt::Vec3<f32>>,
-        a_8: impl rt::Into<rt::Vec3<f32>>,
-        b_8: impl rt::Into<rt::Vec3<f32>>,
-        c_4: impl rt::Into<rt::Vec3<f32>>,
+        normal_12: impl rt::Into<rt::Vec3<f32>>,
+        a_9: impl rt::Into<rt::Vec3<f32>>,
+        b_9: impl rt::Into<rt::Vec3<f32>>,
+        c_5: impl rt::Into<rt::Vec3<f32>>,
         d_1: impl rt::Into<rt::Vec3<f32>>,
         along_11: impl rt::Into<rt::Vec3<f32>>,
         slack_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_in_slab(rt::into(interval_2), rt::into(normal_11), rt::into(a_8), rt::into(b_8), rt::into(c_4), rt::into(d_1), rt::into(along_11), rt::into(slack_4)))
+        rt::into(self.v_in_slab(rt::into(interval_2), rt::into(normal_12), rt::into(a_9), rt::into(b_9), rt::into(c_5), rt::into(d_1), rt::into(along_11), rt::into(slack_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_in_slab(
         &self,
         interval_2: rt::Vec2<f32>,
-        normal_11: rt::Vec3<f32>,
-        a_8: rt::Vec3<f32>,
-        b_8: rt::Vec3<f32>,
-        c_4: rt::Vec3<f32>,
+        normal_12: rt::Vec3<f32>,
+        a_9: rt::Vec3<f32>,
+        b_9: rt::Vec3<f32>,
+        c_5: rt::Vec3<f32>,
         d_1: rt::Vec3<f32>,
         along_11: rt::Vec3<f32>,
         slack_4: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let far_4 = <rt::Vec4<f32>>::from_scalars(normal_11.dot(a_8), normal_11.dot(b_8), normal_11.dot(c_4), normal_11.dot(d_1));
-        let least_1 = far_4.x().min(far_4.y()).min(far_4.z().min(far_4.w()));
-        let most_6 = far_4.x().max(far_4.y()).max(far_4.z().max(far_4.w()));
-        let beyond_3 = (slack_4 * normal_11.length());
-        let change_3 = normal_11.dot(along_11);
+        let far_5 = <rt::Vec4<f32>>::from_scalars(normal_12.dot(a_9), normal_12.dot(b_9), normal_12.dot(c_5), normal_12.dot(d_1));
+        let least_1 = far_5.x().min(far_5.y()).min(far_5.z().min(far_5.w()));
+        let most_6 = far_5.x().max(far_5.y()).max(far_5.z().max(far_5.w()));
+        let beyond_3 = (slack_4 * normal_12.length());
+        let change_3 = normal_12.dot(along_11);
         let _e32 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least_1), change_3, beyond_3);
         let _e35 = self.v_where_positive(_e32, most_6, (rt::Scalar(0f32) - change_3), beyond_3);
         return _e35;
@@ -5092,8 +5115,8 @@ impl<'g> Resources<'g> {
     fn v_passed_by(&self) -> Entered {
         let zero_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let zeros = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let uv_30 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_30, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_30, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let uv_31 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_31, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_31, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shell_point_from(
         &self,
@@ -5137,12 +5160,12 @@ impl<'g> Resources<'g> {
                     let _e35 = w_1.x();
                     let _e39 = w_1.y();
                     let _e44 = w_1.z();
-                    let normal_22 = (((prism_9.n0_ * _e35) + (prism_9.n1_ * _e39)) + (prism_9.n2_ * _e44));
+                    let normal_24 = (((prism_9.n0_ * _e35) + (prism_9.n1_ * _e39)) + (prism_9.n2_ * _e44));
                     let _e49 = w_1.x();
                     let _e53 = w_1.y();
                     let _e58 = w_1.z();
                     let base_1 = (((prism_9.p0_ * _e49) + (prism_9.p1_ * _e53)) + (prism_9.p2_ * _e58));
-                    let rest_3 = ((place_9 - base_1) - (normal_22 * offset_7));
+                    let rest_3 = ((place_9 - base_1) - (normal_24 * offset_7));
                     let _e66 = w_1.x();
                     let _e68 = w_1.y();
                     let _e72 = w_1.z();
@@ -5151,14 +5174,14 @@ impl<'g> Resources<'g> {
                     let _e82 = w_1.z();
                     let _e86 = w_1.y();
                     let third_2 = ((l.y() * (_e80 - _e82)) + (_e86 * (l.x() - l.z())));
-                    let a_21 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_22 * second_3));
-                    let b_20 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_7)) + (normal_22 * third_2));
-                    let c_13 = (normal_22 * width_4);
-                    let across_2 = b_20.cross(c_13);
+                    let a_21 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_24 * second_3));
+                    let b_21 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_7)) + (normal_24 * third_2));
+                    let c_14 = (normal_24 * width_4);
+                    let across_2 = b_21.cross(c_14);
                     let one_over = (rt::Scalar(1f32) / a_21.dot(across_2));
                     let db = (rest_3.dot(across_2) * one_over);
-                    let dc = (rest_3.dot(c_13.cross(a_21)) * one_over);
-                    let dh = (rest_3.dot(a_21.cross(b_20)) * one_over);
+                    let dc = (rest_3.dot(c_14.cross(a_21)) * one_over);
+                    let dh = (rest_3.dot(a_21.cross(b_21)) * one_over);
                     let _e126 = w_1.x();
                     let _e130 = w_1.y();
                     let _e133 = w_1.z();
@@ -5214,10 +5237,10 @@ impl<'g> Resources<'g> {
             let _e6 = self.v_folded_enter(pixel_30, params_14);
             return _e6;
         }
-        let along_19 = pixel_30.direction.normalize();
-        let _e9 = self.v_middle_of(pixel_30, along_19);
-        let _e10 = self.v_prism_of(pixel_30, along_19, _e9, params_14);
-        let _e11 = self.v_span_of(pixel_30, _e10, along_19, _e9, params_14);
+        let along_20 = pixel_30.direction.normalize();
+        let _e9 = self.v_middle_of(pixel_30, along_20);
+        let _e10 = self.v_prism_of(pixel_30, along_20, _e9, params_14);
+        let _e11 = self.v_span_of(pixel_30, _e10, along_20, _e9, params_14);
         let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
             local_29 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
@@ -5229,23 +5252,23 @@ impl<'g> Resources<'g> {
             let _e28 = self.v_passed_by();
             return _e28;
         }
-        let _e29 = self.v_shell_middle(pixel_30, along_19);
+        let _e29 = self.v_shell_middle(pixel_30, along_20);
         at_25 = _e29;
         at_25.span = _e11;
         let height_11 = (rt::Scalar(0.5f32) * (pixel_30.shell.heights.x() + pixel_30.shell.heights.y()));
         let _e43 = at_25.span.x();
-        let _e45 = self.v_shell_point(_e10, (along_19 * _e43), height_11);
+        let _e45 = self.v_shell_point(_e10, (along_20 * _e43), height_11);
         let _e48 = at_25.span.y();
-        let _e50 = self.v_shell_point(_e10, (along_19 * _e48), height_11);
+        let _e50 = self.v_shell_point(_e10, (along_20 * _e48), height_11);
         let _e53 = at_25.span.x();
         let _e58 = self.v_between(_e45, _e50);
-        let _e59 = self.v_shell_point_from(_e10, (along_19 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
+        let _e59 = self.v_shell_point_from(_e10, (along_20 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
         let _e62 = at_25.span.x();
         let _e67 = self.v_between(_e45, _e59);
-        let _e68 = self.v_shell_point_from(_e10, (along_19 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
+        let _e68 = self.v_shell_point_from(_e10, (along_20 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
         let _e71 = at_25.span.x();
         let _e76 = self.v_between(_e59, _e50);
-        let _e77 = self.v_shell_point_from(_e10, (along_19 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
+        let _e77 = self.v_shell_point_from(_e10, (along_20 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
         let _e79 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e68, rt::Scalar(0.25f32));
         let _e81 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e77, rt::Scalar(0.75f32));
         let quarters_1 = _e79.max(_e81);
@@ -5294,23 +5317,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn quadric_of(
         &self,
         pixel_31: PixelIn,
-        point_3: impl rt::Into<rt::Vec3<f32>>,
+        point_4: impl rt::Into<rt::Vec3<f32>>,
         lift_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_quadric_of(pixel_31, rt::into(point_3), rt::into(lift_1)))
+        rt::into(self.v_quadric_of(pixel_31, rt::into(point_4), rt::into(lift_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_of(
         &self,
         pixel_31: PixelIn,
-        point_3: rt::Vec3<f32>,
+        point_4: rt::Vec3<f32>,
         lift_1: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let mut height_2: rt::Scalar<f32>;
 
         let _e3 = self.v_plane_normal(pixel_31);
-        let _e4 = self.v_plane_weights(pixel_31, _e3, point_3);
-        let quadric_2 = (((pixel_31.a.quadric * _e4.x()) + (pixel_31.b.quadric * _e4.y())) + (pixel_31.c.quadric * _e4.z()));
+        let _e4 = self.v_plane_weights(pixel_31, _e3, point_4);
+        let quadric_2 = (((pixel_31.a.of_surface * _e4.x()) + (pixel_31.b.of_surface * _e4.y())) + (pixel_31.c.of_surface * _e4.z()));
         let _e19 = self.v_base_height();
         height_2 = _e19;
         let _e23 = rt::Scalar(self.surface_settings.bias_m);
@@ -5345,7 +5368,7 @@ impl<'g> Resources<'g> {
         at_26 = _e2;
         let _e6 = at_26.point;
         let _e8 = self.v_quadric_of(pixel_32, _e6, params_15.y());
-        at_26.quadric = _e8;
+        at_26.of_surface = _e8;
         let _e11 = at_26.metric.x();
         let _e14 = at_26.metric.z();
         let _e18 = at_26.metric.y();
@@ -5372,12 +5395,12 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_surface_quadric_vertical_enter(pixel_33, params_16);
         at_27 = _e2;
-        let along_20 = pixel_33.direction.length();
+        let along_21 = pixel_33.direction.length();
         let _e6 = at_27;
-        let _e10 = self.v_across_of(_e6, (pixel_33.direction / rt::Vec3::splat_from_scalar(along_20)));
+        let _e10 = self.v_across_of(_e6, (pixel_33.direction / rt::Vec3::splat_from_scalar(along_21)));
         let _e11 = self.v_plane_normal(pixel_33);
         let _e12 = self.v_plane_distance(pixel_33, _e11);
-        let eye_1 = (rt::Scalar(0f32) - (_e12 * along_20));
+        let eye_1 = (rt::Scalar(0f32) - (_e12 * along_21));
         let _e17 = at_27;
         let _e18 = self.v_across_span(_e17, _e10, eye_1);
         at_27.span = _e18;
@@ -5553,18 +5576,18 @@ impl<'g> Resources<'g> {
         let mut local_32: rt::Scalar<bool>;
         let mut at_28: Entered;
 
-        let along_21 = pixel_36.direction.normalize();
-        let _e4 = self.v_middle_of(pixel_36, along_21);
-        let _e6 = self.v_is_met(pixel_36, along_21, _e4, rt::Scalar(0u32));
+        let along_22 = pixel_36.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_36, along_22);
+        let _e6 = self.v_is_met(pixel_36, along_22, _e4, rt::Scalar(0u32));
         if rt::Scalar::into_branch_condition((!_e6)) {
-            let _e11 = self.v_is_met(pixel_36, along_21, _e4, rt::Scalar(1u32));
+            let _e11 = self.v_is_met(pixel_36, along_22, _e4, rt::Scalar(1u32));
             local_31 = (!_e11);
         } else {
             local_31 = rt::Scalar(false);
         }
         let _e14 = local_31;
         if rt::Scalar::into_branch_condition(_e14) {
-            let _e18 = self.v_is_met(pixel_36, along_21, _e4, rt::Scalar(2u32));
+            let _e18 = self.v_is_met(pixel_36, along_22, _e4, rt::Scalar(2u32));
             local_32 = (!_e18);
         } else {
             local_32 = rt::Scalar(false);
@@ -5574,38 +5597,58 @@ impl<'g> Resources<'g> {
             let _e22 = self.v_passed_by();
             return _e22;
         }
-        let _e23 = self.v_shell_middle(pixel_36, along_21);
+        let _e23 = self.v_shell_middle(pixel_36, along_22);
         at_28 = _e23;
         rt::Scalar(at_28.segments) = rt::Scalar(3u32);
         let _e27 = at_28;
         return _e27;
     }
-    pub(crate) fn facet_distance(
+    pub(crate) fn triangle_distance(
         &self,
         pixel_37: PixelIn,
-        normal_12: impl rt::Into<rt::Vec3<f32>>,
+        normal_13: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_facet_distance(pixel_37, rt::into(normal_12)))
+        rt::into(self.v_triangle_distance(pixel_37, rt::into(normal_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_facet_distance(
+    fn v_triangle_distance(
         &self,
         pixel_37: PixelIn,
-        normal_12: rt::Vec3<f32>,
+        normal_13: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
         let a_22 = (pixel_37.a.position - pixel_37.origin);
-        let b_21 = (pixel_37.b.position - pixel_37.origin);
-        let c_14 = (pixel_37.c.position - pixel_37.origin);
-        let along_22 = (pixel_37.direction / rt::Vec3::splat_from_scalar(pixel_37.direction.dot(pixel_37.direction)));
-        let places_1 = <rt::Vec3<f32>>::from_scalars(a_22.dot(along_22), b_21.dot(along_22), c_14.dot(along_22));
+        let b_22 = (pixel_37.b.position - pixel_37.origin);
+        let c_15 = (pixel_37.c.position - pixel_37.origin);
+        let along_23 = (pixel_37.direction / rt::Vec3::splat_from_scalar(pixel_37.direction.dot(pixel_37.direction)));
+        let places_1 = <rt::Vec3<f32>>::from_scalars(a_22.dot(along_23), b_22.dot(along_23), c_15.dot(along_23));
         let least_2 = places_1.x().min(places_1.y()).min(places_1.z());
         let most_8 = places_1.x().max(places_1.y()).max(places_1.z());
-        let across_3 = normal_12.dot(pixel_37.direction);
+        let across_3 = normal_13.dot(pixel_37.direction);
         if rt::Scalar::into_branch_condition(across_3.elementwise_eq(rt::Scalar(0f32))) {
             return least_2;
         }
-        return (normal_12.dot(a_22) / across_3).clamp(least_2, most_8);
+        return (normal_13.dot(a_22) / across_3).clamp(least_2, most_8);
+    }
+    pub(crate) fn triangle_weights(
+        &self,
+        pixel_38: PixelIn,
+        normal_14: impl rt::Into<rt::Vec3<f32>>,
+        point_5: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_triangle_weights(pixel_38, rt::into(normal_14), rt::into(point_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_triangle_weights(
+        &self,
+        pixel_38: PixelIn,
+        normal_14: rt::Vec3<f32>,
+        point_5: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e3 = self.v_plane_weights(pixel_38, normal_14, point_5);
+        let inside_6 = _e3.max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
+        return (inside_6 / rt::Vec3::splat_from_scalar(((inside_6.x() + inside_6.y()) + inside_6.z())));
     }
     pub(crate) fn is_on_map(&self, uv_11: impl rt::Into<rt::Vec2<f32>>) -> bool {
         rt::into(self.v_is_on_map(rt::into(uv_11)))
@@ -5627,89 +5670,141 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_facets_enter(
         &self,
-        pixel_38: PixelIn,
+        pixel_39: PixelIn,
         params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_enter(pixel_38, rt::into(params_18)))
+        rt::into(self.v_surface_facets_enter(pixel_39, rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_facets_enter(
         &self,
-        pixel_38: PixelIn,
+        pixel_39: PixelIn,
         params_18: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_34: rt::Scalar<bool>;
 
-        let _e2 = self.v_plane_normal(pixel_38);
-        let _e5 = self.v_facet_distance(pixel_38, _e2);
-        let point_15 = (pixel_38.origin + (pixel_38.direction * _e5));
-        let _e8 = self.v_plane_weights(pixel_38, _e2, point_15);
-        let inside_6 = _e8.max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
-        let w_4 = (inside_6 / rt::Vec3::splat_from_scalar(((inside_6.x() + inside_6.y()) + inside_6.z())));
-        let uv_31 = (((pixel_38.a.uv * w_4.x()) + (pixel_38.b.uv * w_4.y())) + (pixel_38.c.uv * w_4.z()));
-        let tangent_3 = (((pixel_38.a.tangent * w_4.x()) + (pixel_38.b.tangent * w_4.y())) + (pixel_38.c.tangent * w_4.z()));
-        let bitangent_2 = (((pixel_38.a.bitangent * w_4.x()) + (pixel_38.b.bitangent * w_4.y())) + (pixel_38.c.bitangent * w_4.z()));
-        let sum_5 = ((((pixel_38.a.normal * w_4.x()) + (pixel_38.b.normal * w_4.y())) + (pixel_38.c.normal * w_4.z())) * rt::Scalar(pixel_38.side));
+        let _e2 = self.v_plane_normal(pixel_39);
+        let _e5 = self.v_triangle_distance(pixel_39, _e2);
+        let point_17 = (pixel_39.origin + (pixel_39.direction * _e5));
+        let _e8 = self.v_triangle_weights(pixel_39, _e2, point_17);
+        let uv_32 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
+        let tangent_3 = (((pixel_39.a.tangent * _e8.x()) + (pixel_39.b.tangent * _e8.y())) + (pixel_39.c.tangent * _e8.z()));
+        let bitangent_2 = (((pixel_39.a.bitangent * _e8.x()) + (pixel_39.b.bitangent * _e8.y())) + (pixel_39.c.bitangent * _e8.z()));
+        let sum_5 = ((((pixel_39.a.normal * _e8.x()) + (pixel_39.b.normal * _e8.y())) + (pixel_39.c.normal * _e8.z())) * rt::Scalar(pixel_39.side));
         let tt_1 = tangent_3.dot(tangent_3);
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            let _e89 = self.v_is_on_map(uv_31);
-            local_34 = _e89;
+            let _e77 = self.v_is_on_map(uv_32);
+            local_34 = _e77;
         } else {
             local_34 = rt::Scalar(false);
         }
-        let _e91 = local_34;
-        let _e96 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e91), point_15, uv_31, tangent_3, bitangent_2, sum_5.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e96), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let _e79 = local_34;
+        let _e84 = rt::Scalar(self.surface_settings.scale_m);
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_17, uv_32, tangent_3, bitangent_2, sum_5.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub(crate) fn surface_enter_stage(&self, pixel_39: PixelIn) -> Entered {
-        rt::into(self.v_surface_enter_stage(pixel_39))
+    pub(crate) fn surface_slices_enter(
+        &self,
+        pixel_40: PixelIn,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_slices_enter(pixel_40, rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_enter_stage(&self, pixel_39: PixelIn) -> Entered {
+    fn v_surface_slices_enter(
+        &self,
+        pixel_40: PixelIn,
+        params_19: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut local_35: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
+
+        let _e2 = self.v_plane_normal(pixel_40);
+        let _e5 = self.v_triangle_distance(pixel_40, _e2);
+        let point_18 = (pixel_40.origin + (pixel_40.direction * _e5));
+        let _e8 = self.v_triangle_weights(pixel_40, _e2, point_18);
+        let uv_33 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
+        let tangent_4 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
+        let bitangent_3 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
+        let raw_ = (((pixel_40.a.normal * _e8.x()) + (pixel_40.b.normal * _e8.y())) + (pixel_40.c.normal * _e8.z()));
+        let slice_4 = (((pixel_40.a.of_surface * _e8.x()) + (pixel_40.b.of_surface * _e8.y())) + (pixel_40.c.of_surface * _e8.z()));
+        let tt_2 = tangent_4.dot(tangent_4);
+        let tb_2 = tangent_4.dot(bitangent_3);
+        let bb_2 = bitangent_3.dot(bitangent_3);
+        let area_4 = ((tt_2 * bb_2) - (tb_2 * tb_2));
+        let _e87 = rt::Scalar(self.surface_settings.bias_m);
+        let _e90 = rt::Scalar(self.surface_settings.scale_m);
+        let height_m = (_e87 + (_e90 * slice_4.x()));
+        let normal_25 = raw_.normalize();
+        if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
+            local_35 = area_4.elementwise_gt(rt::Scalar(0f32));
+        } else {
+            local_35 = rt::Scalar(false);
+        }
+        let _e105 = local_35;
+        if rt::Scalar::into_branch_condition(_e105) {
+            let _e108 = self.v_is_on_map(uv_33);
+            local_36 = _e108;
+        } else {
+            local_36 = rt::Scalar(false);
+        }
+        let _e110 = local_36;
+        let _e116 = rt::Scalar(self.surface_settings.scale_m);
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e110), (point_18 - (raw_ * height_m)), uv_33, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e116), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_4, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+    }
+    pub(crate) fn surface_enter_stage(&self, pixel_41: PixelIn) -> Entered {
+        rt::into(self.v_surface_enter_stage(pixel_41))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_enter_stage(&self, pixel_41: PixelIn) -> Entered {
         let _e5 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[1usize].params;
-                let _e11 = self.v_surface_plane_enter(pixel_39, _e10);
+                let _e11 = self.v_surface_plane_enter(pixel_41, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[1usize].params;
-                let _e17 = self.v_surface_prism_enter(pixel_39, _e16);
+                let _e17 = self.v_surface_prism_enter(pixel_41, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[1usize].params;
-                let _e23 = self.v_surface_quadric_perpendicular_enter(pixel_39, _e22);
+                let _e23 = self.v_surface_quadric_perpendicular_enter(pixel_41, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[1usize].params;
-                let _e29 = self.v_surface_quadric_vertical_enter(pixel_39, _e28);
+                let _e29 = self.v_surface_quadric_vertical_enter(pixel_41, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[1usize].params;
-                let _e35 = self.v_surface_tetrahedra_enter(pixel_39, _e34);
+                let _e35 = self.v_surface_tetrahedra_enter(pixel_41, _e34);
                 return _e35;
             }
-            _ => {
+            5u32 => {
                 let _e40 = self.surface_settings.choices[1usize].params;
-                let _e41 = self.v_surface_facets_enter(pixel_39, _e40);
+                let _e41 = self.v_surface_facets_enter(pixel_41, _e40);
                 return _e41;
+            }
+            _ => {
+                let _e46 = self.surface_settings.choices[1usize].params;
+                let _e47 = self.v_surface_slices_enter(pixel_41, _e46);
+                return _e47;
             }
         }
     }
-    pub(crate) fn enter_relief(&self, pixel_40: PixelIn) -> Entered {
-        rt::into(self.v_enter_relief(pixel_40))
+    pub(crate) fn enter_relief(&self, pixel_42: PixelIn) -> Entered {
+        rt::into(self.v_enter_relief(pixel_42))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_enter_relief(&self, pixel_40: PixelIn) -> Entered {
+    fn v_enter_relief(&self, pixel_42: PixelIn) -> Entered {
         let mut at_29: Entered;
 
-        let _e1 = self.v_surface_enter_stage(pixel_40);
+        let _e1 = self.v_surface_enter_stage(pixel_42);
         at_29 = _e1;
         let _e4 = rt::Scalar(at_29.segments);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0u32))) {
@@ -5717,7 +5812,7 @@ impl<'g> Resources<'g> {
             return _e7;
         }
         let _e8 = at_29;
-        let _e9 = self.v_detail_stage(pixel_40, _e8);
+        let _e9 = self.v_detail_stage(pixel_42, _e8);
         rt::Scalar(at_29.level) = rt::Scalar(_e9.level);
         rt::Scalar(at_29.footprint) = rt::Scalar(_e9.footprint);
         rt::Scalar(at_29.fade) = rt::Scalar(_e9.fade);
@@ -5752,7 +5847,7 @@ impl<'g> Resources<'g> {
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
         let mut cost_1: rt::Vec3<u32>;
-        let mut local_35: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
 
         near_1 = above_1;
         far_1 = below_1;
@@ -5777,11 +5872,11 @@ impl<'g> Resources<'g> {
                     let _e33 = near_1;
                     if rt::Scalar::into_branch_condition(middle_11.elementwise_gt(_e33)) {
                         let _e37 = far_1;
-                        local_35 = middle_11.elementwise_lt(_e37);
+                        local_37 = middle_11.elementwise_lt(_e37);
                     } else {
-                        local_35 = rt::Scalar(false);
+                        local_37 = rt::Scalar(false);
                     }
-                    let _e40 = local_35;
+                    let _e40 = local_37;
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
@@ -5844,11 +5939,11 @@ impl<'g> Resources<'g> {
         let _e5 = self.surface_settings.normal_size;
         let _e6 = self.v_level_texels(_e5, level_16);
         let _e7 = self.v_texels_around(uv_12, _e6);
-        let k_32 = level_16.to_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_32));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_32));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_32));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_32));
+        let k_33 = level_16.to_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_33));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_33));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_33));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_33));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
@@ -5869,16 +5964,16 @@ impl<'g> Resources<'g> {
         rate: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let a_23 = (own * rate);
-        let b_22 = (beside * rate);
-        let along_23 = (rt::Scalar(1f32) + (a_23 * b_22));
-        let apart_3 = (a_23 - b_22).abs();
-        if rt::Scalar::into_branch_condition(apart_3.elementwise_le((rt::Scalar(0.5f32) * along_23))) {
+        let b_23 = (beside * rate);
+        let along_24 = (rt::Scalar(1f32) + (a_23 * b_23));
+        let apart_3 = (a_23 - b_23).abs();
+        if rt::Scalar::into_branch_condition(apart_3.elementwise_le((rt::Scalar(0.5f32) * along_24))) {
             return beside;
         }
-        if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_23))) {
+        if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_24))) {
             return own;
         }
-        let part_14 = (((apart_3 / along_23) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
+        let part_14 = (((apart_3 / along_24) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
         return (beside + ((own - beside) * part_14));
     }
     pub(crate) fn slopes_between_creases(
@@ -5895,9 +5990,9 @@ impl<'g> Resources<'g> {
         uv_13: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
-        let point_16 = ((uv_13 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e9 = self.v_cell_of(point_16);
-        let part_15 = (point_16 - _e9);
+        let point_19 = ((uv_13 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e9 = self.v_cell_of(point_19);
+        let part_15 = (point_19 - _e9);
         let i_3 = _e9.to_i32();
         let _e13 = self.v_height_cell(i_3, rt::Scalar(0u32));
         let _e14 = self.v_cell_slopes(_e13, part_15);
@@ -6016,36 +6111,36 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane_segment(
         &self,
-        pixel_41: PixelIn,
+        pixel_43: PixelIn,
         at_34: Entered,
         k_1: impl rt::Into<rt::Scalar<u32>>,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_41, at_34, rt::into(k_1), rt::into(params_19)))
+        rt::into(self.v_surface_plane_segment(pixel_43, at_34, rt::into(k_1), rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_segment(
         &self,
-        pixel_41: PixelIn,
+        pixel_43: PixelIn,
         at_34: Entered,
         k_1: rt::Scalar<u32>,
-        params_19: rt::Vec4<f32>,
+        params_20: rt::Vec4<f32>,
     ) -> Path {
         let mut enter: rt::Scalar<f32>;
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_3: rt::Vec2<f32>;
 
-        let along_24 = pixel_41.direction.length();
-        let direction_6 = (pixel_41.direction / rt::Vec3::splat_from_scalar(along_24));
+        let along_25 = pixel_43.direction.length();
+        let direction_6 = (pixel_43.direction / rt::Vec3::splat_from_scalar(along_25));
         let _e9 = self.v_climb(at_34, direction_6);
         let duv_5 = _e9.xy();
         let descent_3 = (rt::Scalar(0f32) - at_34.normal.dot(direction_6));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
         let slope_8 = ((rt::Scalar(0f32) - descent_3) / _e15);
-        let _e20 = self.v_plane_normal(pixel_41);
-        let _e21 = self.v_plane_distance(pixel_41, _e20);
-        let distance = (_e21 * along_24);
+        let _e20 = self.v_plane_normal(pixel_43);
+        let _e21 = self.v_plane_distance(pixel_43, _e20);
+        let distance = (_e21 * along_25);
         let eye_2 = (rt::Scalar(0f32) - distance);
         let top_5 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
         enter = top_5.max(eye_2);
@@ -6080,70 +6175,70 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn folded_segment(
         &self,
-        pixel_42: PixelIn,
+        pixel_44: PixelIn,
         at_35: Entered,
         k_2: impl rt::Into<rt::Scalar<u32>>,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_folded_segment(pixel_42, at_35, rt::into(k_2), rt::into(params_20)))
+        rt::into(self.v_folded_segment(pixel_44, at_35, rt::into(k_2), rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_folded_segment(
         &self,
-        pixel_42: PixelIn,
+        pixel_44: PixelIn,
         at_35: Entered,
         k_2: rt::Scalar<u32>,
-        params_20: rt::Vec4<f32>,
+        params_21: rt::Vec4<f32>,
     ) -> Path {
-        let mut a_9: WayPoint;
-        let mut b_9: WayPoint;
+        let mut a_10: WayPoint;
+        let mut b_10: WayPoint;
         let mut path_17: Path;
-        let mut local_36: rt::Scalar<bool>;
+        let mut local_38: rt::Scalar<bool>;
 
-        let along_25 = pixel_42.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_42, along_25);
-        let _e7 = self.v_prism_of(pixel_42, along_25, _e6, params_20);
-        let _e8 = self.v_shell_slack(pixel_42, _e6);
-        let _e9 = self.v_way_of(pixel_42, _e7, along_25);
-        let _e10 = self.v_way_offsets(pixel_42, _e7, _e8);
-        let _e11 = self.v_chord_reach(pixel_42, at_35, _e6, params_20);
+        let along_26 = pixel_44.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_44, along_26);
+        let _e7 = self.v_prism_of(pixel_44, along_26, _e6, params_21);
+        let _e8 = self.v_shell_slack(pixel_44, _e6);
+        let _e9 = self.v_way_of(pixel_44, _e7, along_26);
+        let _e10 = self.v_way_offsets(pixel_44, _e7, _e8);
+        let _e11 = self.v_chord_reach(pixel_44, at_35, _e6, params_21);
         let _e12 = self.v_way_beyond(_e7, _e10, _e11);
-        let _e14 = self.v_way_chord(pixel_42, _e7, along_25, _e9, _e10, _e12, params_20.x(), k_2);
-        let _e16 = self.v_before_turn(_e7, along_25, _e9, _e14.offsets);
-        let _e18 = self.v_way_point(_e7, along_25, _e9, _e16.x());
-        a_9 = _e18;
-        let _e25 = self.v_way_point(_e7, along_25, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
-        let _e27 = self.v_way_point(_e7, along_25, _e9, _e16.y());
-        b_9 = _e27;
-        let _e30 = rt::Scalar(b_9.t);
-        let _e32 = rt::Scalar(a_9.t);
+        let _e14 = self.v_way_chord(pixel_44, _e7, along_26, _e9, _e10, _e12, params_21.x(), k_2);
+        let _e16 = self.v_before_turn(_e7, along_26, _e9, _e14.offsets);
+        let _e18 = self.v_way_point(_e7, along_26, _e9, _e16.x());
+        a_10 = _e18;
+        let _e25 = self.v_way_point(_e7, along_26, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
+        let _e27 = self.v_way_point(_e7, along_26, _e9, _e16.y());
+        b_10 = _e27;
+        let _e30 = rt::Scalar(b_10.t);
+        let _e32 = rt::Scalar(a_10.t);
         if rt::Scalar::into_branch_condition(_e30.elementwise_lt(_e32)) {
-            let turned_2 = b_9;
-            let _e35 = a_9;
-            b_9 = _e35;
-            a_9 = turned_2;
+            let turned_2 = b_10;
+            let _e35 = a_10;
+            b_10 = _e35;
+            a_10 = turned_2;
         }
-        let _e38 = rt::Scalar(a_9.t);
-        let _e41 = rt::Scalar(b_9.t);
-        let _e43 = rt::Scalar(a_9.t);
+        let _e38 = rt::Scalar(a_10.t);
+        let _e41 = rt::Scalar(b_10.t);
+        let _e43 = rt::Scalar(a_10.t);
         let part_16 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
-        let _e48 = rt::Scalar(a_9.point.height);
-        let _e53 = rt::Scalar(b_9.point.height);
+        let _e48 = rt::Scalar(a_10.point.height);
+        let _e53 = rt::Scalar(b_10.point.height);
         let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_16);
-        let _e56 = a_9.point;
-        let _e58 = b_9.point;
-        let _e60 = rt::Scalar(a_9.t);
-        let _e62 = rt::Scalar(b_9.t);
-        let _e64 = self.v_chord_path(pixel_42, at_35, _e6, params_20, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
+        let _e56 = a_10.point;
+        let _e58 = b_10.point;
+        let _e60 = rt::Scalar(a_10.t);
+        let _e62 = rt::Scalar(b_10.t);
+        let _e64 = self.v_chord_path(pixel_44, at_35, _e6, params_21, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
         path_17 = _e64;
-        let _e67 = rt::Scalar(a_9.beside);
+        let _e67 = rt::Scalar(a_10.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
-            let _e76 = rt::Scalar(b_9.beside);
-            local_36 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
+            let _e76 = rt::Scalar(b_10.beside);
+            local_38 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
         } else {
-            local_36 = rt::Scalar(true);
+            local_38 = rt::Scalar(true);
         }
-        let _e82 = local_36;
+        let _e82 = local_38;
         if rt::Scalar::into_branch_condition(_e82) {
             rt::Scalar(path_17.exit) = rt::Scalar(0f32);
         }
@@ -6152,92 +6247,92 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_prism_segment(
         &self,
-        pixel_43: PixelIn,
+        pixel_45: PixelIn,
         at_36: Entered,
         k_3: impl rt::Into<rt::Scalar<u32>>,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_43, at_36, rt::into(k_3), rt::into(params_21)))
+        rt::into(self.v_surface_prism_segment(pixel_45, at_36, rt::into(k_3), rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_segment(
         &self,
-        pixel_43: PixelIn,
+        pixel_45: PixelIn,
         at_36: Entered,
         k_3: rt::Scalar<u32>,
-        params_21: rt::Vec4<f32>,
+        params_22: rt::Vec4<f32>,
     ) -> Path {
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_43.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_folded_segment(pixel_43, at_36, k_3, params_21);
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_45.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e8 = self.v_folded_segment(pixel_45, at_36, k_3, params_22);
             return _e8;
         }
-        let along_26 = pixel_43.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_43, along_26);
-        let _e12 = self.v_prism_of(pixel_43, along_26, _e11, params_21);
-        let heights_2 = pixel_43.shell.heights;
+        let along_27 = pixel_45.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_45, along_27);
+        let _e12 = self.v_prism_of(pixel_45, along_27, _e11, params_22);
+        let heights_2 = pixel_45.shell.heights;
         let mean_3 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
         let _e20 = self.v_chord_end(at_36, k_3);
         let _e23 = self.v_chord_end(at_36, (k_3 + rt::Scalar(1u32)));
-        let _e25 = self.v_shell_point(_e12, (along_26 * _e20), mean_3);
-        let _e27 = self.v_shell_point(_e12, (along_26 * _e23), mean_3);
+        let _e25 = self.v_shell_point(_e12, (along_27 * _e20), mean_3);
+        let _e27 = self.v_shell_point(_e12, (along_27 * _e23), mean_3);
         let _e32 = self.v_between(_e25, _e27);
-        let _e33 = self.v_shell_point_from(_e12, (along_26 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
+        let _e33 = self.v_shell_point_from(_e12, (along_27 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
-        let _e56 = self.v_chord_reach(pixel_43, at_36, _e11, params_21);
+        let _e56 = self.v_chord_reach(pixel_45, at_36, _e11, params_22);
         let beyond_5 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e68 = self.v_chord_path(pixel_43, at_36, _e11, params_21, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
+        let _e68 = self.v_chord_path(pixel_45, at_36, _e11, params_22, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
         return _e68;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
         &self,
-        pixel_44: PixelIn,
+        pixel_46: PixelIn,
         at_37: Entered,
         k_4: impl rt::Into<rt::Scalar<u32>>,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_44, at_37, rt::into(k_4), rt::into(params_22)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_46, at_37, rt::into(k_4), rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_segment(
         &self,
-        pixel_44: PixelIn,
+        pixel_46: PixelIn,
         at_37: Entered,
         k_4: rt::Scalar<u32>,
-        params_22: rt::Vec4<f32>,
+        params_23: rt::Vec4<f32>,
     ) -> Path {
         let mut begin_1: rt::Scalar<f32>;
         let mut end_1: rt::Scalar<f32>;
-        let mut local_37: rt::Scalar<bool>;
+        let mut local_39: rt::Scalar<bool>;
         let mut path_18: Path;
         let mut inside_2: rt::Vec2<f32>;
 
-        let along_27 = pixel_44.direction.length();
-        let _e9 = self.v_across_of(at_37, (pixel_44.direction / rt::Vec3::splat_from_scalar(along_27)));
+        let along_28 = pixel_46.direction.length();
+        let _e9 = self.v_across_of(at_37, (pixel_46.direction / rt::Vec3::splat_from_scalar(along_28)));
         let _e10 = self.v_traced_scale_m();
-        let _e11 = self.v_plane_normal(pixel_44);
-        let _e12 = self.v_plane_distance(pixel_44, _e11);
-        let distance_1 = (_e12 * along_27);
+        let _e11 = self.v_plane_normal(pixel_46);
+        let _e12 = self.v_plane_distance(pixel_46, _e11);
+        let distance_1 = (_e12 * along_28);
         let whole = (at_37.span.y() - at_37.span.x());
-        let first_8 = (at_37.span.x() + (whole * (k_4.to_f32() / params_22.z())));
-        let last_4 = (at_37.span.x() + (whole * ((k_4 + rt::Scalar(1u32)).to_f32() / params_22.z())));
+        let first_8 = (at_37.span.x() + (whole * (k_4.to_f32() / params_23.z())));
+        let last_4 = (at_37.span.x() + (whole * ((k_4 + rt::Scalar(1u32)).to_f32() / params_23.z())));
         let long_4 = (last_4 - first_8);
         let _e38 = self.v_across_depth(_e9, first_8);
-        begin_1 = (at_37.quadric.w() - (_e38 / _e10));
+        begin_1 = (at_37.of_surface.w() - (_e38 / _e10));
         if rt::Scalar::into_branch_condition(k_4.elementwise_eq(rt::Scalar(0u32))) {
             let _e44 = begin_1;
             begin_1 = _e44.min(rt::Scalar(1f32));
         }
         let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_8 + last_4)));
-        let middle_12 = (at_37.quadric.w() - (_e52 / _e10));
+        let middle_12 = (at_37.of_surface.w() - (_e52 / _e10));
         let _e57 = self.v_across_depth(_e9, last_4);
-        end_1 = (at_37.quadric.w() - (_e57 / _e10));
-        if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_22.z().to_u32())) {
+        end_1 = (at_37.of_surface.w() - (_e57 / _e10));
+        if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_23.z().to_u32())) {
             let _e68 = end_1;
-            local_37 = _e68.elementwise_lt(rt::Scalar(0.5f32));
+            local_39 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
-            local_37 = rt::Scalar(false);
+            local_39 = rt::Scalar(false);
         }
-        let _e72 = local_37;
+        let _e72 = local_39;
         if rt::Scalar::into_branch_condition(_e72) {
             let _e73 = end_1;
             end_1 = _e73.min(rt::Scalar(-0.000001f32));
@@ -6250,7 +6345,7 @@ impl<'g> Resources<'g> {
         let slope_9 = ((_e84 - _e85) - bend_5);
         let base_3 = (rt::Scalar(0f32) - first_8).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e98 = begin_1;
-        path_18 = <Path>::new((at_37.uv + (_e9.duv * first_8)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_37.metric, RAY_VIEW, rt::Scalar(at_37.level), (distance_1 + first_8), (rt::Scalar(1f32) / params_22.z()));
+        path_18 = <Path>::new((at_37.uv + (_e9.duv * first_8)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_37.metric, RAY_VIEW, rt::Scalar(at_37.level), (distance_1 + first_8), (rt::Scalar(1f32) / params_23.z()));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
         let _e117 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e117.elementwise_eq(WRAP_CLAMP)) {
@@ -6278,56 +6373,56 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_quadric_vertical_segment(
         &self,
-        pixel_45: PixelIn,
+        pixel_47: PixelIn,
         at_38: Entered,
         k_5: impl rt::Into<rt::Scalar<u32>>,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_45, at_38, rt::into(k_5), rt::into(params_23)))
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_47, at_38, rt::into(k_5), rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_segment(
         &self,
-        pixel_45: PixelIn,
+        pixel_47: PixelIn,
         at_38: Entered,
         k_5: rt::Scalar<u32>,
-        params_23: rt::Vec4<f32>,
+        params_24: rt::Vec4<f32>,
     ) -> Path {
-        let mut local_38: rt::Scalar<bool>;
-        let mut local_39: rt::Scalar<bool>;
+        let mut local_40: rt::Scalar<bool>;
+        let mut local_41: rt::Scalar<bool>;
         let mut enter_1: rt::Scalar<f32>;
         let mut leave_5: rt::Scalar<f32>;
         let mut interval_4: rt::Vec2<f32>;
         let mut path_19: Path;
-        let mut local_40: rt::Scalar<bool>;
+        let mut local_42: rt::Scalar<bool>;
 
-        let along_28 = pixel_45.direction.length();
-        let direction_7 = (pixel_45.direction / rt::Vec3::splat_from_scalar(along_28));
+        let along_29 = pixel_47.direction.length();
+        let direction_7 = (pixel_47.direction / rt::Vec3::splat_from_scalar(along_29));
         let _e9 = self.v_climb(at_38, direction_7);
         let duv_6 = _e9.xy();
         let descent_4 = (rt::Scalar(0f32) - at_38.normal.dot(direction_7));
         let _e15 = self.v_traced_scale_m();
-        let height_12 = at_38.quadric.w();
+        let height_12 = at_38.of_surface.w();
         let slope_10 = ((rt::Scalar(0f32) - descent_4) / _e15);
-        let _e23 = self.v_quadric_at(at_38.quadric.xyz(), duv_6);
+        let _e23 = self.v_quadric_at(at_38.of_surface.xyz(), duv_6);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
-        let _e27 = self.v_plane_normal(pixel_45);
-        let _e28 = self.v_plane_distance(pixel_45, _e27);
-        let distance_2 = (_e28 * along_28);
+        let _e27 = self.v_plane_normal(pixel_47);
+        let _e28 = self.v_plane_distance(pixel_47, _e27);
+        let distance_2 = (_e28 * along_29);
         let eye_3 = (rt::Scalar(0f32) - distance_2);
         let _e35 = self.v_bent_descent(((height_12 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
             if rt::Scalar::into_branch_condition((!height_12.elementwise_lt(rt::Scalar(1f32)))) {
-                local_39 = _e35.elementwise_ge(rt::Scalar(0f32));
+                local_41 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
-                local_39 = rt::Scalar(true);
+                local_41 = rt::Scalar(true);
             }
-            let _e48 = local_39;
-            local_38 = _e48;
+            let _e48 = local_41;
+            local_40 = _e48;
         } else {
-            local_38 = rt::Scalar(false);
+            local_40 = rt::Scalar(false);
         }
-        let comes_down = local_38;
+        let comes_down = local_40;
         enter_1 = _e35.max(eye_3);
         let _e53 = enter_1;
         let _e54 = enter_1;
@@ -6371,11 +6466,11 @@ impl<'g> Resources<'g> {
         path_19 = <Path>::new((at_38.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_38.metric, RAY_VIEW, rt::Scalar(at_38.level), (distance_2 + _e137), rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
             let _e147 = rt::Scalar(path_19.exit);
-            local_40 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
+            local_42 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_40 = rt::Scalar(true);
+            local_42 = rt::Scalar(true);
         }
-        let _e152 = local_40;
+        let _e152 = local_42;
         if rt::Scalar::into_branch_condition(_e152) {
             rt::Scalar(path_19.exit) = rt::Scalar(0f32);
         }
@@ -6384,30 +6479,30 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_tetrahedra_segment(
         &self,
-        pixel_46: PixelIn,
+        pixel_48: PixelIn,
         at_39: Entered,
         k_6: impl rt::Into<rt::Scalar<u32>>,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_46, at_39, rt::into(k_6), rt::into(params_24)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_48, at_39, rt::into(k_6), rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_segment(
         &self,
-        pixel_46: PixelIn,
+        pixel_48: PixelIn,
         at_39: Entered,
         k_6: rt::Scalar<u32>,
-        params_24: rt::Vec4<f32>,
+        params_25: rt::Vec4<f32>,
     ) -> Path {
         let mut chosen_1: Tetrahedron;
         let mut inside_3: rt::Vec2<f32>;
         let mut path_20: Path;
 
-        let along_29 = pixel_46.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_46, along_29);
-        let _e8 = self.v_tetrahedron(pixel_46, along_29, _e6, rt::Scalar(0u32));
-        let _e10 = self.v_tetrahedron(pixel_46, along_29, _e6, rt::Scalar(1u32));
-        let _e12 = self.v_tetrahedron(pixel_46, along_29, _e6, rt::Scalar(2u32));
+        let along_30 = pixel_48.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_48, along_30);
+        let _e8 = self.v_tetrahedron(pixel_48, along_30, _e6, rt::Scalar(0u32));
+        let _e10 = self.v_tetrahedron(pixel_48, along_30, _e6, rt::Scalar(1u32));
+        let _e12 = self.v_tetrahedron(pixel_48, along_30, _e6, rt::Scalar(2u32));
         let _e15 = self.v_comes_before(_e8.inside, _e10.inside);
         let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
         let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
@@ -6418,30 +6513,30 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_6)) {
             chosen_1 = _e12;
         }
-        let _e30 = self.v_ordered(pixel_46, rt::Scalar(0u32));
-        let _e32 = self.v_ordered(pixel_46, rt::Scalar(1u32));
-        let _e34 = self.v_ordered(pixel_46, rt::Scalar(2u32));
-        let w_5 = chosen_1.weights;
+        let _e30 = self.v_ordered(pixel_48, rt::Scalar(0u32));
+        let _e32 = self.v_ordered(pixel_48, rt::Scalar(1u32));
+        let _e34 = self.v_ordered(pixel_48, rt::Scalar(2u32));
+        let w_4 = chosen_1.weights;
         let g = chosen_1.change;
-        let uv_32 = (((_e30.uv * w_5.x()) + (_e32.uv * w_5.y())) + (_e34.uv * w_5.z()));
+        let uv_34 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
-        let _e61 = self.v_shell_slack(pixel_46, _e6);
+        let _e61 = self.v_shell_slack(pixel_48, _e6);
         let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
         let _e68 = chosen_1.inside;
         inside_3 = _e68;
         let _e70 = inside_3;
-        let _e77 = self.v_where_positive(_e70, (w_5.w() - pixel_46.shell.heights.x()), g.w(), beyond_6);
+        let _e77 = self.v_where_positive(_e70, (w_4.w() - pixel_48.shell.heights.x()), g.w(), beyond_6);
         inside_3 = _e77;
         let _e78 = inside_3;
-        let _e87 = self.v_where_positive(_e78, (pixel_46.shell.heights.y() - w_5.w()), (rt::Scalar(0f32) - g.w()), beyond_6);
+        let _e87 = self.v_where_positive(_e78, (pixel_48.shell.heights.y() - w_4.w()), (rt::Scalar(0f32) - g.w()), beyond_6);
         inside_3 = _e87;
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_3;
-            let _e96 = self.v_inside_unit(uv_32.x(), duv_7.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_34.x(), duv_7.x(), _e95);
             inside_3 = _e96;
             let _e99 = inside_3;
-            let _e100 = self.v_inside_unit(uv_32.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_34.y(), duv_7.y(), _e99);
             inside_3 = _e100;
         }
         let whole_1 = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -6452,7 +6547,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_20 = <Path>::new((uv_32 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_5.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_39.metric, RAY_VIEW, rt::Scalar(at_39.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
+        path_20 = <Path>::new((uv_34 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_39.metric, RAY_VIEW, rt::Scalar(at_39.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
         let _e158 = rt::Scalar(path_20.exit);
         if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
             let _e161 = path_20;
@@ -6466,75 +6561,246 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_facets_segment(
         &self,
-        pixel_47: PixelIn,
+        pixel_49: PixelIn,
         at_40: Entered,
         k_7: impl rt::Into<rt::Scalar<u32>>,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_facets_segment(pixel_47, at_40, rt::into(k_7), rt::into(params_25)))
+        rt::into(self.v_surface_facets_segment(pixel_49, at_40, rt::into(k_7), rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_segment(
         &self,
-        pixel_47: PixelIn,
+        pixel_49: PixelIn,
         at_40: Entered,
         k_7: rt::Scalar<u32>,
-        params_25: rt::Vec4<f32>,
+        params_26: rt::Vec4<f32>,
     ) -> Path {
-        let _e4 = self.v_plane_normal(pixel_47);
-        let _e5 = self.v_facet_distance(pixel_47, _e4);
-        let start_2 = (_e5 * pixel_47.direction.length());
+        let _e4 = self.v_plane_normal(pixel_49);
+        let _e5 = self.v_triangle_distance(pixel_49, _e4);
+        let start_2 = (_e5 * pixel_49.direction.length());
         let _e11 = self.v_height_at(at_40.uv, rt::Scalar(at_40.level));
         let duv_8 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         return <Path>::new(at_40.uv, duv_8, <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(1f32), rt::Scalar(0f32), at_40.metric, RAY_VIEW, rt::Scalar(at_40.level), start_2, rt::Scalar(1f32));
     }
-    pub(crate) fn surface_segment_stage(
+    pub(crate) fn slice_inside(
         &self,
-        pixel_48: PixelIn,
+        map_1: impl rt::Into<rt::Scalar<f32>>,
+        slice: impl rt::Into<rt::Scalar<f32>>,
+        spacing: impl rt::Into<rt::Scalar<f32>>,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
+    ) -> bool {
+        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice), rt::into(spacing), rt::into(params_27)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_slice_inside(
+        &self,
+        map_1: rt::Scalar<f32>,
+        slice: rt::Scalar<f32>,
+        spacing: rt::Scalar<f32>,
+        params_27: rt::Vec4<f32>,
+    ) -> rt::Scalar<bool> {
+        return map_1.elementwise_gt(slice);
+    }
+    pub(crate) fn slice_at_least(
+        &self,
+        map_2: impl rt::Into<rt::Scalar<f32>>,
+        slice_1: impl rt::Into<rt::Scalar<f32>>,
+        spacing_1: impl rt::Into<rt::Scalar<f32>>,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
+    ) -> bool {
+        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_1), rt::into(spacing_1), rt::into(params_28)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_slice_at_least(
+        &self,
+        map_2: rt::Scalar<f32>,
+        slice_1: rt::Scalar<f32>,
+        spacing_1: rt::Scalar<f32>,
+        params_28: rt::Vec4<f32>,
+    ) -> rt::Scalar<bool> {
+        return map_2.elementwise_ge(slice_1);
+    }
+    pub(crate) fn slice_band(
+        &self,
+        map_3: impl rt::Into<rt::Scalar<f32>>,
+        slice_2: impl rt::Into<rt::Scalar<f32>>,
+        spacing_2: impl rt::Into<rt::Scalar<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
+    ) -> bool {
+        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_2), rt::into(spacing_2), rt::into(params_29)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_slice_band(
+        &self,
+        map_3: rt::Scalar<f32>,
+        slice_2: rt::Scalar<f32>,
+        spacing_2: rt::Scalar<f32>,
+        params_29: rt::Vec4<f32>,
+    ) -> rt::Scalar<bool> {
+        return (map_3 - slice_2).abs().elementwise_le((rt::Scalar(0.5f32) * spacing_2));
+    }
+    pub(crate) fn slices_stage(
+        &self,
+        map_4: impl rt::Into<rt::Scalar<f32>>,
+        slice_3: impl rt::Into<rt::Scalar<f32>>,
+        spacing_3: impl rt::Into<rt::Scalar<f32>>,
+    ) -> bool {
+        rt::into(self.v_slices_stage(rt::into(map_4), rt::into(slice_3), rt::into(spacing_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_slices_stage(
+        &self,
+        map_4: rt::Scalar<f32>,
+        slice_3: rt::Scalar<f32>,
+        spacing_3: rt::Scalar<f32>,
+    ) -> rt::Scalar<bool> {
+        let _e7 = rt::Scalar(self.surface_settings.choices[2usize].number);
+        match rt::Scalar::into_inner(_e7) {
+            0u32 => {
+                let _e12 = self.surface_settings.choices[2usize].params;
+                let _e13 = self.v_slice_inside(map_4, slice_3, spacing_3, _e12);
+                return _e13;
+            }
+            1u32 => {
+                let _e18 = self.surface_settings.choices[2usize].params;
+                let _e19 = self.v_slice_at_least(map_4, slice_3, spacing_3, _e18);
+                return _e19;
+            }
+            _ => {
+                let _e24 = self.surface_settings.choices[2usize].params;
+                let _e25 = self.v_slice_band(map_4, slice_3, spacing_3, _e24);
+                return _e25;
+            }
+        }
+    }
+    pub(crate) fn slice_before(
+        &self,
+        pixel_50: PixelIn,
+        along_16: impl rt::Into<rt::Scalar<f32>>,
+        far_2: impl rt::Into<rt::Scalar<f32>>,
+        uv_16: impl rt::Into<rt::Vec2<f32>>,
+        step_m: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_slice_before(pixel_50, rt::into(along_16), rt::into(far_2), rt::into(uv_16), rt::into(step_m)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_slice_before(
+        &self,
+        pixel_50: PixelIn,
+        along_16: rt::Scalar<f32>,
+        far_2: rt::Scalar<f32>,
+        uv_16: rt::Vec2<f32>,
+        step_m: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let mut local_43: rt::Scalar<bool>;
+
+        let a_24 = (pixel_50.a.position + (pixel_50.a.normal * step_m));
+        let b_24 = (pixel_50.b.position + (pixel_50.b.normal * step_m));
+        let c_16 = (pixel_50.c.position + (pixel_50.c.normal * step_m));
+        let n_10 = (b_24 - a_24).cross((c_16 - a_24));
+        let t_35 = (n_10.dot((a_24 - pixel_50.origin)) / n_10.dot(pixel_50.direction));
+        let lead = (far_2 - (t_35 * along_16));
+        if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
+            local_43 = t_35.abs().elementwise_le(rt::Scalar(1000000000f32));
+        } else {
+            local_43 = rt::Scalar(false);
+        }
+        let _e43 = local_43;
+        if rt::Scalar::into_branch_condition((!_e43)) {
+            return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        }
+        let _e53 = self.v_weights_of(a_24, b_24, c_16, n_10, (pixel_50.origin + (pixel_50.direction * t_35)));
+        return <rt::Vec3<f32>>::new_21(((((pixel_50.a.uv * _e53.x()) + (pixel_50.b.uv * _e53.y())) + (pixel_50.c.uv * _e53.z())) - uv_16), lead);
+    }
+    pub(crate) fn surface_slices_segment(
+        &self,
+        pixel_51: PixelIn,
         at_41: Entered,
         k_8: impl rt::Into<rt::Scalar<u32>>,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_48, at_41, rt::into(k_8)))
+        rt::into(self.v_surface_slices_segment(pixel_51, at_41, rt::into(k_8), rt::into(params_30)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_slices_segment(
+        &self,
+        pixel_51: PixelIn,
+        at_41: Entered,
+        k_8: rt::Scalar<u32>,
+        params_30: rt::Vec4<f32>,
+    ) -> Path {
+        let along_31 = pixel_51.direction.length();
+        let _e6 = self.v_plane_normal(pixel_51);
+        let _e7 = self.v_triangle_distance(pixel_51, _e6);
+        let far_6 = (_e7 * along_31);
+        let height_13 = at_41.of_surface.x();
+        let spacing_4 = at_41.of_surface.y();
+        let _e15 = self.v_height_at(at_41.uv, rt::Scalar(at_41.level));
+        let _e16 = self.v_slices_stage(_e15, height_13, spacing_4);
+        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_51.direction.dot(at_41.normal).elementwise_lt(rt::Scalar(0f32))) * spacing_4);
+        let _e29 = rt::Scalar(self.surface_settings.scale_m);
+        let _e31 = self.v_slice_before(pixel_51, along_31, far_6, at_41.uv, (upward * _e29));
+        let known = _e31.z().elementwise_gt(rt::Scalar(0f32));
+        let lead_1 = (far_6 * rt::Scalar(0.0000005f32)).select(_e31.z().min(far_6), known);
+        let back = (<rt::Vec3<f32>>::new_21(_e31.xy(), rt::Scalar(0f32).select(upward, known)) / rt::Vec3::splat_from_scalar(rt::Scalar(1f32).select(_e31.z(), known)));
+        return <Path>::new((at_41.uv + (back.xy() * lead_1)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - back.xy()), <rt::Vec3<f32>>::from_scalars((height_13 + (back.z() * lead_1)), (rt::Scalar(0f32) - back.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_1, _e16), lead_1, at_41.metric, RAY_VIEW, rt::Scalar(at_41.level), (far_6 - lead_1), rt::Scalar(1f32));
+    }
+    pub(crate) fn surface_segment_stage(
+        &self,
+        pixel_52: PixelIn,
+        at_42: Entered,
+        k_9: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Path {
+        rt::into(self.v_surface_segment_stage(pixel_52, at_42, rt::into(k_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_segment_stage(
         &self,
-        pixel_48: PixelIn,
-        at_41: Entered,
-        k_8: rt::Scalar<u32>,
+        pixel_52: PixelIn,
+        at_42: Entered,
+        k_9: rt::Scalar<u32>,
     ) -> Path {
         let _e7 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[1usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_48, at_41, k_8, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_52, at_42, k_9, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[1usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_48, at_41, k_8, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_52, at_42, k_9, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[1usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_48, at_41, k_8, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_52, at_42, k_9, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[1usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_48, at_41, k_8, _e30);
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_52, at_42, k_9, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[1usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_48, at_41, k_8, _e36);
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_52, at_42, k_9, _e36);
                 return _e37;
             }
-            _ => {
+            5u32 => {
                 let _e42 = self.surface_settings.choices[1usize].params;
-                let _e43 = self.v_surface_facets_segment(pixel_48, at_41, k_8, _e42);
+                let _e43 = self.v_surface_facets_segment(pixel_52, at_42, k_9, _e42);
                 return _e43;
+            }
+            _ => {
+                let _e48 = self.surface_settings.choices[1usize].params;
+                let _e49 = self.v_surface_slices_segment(pixel_52, at_42, k_9, _e48);
+                return _e49;
             }
         }
     }
@@ -6579,10 +6845,10 @@ impl<'g> Resources<'g> {
             let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_6, path_22.h.y(), path_22.h.z()), rt::Scalar(path_22.exit));
             start = _e22.min(rt::Scalar(path_22.exit));
         }
-        let height_13 = (middle_8 + ((path_22.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
+        let height_14 = (middle_8 + ((path_22.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
         let _e32 = start;
         let _e33 = self.v_path_slope(path_22, _e32);
-        let h_4 = <rt::Vec3<f32>>::from_scalars(height_13, (_e33 / kept), (path_22.h.z() / kept));
+        let h_4 = <rt::Vec3<f32>>::from_scalars(height_14, (_e33 / kept), (path_22.h.z() / kept));
         let _e40 = start;
         let rest_4 = (rt::Scalar(path_22.exit) - _e40);
         let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_4.x().max(rt::Scalar(0f32)), h_4.y(), h_4.z()), rest_4);
@@ -6596,27 +6862,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn segment_of(
         &self,
-        pixel_49: PixelIn,
-        at_42: Entered,
-        k_9: impl rt::Into<rt::Scalar<u32>>,
+        pixel_53: PixelIn,
+        at_43: Entered,
+        k_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_49, at_42, rt::into(k_9)))
+        rt::into(self.v_segment_of(pixel_53, at_43, rt::into(k_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_segment_of(
         &self,
-        pixel_49: PixelIn,
-        at_42: Entered,
-        k_9: rt::Scalar<u32>,
+        pixel_53: PixelIn,
+        at_43: Entered,
+        k_10: rt::Scalar<u32>,
     ) -> Path {
         let mut path_23: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_49, at_42, k_9);
+        let _e3 = self.v_surface_segment_stage(pixel_53, at_43, k_10);
         path_23 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_42.fade).elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_43.fade).elementwise_gt(rt::Scalar(0f32))) {
             let _e8 = path_23;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_42.fade));
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_43.fade));
             path_23 = _e13;
             let _e16 = path_23.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
@@ -6626,358 +6892,793 @@ impl<'g> Resources<'g> {
         let _e22 = path_23;
         return _e22;
     }
+    pub(crate) fn surface_plane_polish(
+        &self,
+        pixel_54: PixelIn,
+        at_44: Entered,
+        path_24: Path,
+        hit_7: Hit,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_surface_plane_polish(pixel_54, at_44, path_24, hit_7, rt::into(params_31)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_surface_plane_polish(
+        &self,
+        pixel_54: PixelIn,
+        at_44: Entered,
+        path_24: Path,
+        hit_7: Hit,
+        params_31: rt::Vec4<f32>,
+    ) -> Hit {
+        return hit_7;
+    }
+    pub(crate) fn weights_at_offset(
+        &self,
+        prism_11: Prism,
+        place_11: impl rt::Into<rt::Vec3<f32>>,
+        offset_5: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_11), rt::into(offset_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_weights_at_offset(
+        &self,
+        prism_11: Prism,
+        place_11: rt::Vec3<f32>,
+        offset_5: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let corner_6 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
+        let a_25 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
+        let b_25 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
+        let rest_5 = (place_11 - corner_6);
+        let across_5 = a_25.cross(b_25);
+        let square_2 = across_5.dot(across_5);
+        if rt::Scalar::into_branch_condition((!square_2.elementwise_gt(rt::Scalar(0f32)))) {
+            return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
+        }
+        let second_4 = (rest_5.cross(b_25).dot(across_5) / square_2);
+        let third_3 = (a_25.cross(rest_5).dot(across_5) / square_2);
+        return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_4) - third_3), second_4, third_3);
+    }
+    pub(crate) fn shell_point_near(
+        &self,
+        prism_12: Prism,
+        place_12: impl rt::Into<rt::Vec3<f32>>,
+        height_4: impl rt::Into<rt::Scalar<f32>>,
+    ) -> ShellPoint {
+        rt::into(self.v_shell_point_near(prism_12, rt::into(place_12), rt::into(height_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_shell_point_near(
+        &self,
+        prism_12: Prism,
+        place_12: rt::Vec3<f32>,
+        height_4: rt::Scalar<f32>,
+    ) -> ShellPoint {
+        let low_2 = self.surface_settings.shell_m.x();
+        let _e10 = self.surface_settings.shell_m.y();
+        let offset_8 = (low_2 + ((_e10 - low_2).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_4));
+        let _e16 = self.v_weights_at_offset(prism_12, place_12, offset_8);
+        let _e18 = self.v_lift_of(prism_12.lift, _e16);
+        let _e20 = self.v_weights_at_offset(prism_12, place_12, (offset_8 + _e18));
+        let near_8 = <ShellPoint>::new(_e20, height_4);
+        let _e22 = self.v_shell_point_from(prism_12, place_12, near_8);
+        let moved = (_e22.weights - near_8.weights).abs();
+        let away_1 = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_4).abs()));
+        if rt::Scalar::into_branch_condition(away_1.elementwise_lt(rt::Scalar(0.5f32))) {
+            return _e22;
+        }
+        return near_8;
+    }
+    pub(crate) fn point_of_way(
+        &self,
+        pixel_55: PixelIn,
+        prism_13: Prism,
+        place_13: impl rt::Into<rt::Vec3<f32>>,
+        height_5: impl rt::Into<rt::Scalar<f32>>,
+    ) -> ShellPoint {
+        rt::into(self.v_point_of_way(pixel_55, prism_13, rt::into(place_13), rt::into(height_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_point_of_way(
+        &self,
+        pixel_55: PixelIn,
+        prism_13: Prism,
+        place_13: rt::Vec3<f32>,
+        height_5: rt::Scalar<f32>,
+    ) -> ShellPoint {
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_55.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e8 = self.v_shell_point_near(prism_13, place_13, height_5);
+            return _e8;
+        }
+        let _e9 = self.v_shell_point(prism_13, place_13, height_5);
+        return _e9;
+    }
+    pub(crate) fn surface_prism_polish(
+        &self,
+        pixel_56: PixelIn,
+        at_45: Entered,
+        path_25: Path,
+        hit_8: Hit,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_surface_prism_polish(pixel_56, at_45, path_25, hit_8, rt::into(params_32)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_prism_polish(
+        &self,
+        pixel_56: PixelIn,
+        at_45: Entered,
+        path_25: Path,
+        hit_8: Hit,
+        params_32: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut t_14: rt::Scalar<f32>;
+        let mut point_6: ShellPoint;
+        let mut step_2: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        let along_32 = pixel_56.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_56, along_32);
+        let _e8 = self.v_prism_of(pixel_56, along_32, _e7, params_32);
+        let _e10 = self.v_path_gap(path_25, rt::Scalar(hit_8.t));
+        let _e11 = self.v_grid_of(path_25);
+        let texels_5 = _e11.step.abs();
+        let most_9 = ((rt::Scalar(2f32) * params_32.x()) / texels_5.x().max(texels_5.y()).max((path_25.h.y().abs() / rt::Scalar(0.0625f32))));
+        t_14 = rt::Scalar(hit_8.t);
+        let _e30 = t_14;
+        let _e34 = t_14;
+        let _e35 = self.v_path_height(path_25, _e34);
+        let _e36 = self.v_point_of_way(pixel_56, _e8, (along_32 * ((rt::Scalar(path_25.start) + _e30) - _e7)), _e35);
+        point_6 = _e36;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e40 = step_2;
+                if rt::Scalar::into_branch_condition(_e40.elementwise_lt(POLISH_STEPS)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e43 = step_2;
+                    step_2 = (_e43 + rt::Scalar(1u32));
+                    let _e47 = rt::Scalar(point_6.height);
+                    let _e49 = point_6.weights;
+                    let _e50 = self.v_uv_of(pixel_56, _e49);
+                    let _e52 = self.v_height_at(_e50, rt::Scalar(path_25.level));
+                    let gap_1 = ((_e47 - _e52) - _e10);
+                    let _e57 = t_14;
+                    let _e60 = self.v_cell_of((_e11.origin + (_e11.step * _e57)));
+                    let _e61 = t_14;
+                    let _e62 = self.v_cell_gap(path_25, _e11, _e60, _e61);
+                    let change_4 = _e62.y();
+                    if rt::Scalar::into_branch_condition(change_4.elementwise_lt(rt::Scalar(0f32))) {
+                        let _e66 = t_14;
+                        t_14 = (_e66 - (gap_1 / change_4)).clamp((rt::Scalar(hit_8.t) - most_9), (rt::Scalar(hit_8.t) + most_9));
+                    }
+                    let _e75 = t_14;
+                    let place_21 = (along_32 * ((rt::Scalar(path_25.start) + _e75) - _e7));
+                    if rt::Scalar::into_branch_condition(rt::Scalar(pixel_56.shell.order).elementwise_ge(SHELL_FOLDED)) {
+                        let _e83 = t_14;
+                        let _e84 = self.v_path_height(path_25, _e83);
+                        let _e85 = self.v_shell_point_near(_e8, place_21, _e84);
+                        point_6 = _e85;
+                    } else {
+                        let _e86 = point_6;
+                        let _e87 = self.v_shell_point_from(_e8, place_21, _e86);
+                        point_6 = _e87;
+                    }
+                }
+            }
+        }
+        let _e91 = point_6.weights;
+        let _e92 = self.v_uv_of(pixel_56, _e91);
+        let _e94 = rt::Scalar(point_6.height);
+        let _e95 = t_14;
+        return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_8.exhausted), _e92, _e94, _e95, hit_8.cost);
+    }
+    pub(crate) fn surface_quadric_perpendicular_polish(
+        &self,
+        pixel_57: PixelIn,
+        at_46: Entered,
+        path_26: Path,
+        hit_9: Hit,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_57, at_46, path_26, hit_9, rt::into(params_33)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_surface_quadric_perpendicular_polish(
+        &self,
+        pixel_57: PixelIn,
+        at_46: Entered,
+        path_26: Path,
+        hit_9: Hit,
+        params_33: rt::Vec4<f32>,
+    ) -> Hit {
+        return hit_9;
+    }
+    pub(crate) fn surface_quadric_vertical_polish(
+        &self,
+        pixel_58: PixelIn,
+        at_47: Entered,
+        path_27: Path,
+        hit_10: Hit,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_58, at_47, path_27, hit_10, rt::into(params_34)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_surface_quadric_vertical_polish(
+        &self,
+        pixel_58: PixelIn,
+        at_47: Entered,
+        path_27: Path,
+        hit_10: Hit,
+        params_34: rt::Vec4<f32>,
+    ) -> Hit {
+        return hit_10;
+    }
+    pub(crate) fn surface_tetrahedra_polish(
+        &self,
+        pixel_59: PixelIn,
+        at_48: Entered,
+        path_28: Path,
+        hit_11: Hit,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_surface_tetrahedra_polish(pixel_59, at_48, path_28, hit_11, rt::into(params_35)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_surface_tetrahedra_polish(
+        &self,
+        pixel_59: PixelIn,
+        at_48: Entered,
+        path_28: Path,
+        hit_11: Hit,
+        params_35: rt::Vec4<f32>,
+    ) -> Hit {
+        return hit_11;
+    }
+    pub(crate) fn surface_facets_polish(
+        &self,
+        pixel_60: PixelIn,
+        at_49: Entered,
+        path_29: Path,
+        hit_12: Hit,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_surface_facets_polish(pixel_60, at_49, path_29, hit_12, rt::into(params_36)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_surface_facets_polish(
+        &self,
+        pixel_60: PixelIn,
+        at_49: Entered,
+        path_29: Path,
+        hit_12: Hit,
+        params_36: rt::Vec4<f32>,
+    ) -> Hit {
+        return hit_12;
+    }
+    pub(crate) fn surface_slices_polish(
+        &self,
+        pixel_61: PixelIn,
+        at_50: Entered,
+        path_30: Path,
+        hit_13: Hit,
+        params_37: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_surface_slices_polish(pixel_61, at_50, path_30, hit_13, rt::into(params_37)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_surface_slices_polish(
+        &self,
+        pixel_61: PixelIn,
+        at_50: Entered,
+        path_30: Path,
+        hit_13: Hit,
+        params_37: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut counted: Hit;
+
+        counted = hit_13;
+        counted.cost = (hit_13.cost + HEIGHTS_READ);
+        let _e10 = counted;
+        return _e10;
+    }
+    pub(crate) fn surface_polish_stage(&self, pixel_62: PixelIn, at_51: Entered, path_31: Path, hit_14: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_62, at_51, path_31, hit_14))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_polish_stage(&self, pixel_62: PixelIn, at_51: Entered, path_31: Path, hit_14: Hit) -> Hit {
+        let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
+        match rt::Scalar::into_inner(_e8) {
+            0u32 => {
+                let _e13 = self.surface_settings.choices[1usize].params;
+                let _e14 = self.v_surface_plane_polish(pixel_62, at_51, path_31, hit_14, _e13);
+                return _e14;
+            }
+            1u32 => {
+                let _e19 = self.surface_settings.choices[1usize].params;
+                let _e20 = self.v_surface_prism_polish(pixel_62, at_51, path_31, hit_14, _e19);
+                return _e20;
+            }
+            2u32 => {
+                let _e25 = self.surface_settings.choices[1usize].params;
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_62, at_51, path_31, hit_14, _e25);
+                return _e26;
+            }
+            3u32 => {
+                let _e31 = self.surface_settings.choices[1usize].params;
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_62, at_51, path_31, hit_14, _e31);
+                return _e32;
+            }
+            4u32 => {
+                let _e37 = self.surface_settings.choices[1usize].params;
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_62, at_51, path_31, hit_14, _e37);
+                return _e38;
+            }
+            5u32 => {
+                let _e43 = self.surface_settings.choices[1usize].params;
+                let _e44 = self.v_surface_facets_polish(pixel_62, at_51, path_31, hit_14, _e43);
+                return _e44;
+            }
+            _ => {
+                let _e49 = self.surface_settings.choices[1usize].params;
+                let _e50 = self.v_surface_slices_polish(pixel_62, at_51, path_31, hit_14, _e49);
+                return _e50;
+            }
+        }
+    }
+    pub(crate) fn polish_hit(&self, pixel_63: PixelIn, at_52: Entered, path_32: Path, hit_15: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_63, at_52, path_32, hit_15))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_polish_hit(&self, pixel_63: PixelIn, at_52: Entered, path_32: Path, hit_15: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_63, at_52, path_32, hit_15);
+        return _e4;
+    }
+    pub(crate) fn key_of(&self, depth_5: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_key_of(rt::into(depth_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_key_of(&self, depth_5: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let _e3 = rt::Scalar(self.frame.near);
+        let _e6 = rt::Scalar(self.frame.near);
+        return (_e3 / (_e6 + depth_5.max(rt::Scalar(0f32))));
+    }
+    pub(crate) fn is_in_hole(&self, uv_17: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_is_in_hole(rt::into(uv_17)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_is_in_hole(&self, uv_17: rt::Vec2<f32>) -> rt::Scalar<bool> {
+        let _e2 = self.v_height_texels(rt::Scalar(0u32));
+        let _e4 = self.v_height_size(rt::Scalar(0u32));
+        let _e10 = self.v_cell_of(((uv_17 * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let cell_20 = _e10.to_i32();
+        let _e14 = self.v_wrap_index(cell_20.x(), _e2.x());
+        let _e19 = self.v_wrap_index((cell_20.x() + rt::Scalar(1i32)), _e2.x());
+        let _e22 = self.v_wrap_index(cell_20.y(), _e2.y());
+        let _e27 = self.v_wrap_index((cell_20.y() + rt::Scalar(1i32)), _e2.y());
+        let _e31 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e14, _e22), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e36 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e19, _e22), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let above_7 = _e31.x().max(_e36.x());
+        let _e42 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e14, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e47 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e19, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let below_6 = _e42.x().max(_e47.x());
+        return above_7.max(below_6).elementwise_gt(rt::Scalar(0f32));
+    }
+    pub(crate) fn in_hole(&self, uv_18: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_in_hole(rt::into(uv_18)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_in_hole(&self, uv_18: rt::Vec2<f32>) -> rt::Scalar<bool> {
+        let _e3 = rt::Scalar(self.surface_settings.has_holes);
+        if rt::Scalar::into_branch_condition(_e3.elementwise_ne(rt::Scalar(1u32))) {
+            return rt::Scalar(false);
+        }
+        let _e7 = self.v_is_in_hole(uv_18);
+        return _e7;
+    }
+    pub(crate) fn hit_on_segment(
+        &self,
+        pixel_64: PixelIn,
+        at_53: Entered,
+        path_33: Path,
+        found: Hit,
+        k_11: impl rt::Into<rt::Scalar<u32>>,
+    ) -> FirstHit {
+        rt::into(self.v_hit_on_segment(pixel_64, at_53, path_33, found, rt::into(k_11)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_hit_on_segment(
+        &self,
+        pixel_64: PixelIn,
+        at_53: Entered,
+        path_33: Path,
+        found: Hit,
+        k_11: rt::Scalar<u32>,
+    ) -> FirstHit {
+        let mut first_1: FirstHit;
+
+        first_1 = <FirstHit>::new(found, k_11, rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(found.found).elementwise_eq(rt::Scalar(1u32))) {
+            let _e11 = self.v_polish_hit(pixel_64, at_53, path_33, found);
+            let _e12 = self.v_depth_on_ray(pixel_64, path_33, _e11);
+            let _e13 = self.v_key_of(_e12);
+            first_1 = <FirstHit>::new(_e11, k_11, _e13);
+            let _e16 = self.v_in_hole(_e11.uv);
+            if rt::Scalar::into_branch_condition(_e16) {
+                rt::Scalar(first_1.hit.found) = rt::Scalar(0u32);
+            }
+        }
+        let _e20 = first_1;
+        return _e20;
+    }
     pub(crate) fn hit_on_path(
         &self,
-        path_24: Path,
-        t_14: impl rt::Into<rt::Scalar<f32>>,
+        path_34: Path,
+        t_15: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
         cost_3: impl rt::Into<rt::Vec3<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_24, rt::into(t_14), rt::into(exhausted), rt::into(cost_3)))
+        rt::into(self.v_hit_on_path(path_34, rt::into(t_15), rt::into(exhausted), rt::into(cost_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_path(
         &self,
-        path_24: Path,
-        t_14: rt::Scalar<f32>,
+        path_34: Path,
+        t_15: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_41: rt::Scalar<bool>;
+        let mut local_44: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_14.elementwise_gt(rt::Scalar(path_24.exit))) {
-            let _e9 = self.v_path_height(path_24, rt::Scalar(path_24.exit));
-            local_41 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+        if rt::Scalar::into_branch_condition(t_15.elementwise_gt(rt::Scalar(path_34.exit))) {
+            let _e9 = self.v_path_height(path_34, rt::Scalar(path_34.exit));
+            local_44 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_41 = rt::Scalar(false);
+            local_44 = rt::Scalar(false);
         }
-        let _e13 = local_41;
+        let _e13 = local_44;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
         }
-        let inside_7 = t_14.clamp(rt::Scalar(0f32), rt::Scalar(path_24.exit));
-        let _e19 = self.v_path_uv(path_24, inside_7);
-        let _e20 = self.v_path_height(path_24, inside_7);
+        let inside_7 = t_15.clamp(rt::Scalar(0f32), rt::Scalar(path_34.exit));
+        let _e19 = self.v_path_uv(path_34, inside_7);
+        let _e20 = self.v_path_height(path_34, inside_7);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_7, cost_3);
     }
-    pub(crate) fn starting_point(&self, path_25: Path, found: Found) -> f32 {
-        rt::into(self.v_starting_point(path_25, found))
+    pub(crate) fn starting_point(&self, path_35: Path, found_1: Found) -> f32 {
+        rt::into(self.v_starting_point(path_35, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_25: Path, found: Found) -> rt::Scalar<f32> {
-        let mut local_42: rt::Scalar<bool>;
+    fn v_starting_point(&self, path_35: Path, found_1: Found) -> rt::Scalar<f32> {
+        let mut local_45: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_25.base);
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
+            return rt::Scalar(path_35.base);
         }
-        if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
-            local_42 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
+        if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
+            local_45 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_42 = rt::Scalar(true);
+            local_45 = rt::Scalar(true);
         }
-        let _e16 = local_42;
+        let _e16 = local_45;
         if rt::Scalar::into_branch_condition(_e16) {
-            return rt::Scalar(found.far);
+            return rt::Scalar(found_1.far);
         }
-        return rt::Scalar(found.near);
+        return rt::Scalar(found_1.near);
     }
     pub(crate) fn refine_none(
         &self,
-        path_26: Path,
-        found_1: Found,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
+        path_36: Path,
+        found_2: Found,
+        params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_26, found_1, rt::into(params_26)))
+        rt::into(self.v_refine_none(path_36, found_2, rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_refine_none(
         &self,
-        path_26: Path,
-        found_1: Found,
-        params_26: rt::Vec4<f32>,
-    ) -> Hit {
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(found_1.cost);
-            return _e7;
-        }
-        let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_1.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_26, found_1);
-        let _e16 = self.v_hit_on_path(path_26, _e14, exhausted_1, found_1.cost);
-        return _e16;
-    }
-    pub(crate) fn refine_offset(
-        &self,
-        path_27: Path,
+        path_36: Path,
         found_2: Found,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
+        params_38: rt::Vec4<f32>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_27, found_2, rt::into(params_27)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_offset(
-        &self,
-        path_27: Path,
-        found_2: Found,
-        params_27: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut t_15: rt::Scalar<f32>;
-
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_2.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_27, found_2);
-        let _e9 = self.v_path_uv(path_27, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_27.level));
-        let _e12 = self.v_path_slope(path_27, _e8);
-        t_15 = _e8;
-        if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
-            let _e16 = self.v_path_height(path_27, _e8);
-            t_15 = (_e8 + ((_e11 - _e16) / _e12));
-        }
-        let _e20 = t_15;
-        let _e30 = self.v_hit_on_path(path_27, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED)), (found_2.cost + HEIGHTS_READ));
-        return _e30;
+        let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED));
+        let _e14 = self.v_starting_point(path_36, found_2);
+        let _e16 = self.v_hit_on_path(path_36, _e14, exhausted_1, found_2.cost);
+        return _e16;
     }
-    pub(crate) fn refine_offset_limited(
+    pub(crate) fn refine_offset(
         &self,
-        path_28: Path,
+        path_37: Path,
         found_3: Found,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        params_39: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_28, found_3, rt::into(params_28)))
+        rt::into(self.v_refine_offset(path_37, found_3, rt::into(params_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_offset_limited(
+    fn v_refine_offset(
         &self,
-        path_28: Path,
+        path_37: Path,
         found_3: Found,
-        params_28: rt::Vec4<f32>,
+        params_39: rt::Vec4<f32>,
     ) -> Hit {
-        let mut hit_7: Hit;
+        let mut t_16: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_3.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_3.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_28, found_3);
-        let _e9 = self.v_path_uv(path_28, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_28.level));
-        let _e12 = self.v_path_height(path_28, _e8);
-        let rise_m = ((_e11 - _e12) * path_28.metric.w());
-        let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e27 = self.v_hit_on_path(path_28, (_e8 - rise_m), exhausted_2, (found_3.cost + HEIGHTS_READ));
-        hit_7 = _e27;
-        let _e30 = rt::Scalar(hit_7.found);
-        if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
-            rt::Scalar(hit_7.height) = _e11;
+        let _e8 = self.v_starting_point(path_37, found_3);
+        let _e9 = self.v_path_uv(path_37, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_37.level));
+        let _e12 = self.v_path_slope(path_37, _e8);
+        t_16 = _e8;
+        if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
+            let _e16 = self.v_path_height(path_37, _e8);
+            t_16 = (_e8 + ((_e11 - _e16) / _e12));
         }
-        let _e34 = hit_7;
-        return _e34;
+        let _e20 = t_16;
+        let _e30 = self.v_hit_on_path(path_37, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
+        return _e30;
     }
-    pub(crate) fn normal_z(
+    pub(crate) fn refine_offset_limited(
         &self,
-        path_29: Path,
-        slope_1: impl rt::Into<rt::Vec2<f32>>,
-    ) -> f32 {
-        rt::into(self.v_normal_z(path_29, rt::into(slope_1)))
+        path_38: Path,
+        found_4: Found,
+        params_40: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_offset_limited(path_38, found_4, rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_normal_z(
+    fn v_refine_offset_limited(
         &self,
-        path_29: Path,
-        slope_1: rt::Vec2<f32>,
-    ) -> rt::Scalar<f32> {
-        let m_4 = path_29.metric;
-        let area_4 = ((m_4.x() * m_4.z()) - (m_4.y() * m_4.y()));
-        let squared_2 = (((((slope_1.x() * slope_1.x()) * m_4.z()) - (((rt::Scalar(2f32) * slope_1.x()) * slope_1.y()) * m_4.y())) + ((slope_1.y() * slope_1.y()) * m_4.x())) / area_4);
-        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_4.w() * m_4.w()) * squared_2)).sqrt());
-    }
-    pub(crate) fn refine_slope(
-        &self,
-        path_30: Path,
+        path_38: Path,
         found_4: Found,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        params_40: rt::Vec4<f32>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_30, found_4, rt::into(params_29)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_slope(
-        &self,
-        path_30: Path,
-        found_4: Found,
-        params_29: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut t_16: rt::Scalar<f32>;
+        let mut hit_16: Hit;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_4.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_30, found_4);
-        let _e9 = self.v_path_uv(path_30, _e8);
-        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_30.level));
-        let _e13 = self.v_path_height(path_30, _e8);
-        let rise_1 = (_e11.x() - _e13);
-        t_16 = _e8;
-        if rt::Scalar::into_branch_condition(params_29.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e19 = self.v_path_slope(path_30, _e8);
-            let closing = (_e19 - ((_e11.y() * path_30.duv.x()) + (_e11.z() * path_30.duv.y())));
-            if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
-                t_16 = (_e8 + (rise_1 / closing));
-            }
-        } else {
-            let _e40 = self.v_normal_z(path_30, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_16 = (_e8 - ((rise_1 * path_30.metric.w()) * _e40));
+        let _e8 = self.v_starting_point(path_38, found_4);
+        let _e9 = self.v_path_uv(path_38, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_38.level));
+        let _e12 = self.v_path_height(path_38, _e8);
+        let rise_m = ((_e11 - _e12) * path_38.metric.w());
+        let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED));
+        let _e27 = self.v_hit_on_path(path_38, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
+        hit_16 = _e27;
+        let _e30 = rt::Scalar(hit_16.found);
+        if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
+            rt::Scalar(hit_16.height) = _e11;
         }
-        let _e43 = t_16;
-        let _e53 = self.v_hit_on_path(path_30, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (found_4.cost + HEIGHTS_READ));
-        return _e53;
+        let _e34 = hit_16;
+        return _e34;
     }
-    pub(crate) fn refine_slope_iterative(
+    pub(crate) fn normal_z(
         &self,
-        path_31: Path,
-        found_5: Found,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_31, found_5, rt::into(params_30)))
+        path_39: Path,
+        slope_1: impl rt::Into<rt::Vec2<f32>>,
+    ) -> f32 {
+        rt::into(self.v_normal_z(path_39, rt::into(slope_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_slope_iterative(
+    #[inline(always)]
+    fn v_normal_z(
         &self,
-        path_31: Path,
+        path_39: Path,
+        slope_1: rt::Vec2<f32>,
+    ) -> rt::Scalar<f32> {
+        let m_4 = path_39.metric;
+        let area_5 = ((m_4.x() * m_4.z()) - (m_4.y() * m_4.y()));
+        let squared_2 = (((((slope_1.x() * slope_1.x()) * m_4.z()) - (((rt::Scalar(2f32) * slope_1.x()) * slope_1.y()) * m_4.y())) + ((slope_1.y() * slope_1.y()) * m_4.x())) / area_5);
+        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_4.w() * m_4.w()) * squared_2)).sqrt());
+    }
+    pub(crate) fn refine_slope(
+        &self,
+        path_40: Path,
         found_5: Found,
-        params_30: rt::Vec4<f32>,
+        params_41: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_slope(path_40, found_5, rt::into(params_41)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_slope(
+        &self,
+        path_40: Path,
+        found_5: Found,
+        params_41: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_17: rt::Scalar<f32>;
-        let mut cost_4: rt::Vec3<u32>;
-        let mut k_10: rt::Scalar<f32> = rt::Scalar(0f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_5.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_31, found_5);
+        let _e8 = self.v_starting_point(path_40, found_5);
+        let _e9 = self.v_path_uv(path_40, _e8);
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_40.level));
+        let _e13 = self.v_path_height(path_40, _e8);
+        let rise_1 = (_e11.x() - _e13);
         t_17 = _e8;
-        cost_4 = found_5.cost;
+        if rt::Scalar::into_branch_condition(params_41.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e19 = self.v_path_slope(path_40, _e8);
+            let closing = (_e19 - ((_e11.y() * path_40.duv.x()) + (_e11.z() * path_40.duv.y())));
+            if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
+                t_17 = (_e8 + (rise_1 / closing));
+            }
+        } else {
+            let _e40 = self.v_normal_z(path_40, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_17 = (_e8 - ((rise_1 * path_40.metric.w()) * _e40));
+        }
+        let _e43 = t_17;
+        let _e53 = self.v_hit_on_path(path_40, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
+        return _e53;
+    }
+    pub(crate) fn refine_slope_iterative(
+        &self,
+        path_41: Path,
+        found_6: Found,
+        params_42: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_slope_iterative(path_41, found_6, rt::into(params_42)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_slope_iterative(
+        &self,
+        path_41: Path,
+        found_6: Found,
+        params_42: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut t_18: rt::Scalar<f32>;
+        let mut cost_4: rt::Vec3<u32>;
+        let mut k_12: rt::Scalar<f32> = rt::Scalar(0f32);
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(found_6.cost);
+            return _e7;
+        }
+        let _e8 = self.v_starting_point(path_41, found_6);
+        t_18 = _e8;
+        cost_4 = found_6.cost;
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_10;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_30.x())) {
+                let _e14 = k_12;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_42.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e17 = cost_4;
                     cost_4 = (_e17 + STEP);
-                    let _e20 = t_17;
-                    let _e21 = self.v_path_uv(path_31, _e20);
-                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_31.level));
+                    let _e20 = t_18;
+                    let _e21 = self.v_path_uv(path_41, _e20);
+                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_41.level));
                     let _e24 = cost_4;
                     cost_4 = (_e24 + HEIGHTS_READ);
-                    let _e28 = t_17;
-                    let _e29 = self.v_path_height(path_31, _e28);
+                    let _e28 = t_18;
+                    let _e29 = self.v_path_height(path_41, _e28);
                     let rise_2 = (_e23.x() - _e29);
-                    if rt::Scalar::into_branch_condition(params_30.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e34 = t_17;
-                        let _e35 = self.v_path_slope(path_31, _e34);
-                        let closing_1 = (_e35 - ((_e23.y() * path_31.duv.x()) + (_e23.z() * path_31.duv.y())));
+                    if rt::Scalar::into_branch_condition(params_42.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e34 = t_18;
+                        let _e35 = self.v_path_slope(path_41, _e34);
+                        let closing_1 = (_e35 - ((_e23.y() * path_41.duv.x()) + (_e23.z() * path_41.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
-                            let _e48 = t_17;
-                            t_17 = (_e48 + (rise_2 / closing_1));
+                            let _e48 = t_18;
+                            t_18 = (_e48 + (rise_2 / closing_1));
                         }
                     } else {
-                        let _e51 = t_17;
-                        let _e58 = self.v_normal_z(path_31, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
-                        t_17 = (_e51 - ((rise_2 * path_31.metric.w()) * _e58));
+                        let _e51 = t_18;
+                        let _e58 = self.v_normal_z(path_41, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
+                        t_18 = (_e51 - ((rise_2 * path_41.metric.w()) * _e58));
                     }
-                    let _e61 = t_17;
-                    t_17 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_31.exit));
-                    let _e65 = k_10;
-                    k_10 = (_e65 + rt::Scalar(1f32));
+                    let _e61 = t_18;
+                    t_18 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_41.exit));
+                    let _e65 = k_12;
+                    k_12 = (_e65 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e68 = t_17;
+        let _e68 = t_18;
         let _e75 = cost_4;
-        let _e76 = self.v_hit_on_path(path_31, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
+        let _e76 = self.v_hit_on_path(path_41, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
         return _e76;
     }
-    pub(crate) fn has_interval(&self, found_6: Found) -> bool {
-        rt::into(self.v_has_interval(found_6))
+    pub(crate) fn has_interval(&self, found_7: Found) -> bool {
+        rt::into(self.v_has_interval(found_7))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_has_interval(&self, found_6: Found) -> rt::Scalar<bool> {
-        let mut local_43: rt::Scalar<bool>;
-        let mut local_44: rt::Scalar<bool>;
-        let mut local_45: rt::Scalar<bool>;
+    fn v_has_interval(&self, found_7: Found) -> rt::Scalar<bool> {
+        let mut local_46: rt::Scalar<bool>;
+        let mut local_47: rt::Scalar<bool>;
+        let mut local_48: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_6.far).elementwise_gt(rt::Scalar(found_6.near))) {
-            if rt::Scalar::into_branch_condition((!rt::Scalar(found_6.status).elementwise_eq(FOUND_BRACKET))) {
-                local_44 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_7.far).elementwise_gt(rt::Scalar(found_7.near))) {
+            if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
+                local_47 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
-                local_44 = rt::Scalar(true);
+                local_47 = rt::Scalar(true);
             }
-            let _e16 = local_44;
+            let _e16 = local_47;
             if rt::Scalar::into_branch_condition((!_e16)) {
-                local_45 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
+                local_48 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
             } else {
-                local_45 = rt::Scalar(true);
+                local_48 = rt::Scalar(true);
             }
-            let _e24 = local_45;
-            local_43 = _e24;
+            let _e24 = local_48;
+            local_46 = _e24;
         } else {
-            local_43 = rt::Scalar(false);
+            local_46 = rt::Scalar(false);
         }
-        let _e26 = local_43;
+        let _e26 = local_46;
         return _e26;
     }
     pub(crate) fn refine_binary(
         &self,
-        path_32: Path,
-        found_7: Found,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
+        path_42: Path,
+        found_8: Found,
+        params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_32, found_7, rt::into(params_31)))
+        rt::into(self.v_refine_binary(path_42, found_8, rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
-        path_32: Path,
-        found_7: Found,
-        params_31: rt::Vec4<f32>,
+        path_42: Path,
+        found_8: Found,
+        params_43: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_2: rt::Scalar<f32>;
-        let mut far_2: rt::Scalar<f32>;
+        let mut far_3: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_46: rt::Scalar<bool>;
+        let mut local_49: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
-        let mut k_11: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_13: rt::Scalar<f32> = rt::Scalar(0f32);
 
-        let _e3 = self.v_has_interval(found_7);
+        let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_32, found_7, params_31);
+            let _e5 = self.v_refine_none(path_42, found_8, params_43);
             return _e5;
         }
-        near_2 = rt::Scalar(found_7.near);
-        far_2 = rt::Scalar(found_7.far);
-        cost_5 = found_7.cost;
-        if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-            let _e18 = far_2;
-            let _e19 = self.v_path_height(path_32, _e18);
-            local_46 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+        near_2 = rt::Scalar(found_8.near);
+        far_3 = rt::Scalar(found_8.far);
+        cost_5 = found_8.cost;
+        if rt::Scalar::into_branch_condition((!rt::Scalar(found_8.status).elementwise_eq(FOUND_BRACKET))) {
+            let _e18 = far_3;
+            let _e19 = self.v_path_height(path_42, _e18);
+            local_49 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_46 = rt::Scalar(true);
+            local_49 = rt::Scalar(true);
         }
-        let _e23 = local_46;
+        let _e23 = local_49;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = k_11;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_31.x())) {
+                let _e27 = k_13;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_43.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -6985,19 +7686,19 @@ impl<'g> Resources<'g> {
                     let _e30 = cost_5;
                     cost_5 = (_e30 + STEP);
                     let _e33 = near_2;
-                    let _e34 = far_2;
+                    let _e34 = far_3;
                     let middle_13 = (rt::Scalar(0.5f32) * (_e33 + _e34));
                     let _e38 = cost_5;
                     cost_5 = (_e38 + HEIGHTS_READ);
-                    let _e41 = self.v_path_gap(path_32, middle_13);
+                    let _e41 = self.v_path_gap(path_42, middle_13);
                     if rt::Scalar::into_branch_condition(_e41.elementwise_le(rt::Scalar(0f32))) {
-                        far_2 = middle_13;
+                        far_3 = middle_13;
                         crossed = rt::Scalar(true);
                     } else {
                         near_2 = middle_13;
                     }
-                    let _e45 = k_11;
-                    k_11 = (_e45 + rt::Scalar(1f32));
+                    let _e45 = k_13;
+                    k_13 = (_e45 + rt::Scalar(1f32));
                 }
             }
         }
@@ -7008,50 +7709,50 @@ impl<'g> Resources<'g> {
             return _e51;
         }
         let _e52 = near_2;
-        let _e53 = far_2;
+        let _e53 = far_3;
         let _e58 = cost_5;
-        let _e59 = self.v_hit_on_path(path_32, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
+        let _e59 = self.v_hit_on_path(path_42, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
         return _e59;
     }
     pub(crate) fn refine_secant(
         &self,
-        path_33: Path,
-        found_8: Found,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
+        path_43: Path,
+        found_9: Found,
+        params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_33, found_8, rt::into(params_32)))
+        rt::into(self.v_refine_secant(path_43, found_9, rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
-        path_33: Path,
-        found_8: Found,
-        params_32: rt::Vec4<f32>,
+        path_43: Path,
+        found_9: Found,
+        params_44: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_3: rt::Scalar<f32>;
-        let mut far_3: rt::Scalar<f32>;
+        let mut far_4: rt::Scalar<f32>;
         let mut near_gap_1: rt::Scalar<f32>;
         let mut far_gap_1: rt::Scalar<f32>;
         let mut cost_6: rt::Vec3<u32>;
-        let mut t_18: rt::Scalar<f32>;
-        let mut k_12: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut t_19: rt::Scalar<f32>;
+        let mut k_14: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e3 = self.v_has_interval(found_8);
+        let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_33, found_8, params_32);
+            let _e5 = self.v_refine_none(path_43, found_9, params_44);
             return _e5;
         }
-        near_3 = rt::Scalar(found_8.near);
-        far_3 = rt::Scalar(found_8.far);
-        near_gap_1 = rt::Scalar(found_8.near_gap);
-        far_gap_1 = rt::Scalar(found_8.far_gap);
-        cost_6 = found_8.cost;
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_ne(FOUND_BRACKET)) {
+        near_3 = rt::Scalar(found_9.near);
+        far_4 = rt::Scalar(found_9.far);
+        near_gap_1 = rt::Scalar(found_9.near_gap);
+        far_gap_1 = rt::Scalar(found_9.far_gap);
+        cost_6 = found_9.cost;
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_3;
-            let _e20 = self.v_path_gap(path_33, _e19);
+            let _e20 = self.v_path_gap(path_43, _e19);
             near_gap_1 = _e20;
-            let _e21 = far_3;
-            let _e22 = self.v_path_gap(path_33, _e21);
+            let _e21 = far_4;
+            let _e22 = self.v_path_gap(path_43, _e21);
             far_gap_1 = _e22;
             let _e23 = cost_6;
             cost_6 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -7062,12 +7763,12 @@ impl<'g> Resources<'g> {
                 return _e32;
             }
         }
-        let _e33 = far_3;
-        t_18 = _e33;
+        let _e33 = far_4;
+        t_19 = _e33;
         'naga_break: loop {
             'naga_continue: {
-                let _e37 = k_12;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_32.x())) {
+                let _e37 = k_14;
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_44.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -7081,74 +7782,74 @@ impl<'g> Resources<'g> {
                         break 'naga_break;
                     }
                     let _e49 = near_3;
-                    let _e50 = far_3;
+                    let _e50 = far_4;
                     let _e51 = near_3;
                     let _e53 = near_gap_1;
-                    t_18 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
-                    let _e57 = k_12;
-                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_32.x())) {
-                        let _e60 = t_18;
-                        let _e61 = self.v_path_gap(path_33, _e60);
+                    t_19 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
+                    let _e57 = k_14;
+                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_44.x())) {
+                        let _e60 = t_19;
+                        let _e61 = self.v_path_gap(path_43, _e60);
                         let _e62 = cost_6;
                         cost_6 = (_e62 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_le(rt::Scalar(0f32))) {
-                            let _e67 = t_18;
-                            far_3 = _e67;
+                            let _e67 = t_19;
+                            far_4 = _e67;
                             far_gap_1 = _e61;
                         } else {
-                            let _e68 = t_18;
+                            let _e68 = t_19;
                             near_3 = _e68;
                             near_gap_1 = _e61;
                         }
                     }
-                    let _e69 = k_12;
-                    k_12 = (_e69 + rt::Scalar(1f32));
+                    let _e69 = k_14;
+                    k_14 = (_e69 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e72 = t_18;
+        let _e72 = t_19;
         let _e74 = cost_6;
-        let _e75 = self.v_hit_on_path(path_33, _e72, rt::Scalar(0u32), _e74);
+        let _e75 = self.v_hit_on_path(path_43, _e72, rt::Scalar(0u32), _e74);
         return _e75;
     }
     pub(crate) fn refine_true_secant(
         &self,
-        path_34: Path,
-        found_9: Found,
-        params_33: impl rt::Into<rt::Vec4<f32>>,
+        path_44: Path,
+        found_10: Found,
+        params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_34, found_9, rt::into(params_33)))
+        rt::into(self.v_refine_true_secant(path_44, found_10, rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
-        path_34: Path,
-        found_9: Found,
-        params_33: rt::Vec4<f32>,
+        path_44: Path,
+        found_10: Found,
+        params_45: rt::Vec4<f32>,
     ) -> Hit {
         let mut before_1: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
         let mut cost_7: rt::Vec3<u32>;
-        let mut k_13: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_15: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e3 = self.v_has_interval(found_9);
+        let _e3 = self.v_has_interval(found_10);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_34, found_9, params_33);
+            let _e5 = self.v_refine_none(path_44, found_10, params_45);
             return _e5;
         }
-        before_1 = rt::Scalar(found_9.near);
-        last = rt::Scalar(found_9.far);
-        before_gap = rt::Scalar(found_9.near_gap);
-        last_gap = rt::Scalar(found_9.far_gap);
-        cost_7 = found_9.cost;
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
+        before_1 = rt::Scalar(found_10.near);
+        last = rt::Scalar(found_10.far);
+        before_gap = rt::Scalar(found_10.near_gap);
+        last_gap = rt::Scalar(found_10.far_gap);
+        cost_7 = found_10.cost;
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before_1;
-            let _e20 = self.v_path_gap(path_34, _e19);
+            let _e20 = self.v_path_gap(path_44, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_34, _e21);
+            let _e22 = self.v_path_gap(path_44, _e21);
             last_gap = _e22;
             let _e23 = cost_7;
             cost_7 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -7161,8 +7862,8 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e35 = k_13;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_33.x())) {
+                let _e35 = k_15;
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_45.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -7171,77 +7872,77 @@ impl<'g> Resources<'g> {
                     cost_7 = (_e38 + STEP);
                     let _e41 = before_gap;
                     let _e42 = last_gap;
-                    let change_4 = (_e41 - _e42);
-                    if rt::Scalar::into_branch_condition(change_4.elementwise_eq(rt::Scalar(0f32))) {
+                    let change_5 = (_e41 - _e42);
+                    if rt::Scalar::into_branch_condition(change_5.elementwise_eq(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
                     let _e46 = last;
                     let _e47 = last;
                     let _e48 = before_1;
                     let _e50 = last_gap;
-                    let t_35 = (_e46 + ((_e47 - _e48) * (_e50 / change_4))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
+                    let t_36 = (_e46 + ((_e47 - _e48) * (_e50 / change_5))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
                     let _e57 = last;
                     before_1 = _e57;
                     let _e58 = last_gap;
                     before_gap = _e58;
-                    last = t_35;
-                    let _e59 = k_13;
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_33.x())) {
-                        let _e62 = self.v_path_gap(path_34, t_35);
+                    last = t_36;
+                    let _e59 = k_15;
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_45.x())) {
+                        let _e62 = self.v_path_gap(path_44, t_36);
                         last_gap = _e62;
                         let _e63 = cost_7;
                         cost_7 = (_e63 + HEIGHTS_READ);
                     }
-                    let _e66 = k_13;
-                    k_13 = (_e66 + rt::Scalar(1f32));
+                    let _e66 = k_15;
+                    k_15 = (_e66 + rt::Scalar(1f32));
                 }
             }
         }
         let _e69 = last;
         let _e71 = cost_7;
-        let _e72 = self.v_hit_on_path(path_34, _e69, rt::Scalar(0u32), _e71);
+        let _e72 = self.v_hit_on_path(path_44, _e69, rt::Scalar(0u32), _e71);
         return _e72;
     }
     pub(crate) fn refine_patch(
         &self,
-        path_35: Path,
-        found_10: Found,
-        params_34: impl rt::Into<rt::Vec4<f32>>,
+        path_45: Path,
+        found_11: Found,
+        params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_35, found_10, rt::into(params_34)))
+        rt::into(self.v_refine_patch(path_45, found_11, rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
-        path_35: Path,
-        found_10: Found,
-        params_34: rt::Vec4<f32>,
+        path_45: Path,
+        found_11: Found,
+        params_46: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_19: rt::Scalar<f32>;
+        let mut t_20: rt::Scalar<f32>;
         let mut cell_7: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_47: rt::Scalar<bool>;
+        let mut local_50: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(found_10.cost);
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(found_11.cost);
             return _e7;
         }
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_35, rt::Scalar(found_10.near), rt::Scalar(1u32), found_10.cost);
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_EXHAUSTED)) {
+            let _e14 = self.v_hit_on_path(path_45, rt::Scalar(found_11.near), rt::Scalar(1u32), found_11.cost);
             return _e14;
         }
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_35, rt::Scalar(found_10.near), rt::Scalar(0u32), found_10.cost);
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_STARTED_BELOW)) {
+            let _e21 = self.v_hit_on_path(path_45, rt::Scalar(found_11.near), rt::Scalar(0u32), found_11.cost);
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_35);
-        t_19 = rt::Scalar(found_10.near);
-        let _e27 = t_19;
+        let _e22 = self.v_grid_of(path_45);
+        t_20 = rt::Scalar(found_11.near);
+        let _e27 = t_20;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
         cell_7 = _e30;
-        cost_8 = found_10.cost;
+        cost_8 = found_11.cost;
         let _e35 = cost_8.x();
-        let limit = (_e35 + params_34.x().to_u32());
+        let limit = (_e35 + params_46.x().to_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_8.x();
@@ -7254,37 +7955,37 @@ impl<'g> Resources<'g> {
                     cost_8 = (_e42 + STEP);
                     let _e45 = cell_7;
                     let _e46 = self.v_cell_leave(_e22, _e45);
-                    let end_4 = _e46.x().min(_e46.y()).min(rt::Scalar(found_10.far));
-                    let _e52 = t_19;
+                    let end_4 = _e46.x().min(_e46.y()).min(rt::Scalar(found_11.far));
+                    let _e52 = t_20;
                     let span_6 = (end_4 - _e52).max(rt::Scalar(0f32));
                     let _e56 = cell_7;
-                    let _e57 = t_19;
-                    let _e58 = self.v_cell_gap(path_35, _e22, _e56, _e57);
+                    let _e57 = t_20;
+                    let _e58 = self.v_cell_gap(path_45, _e22, _e56, _e57);
                     let _e59 = cost_8;
                     cost_8 = (_e59 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e58.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e65 = t_19;
+                        let _e65 = t_20;
                         let _e67 = cost_8;
-                        let _e68 = self.v_hit_on_path(path_35, _e65, rt::Scalar(0u32), _e67);
+                        let _e68 = self.v_hit_on_path(path_45, _e65, rt::Scalar(0u32), _e67);
                         return _e68;
                     }
                     let _e69 = self.v_first_root(_e58, span_6);
                     if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e72 = t_19;
+                        let _e72 = t_20;
                         let _e75 = cost_8;
-                        let _e76 = self.v_hit_on_path(path_35, (_e72 + _e69), rt::Scalar(0u32), _e75);
+                        let _e76 = self.v_hit_on_path(path_45, (_e72 + _e69), rt::Scalar(0u32), _e75);
                         return _e76;
                     }
-                    if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(found_10.far))) {
-                        if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_47 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
+                    if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(found_11.far))) {
+                        if rt::Scalar::into_branch_condition((!rt::Scalar(found_11.status).elementwise_eq(FOUND_BRACKET))) {
+                            local_50 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_47 = rt::Scalar(true);
+                            local_50 = rt::Scalar(true);
                         }
-                        let _e89 = local_47;
+                        let _e89 = local_50;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
-                            let _e93 = self.v_hit_on_path(path_35, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
+                            let _e93 = self.v_hit_on_path(path_45, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
                             return _e93;
                         }
                         let _e94 = cost_8;
@@ -7294,154 +7995,154 @@ impl<'g> Resources<'g> {
                     let _e96 = cell_7;
                     let _e97 = self.v_cell_next(_e22, _e96, _e46);
                     cell_7 = _e97;
-                    let _e98 = t_19;
-                    t_19 = _e98.max(end_4);
+                    let _e98 = t_20;
+                    t_20 = _e98.max(end_4);
                 }
             }
         }
-        let _e100 = t_19;
+        let _e100 = t_20;
         let _e102 = cost_8;
-        let _e103 = self.v_hit_on_path(path_35, _e100, rt::Scalar(1u32), _e102);
+        let _e103 = self.v_hit_on_path(path_45, _e100, rt::Scalar(1u32), _e102);
         return _e103;
     }
     pub(crate) fn refine_half_texel(
         &self,
-        path_36: Path,
-        found_11: Found,
-        params_35: impl rt::Into<rt::Vec4<f32>>,
+        path_46: Path,
+        found_12: Found,
+        params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_36, found_11, rt::into(params_35)))
+        rt::into(self.v_refine_half_texel(path_46, found_12, rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
-        path_36: Path,
-        found_11: Found,
-        params_35: rt::Vec4<f32>,
+        path_46: Path,
+        found_12: Found,
+        params_47: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_5: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_36, found_11, params_35);
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_12.status).elementwise_ne(FOUND_BELOW)) {
+            let _e6 = self.v_refine_none(path_46, found_12, params_47);
             return _e6;
         }
-        let _e9 = self.v_height_size(rt::Scalar(path_36.level));
-        let speed_1 = (path_36.duv * _e9).length();
-        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_36.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_36, found_11, params_35);
+        let _e9 = self.v_height_size(rt::Scalar(path_46.level));
+        let speed_1 = (path_46.duv * _e9).length();
+        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_46.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e17 = self.v_refine_none(path_46, found_12, params_47);
             return _e17;
         }
         let half_1 = (rt::Scalar(0.5f32) / speed_1);
-        let backward = (rt::Scalar(found_11.far) - half_1).max(rt::Scalar(0f32));
-        let forward_2 = (rt::Scalar(found_11.far) + half_1).min(rt::Scalar(path_36.exit));
-        let _e28 = self.v_path_gap(path_36, backward);
+        let backward = (rt::Scalar(found_12.far) - half_1).max(rt::Scalar(0f32));
+        let forward_2 = (rt::Scalar(found_12.far) + half_1).min(rt::Scalar(path_46.exit));
+        let _e28 = self.v_path_gap(path_46, backward);
         let before_3 = _e28.abs();
-        let _e30 = self.v_path_gap(path_36, forward_2);
+        let _e30 = self.v_path_gap(path_46, forward_2);
         let behind_2 = _e30.abs();
         if rt::Scalar::into_branch_condition((before_3 + behind_2).elementwise_gt(rt::Scalar(0f32))) {
             part_5 = (before_3 / (before_3 + behind_2));
         }
-        let cost_22 = ((found_11.cost + HEIGHTS_READ) + HEIGHTS_READ);
+        let cost_22 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
         let _e45 = part_5;
-        let _e49 = self.v_hit_on_path(path_36, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_22);
+        let _e49 = self.v_hit_on_path(path_46, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_22);
         return _e49;
     }
-    pub(crate) fn refine_stage(&self, path_37: Path, found_12: Found) -> Hit {
-        rt::into(self.v_refine_stage(path_37, found_12))
+    pub(crate) fn refine_stage(&self, path_47: Path, found_13: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_47, found_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_37: Path, found_12: Found) -> Hit {
-        let _e6 = rt::Scalar(self.surface_settings.choices[4usize].number);
+    fn v_refine_stage(&self, path_47: Path, found_13: Found) -> Hit {
+        let _e6 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
-                let _e11 = self.surface_settings.choices[4usize].params;
-                let _e12 = self.v_refine_none(path_37, found_12, _e11);
+                let _e11 = self.surface_settings.choices[5usize].params;
+                let _e12 = self.v_refine_none(path_47, found_13, _e11);
                 return _e12;
             }
             1u32 => {
-                let _e17 = self.surface_settings.choices[4usize].params;
-                let _e18 = self.v_refine_offset(path_37, found_12, _e17);
+                let _e17 = self.surface_settings.choices[5usize].params;
+                let _e18 = self.v_refine_offset(path_47, found_13, _e17);
                 return _e18;
             }
             2u32 => {
-                let _e23 = self.surface_settings.choices[4usize].params;
-                let _e24 = self.v_refine_offset_limited(path_37, found_12, _e23);
+                let _e23 = self.surface_settings.choices[5usize].params;
+                let _e24 = self.v_refine_offset_limited(path_47, found_13, _e23);
                 return _e24;
             }
             3u32 => {
-                let _e29 = self.surface_settings.choices[4usize].params;
-                let _e30 = self.v_refine_slope(path_37, found_12, _e29);
+                let _e29 = self.surface_settings.choices[5usize].params;
+                let _e30 = self.v_refine_slope(path_47, found_13, _e29);
                 return _e30;
             }
             4u32 => {
-                let _e35 = self.surface_settings.choices[4usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_37, found_12, _e35);
+                let _e35 = self.surface_settings.choices[5usize].params;
+                let _e36 = self.v_refine_slope_iterative(path_47, found_13, _e35);
                 return _e36;
             }
             5u32 => {
-                let _e41 = self.surface_settings.choices[4usize].params;
-                let _e42 = self.v_refine_binary(path_37, found_12, _e41);
+                let _e41 = self.surface_settings.choices[5usize].params;
+                let _e42 = self.v_refine_binary(path_47, found_13, _e41);
                 return _e42;
             }
             6u32 => {
-                let _e47 = self.surface_settings.choices[4usize].params;
-                let _e48 = self.v_refine_secant(path_37, found_12, _e47);
+                let _e47 = self.surface_settings.choices[5usize].params;
+                let _e48 = self.v_refine_secant(path_47, found_13, _e47);
                 return _e48;
             }
             7u32 => {
-                let _e53 = self.surface_settings.choices[4usize].params;
-                let _e54 = self.v_refine_true_secant(path_37, found_12, _e53);
+                let _e53 = self.surface_settings.choices[5usize].params;
+                let _e54 = self.v_refine_true_secant(path_47, found_13, _e53);
                 return _e54;
             }
             8u32 => {
-                let _e59 = self.surface_settings.choices[4usize].params;
-                let _e60 = self.v_refine_patch(path_37, found_12, _e59);
+                let _e59 = self.surface_settings.choices[5usize].params;
+                let _e60 = self.v_refine_patch(path_47, found_13, _e59);
                 return _e60;
             }
             _ => {
-                let _e65 = self.surface_settings.choices[4usize].params;
-                let _e66 = self.v_refine_half_texel(path_37, found_12, _e65);
+                let _e65 = self.surface_settings.choices[5usize].params;
+                let _e66 = self.v_refine_half_texel(path_47, found_13, _e65);
                 return _e66;
             }
         }
     }
     pub(crate) fn search_none(
         &self,
-        path_38: Path,
-        params_36: impl rt::Into<rt::Vec4<f32>>,
+        path_48: Path,
+        params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_38, rt::into(params_36)))
+        rt::into(self.v_search_none(path_48, rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_search_none(
         &self,
-        path_38: Path,
-        params_36: rt::Vec4<f32>,
+        path_48: Path,
+        params_48: rt::Vec4<f32>,
     ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
-        path_39: Path,
-        params_37: impl rt::Into<rt::Vec4<f32>>,
+        path_49: Path,
+        params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_39, rt::into(params_37)))
+        rt::into(self.v_search_linear(path_49, rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
-        path_39: Path,
-        params_37: rt::Vec4<f32>,
+        path_49: Path,
+        params_49: rt::Vec4<f32>,
     ) -> Found {
         let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32>;
         let mut cost_9: rt::Vec3<u32> = HEIGHTS_READ;
-        let mut k_14: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_16: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_5 = (path_39.h.y().abs() * path_39.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps_1 = rt::Scalar(1f32).max(((params_37.x() * params_37.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_39.share)).ceil());
-        let _e24 = self.v_path_gap(path_39, rt::Scalar(0f32));
+        let cosine_5 = (path_49.h.y().abs() * path_49.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps_1 = rt::Scalar(1f32).max(((params_49.x() * params_49.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_49.share)).ceil());
+        let _e24 = self.v_path_gap(path_49, rt::Scalar(0f32));
         near_gap_2 = _e24;
         let _e28 = near_gap_2;
         if rt::Scalar::into_branch_condition(_e28.elementwise_lt(rt::Scalar(0f32))) {
@@ -7452,7 +8153,7 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e40 = k_14;
+                let _e40 = k_16;
                 if rt::Scalar::into_branch_condition(_e40.elementwise_le(steps_1)) {
                 } else {
                     break 'naga_break;
@@ -7460,21 +8161,21 @@ impl<'g> Resources<'g> {
                 {
                     let _e42 = cost_9;
                     cost_9 = (_e42 + STEP);
-                    let _e46 = k_14;
-                    let t_36 = (rt::Scalar(path_39.exit) * (_e46 / steps_1));
-                    let _e49 = self.v_path_gap(path_39, t_36);
+                    let _e46 = k_16;
+                    let t_37 = (rt::Scalar(path_49.exit) * (_e46 / steps_1));
+                    let _e49 = self.v_path_gap(path_49, t_37);
                     let _e50 = cost_9;
                     cost_9 = (_e50 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e49.elementwise_le(rt::Scalar(0f32))) {
                         let _e56 = near_4;
                         let _e57 = near_gap_2;
                         let _e58 = cost_9;
-                        return <Found>::new(FOUND_BRACKET, _e56, t_36, _e57, _e49, _e58);
+                        return <Found>::new(FOUND_BRACKET, _e56, t_37, _e57, _e49, _e58);
                     }
-                    near_4 = t_36;
+                    near_4 = t_37;
                     near_gap_2 = _e49;
-                    let _e60 = k_14;
-                    k_14 = (_e60 + rt::Scalar(1f32));
+                    let _e60 = k_16;
+                    k_16 = (_e60 + rt::Scalar(1f32));
                 }
             }
         }
@@ -7487,85 +8188,85 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn least_at(
         &self,
-        c_5: impl rt::Into<rt::Vec3<f32>>,
+        c_6: impl rt::Into<rt::Vec3<f32>>,
         span_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_least_at(rt::into(c_5), rt::into(span_2)))
+        rt::into(self.v_least_at(rt::into(c_6), rt::into(span_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_least_at(
         &self,
-        c_5: rt::Vec3<f32>,
+        c_6: rt::Vec3<f32>,
         span_2: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(c_5.z().elementwise_gt(rt::Scalar(0f32))) {
-            return ((rt::Scalar(0f32) - c_5.y()) / (rt::Scalar(2f32) * c_5.z())).clamp(rt::Scalar(0f32), span_2);
+        if rt::Scalar::into_branch_condition(c_6.z().elementwise_gt(rt::Scalar(0f32))) {
+            return ((rt::Scalar(0f32) - c_6.y()) / (rt::Scalar(2f32) * c_6.z())).clamp(rt::Scalar(0f32), span_2);
         }
         return span_2;
     }
     pub(crate) fn found_in_cell(
         &self,
-        c_6: impl rt::Into<rt::Vec3<f32>>,
-        t_20: impl rt::Into<rt::Scalar<f32>>,
+        c_7: impl rt::Into<rt::Vec3<f32>>,
+        t_21: impl rt::Into<rt::Scalar<f32>>,
         span_3: impl rt::Into<rt::Scalar<f32>>,
-        first_1: impl rt::Into<rt::Scalar<bool>>,
+        first_2: impl rt::Into<rt::Scalar<bool>>,
         cost_10: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_found_in_cell(rt::into(c_6), rt::into(t_20), rt::into(span_3), rt::into(first_1), rt::into(cost_10)))
+        rt::into(self.v_found_in_cell(rt::into(c_7), rt::into(t_21), rt::into(span_3), rt::into(first_2), rt::into(cost_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_found_in_cell(
         &self,
-        c_6: rt::Vec3<f32>,
-        t_20: rt::Scalar<f32>,
+        c_7: rt::Vec3<f32>,
+        t_21: rt::Scalar<f32>,
         span_3: rt::Scalar<f32>,
-        first_1: rt::Scalar<bool>,
+        first_2: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_48: rt::Scalar<bool>;
+        let mut local_51: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(c_6.x().elementwise_le(rt::Scalar(0f32))) {
-            if rt::Scalar::into_branch_condition(first_1) {
-                local_48 = c_6.x().elementwise_lt(rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(c_7.x().elementwise_le(rt::Scalar(0f32))) {
+            if rt::Scalar::into_branch_condition(first_2) {
+                local_51 = c_7.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_48 = rt::Scalar(false);
+                local_51 = rt::Scalar(false);
             }
-            let _e14 = local_48;
+            let _e14 = local_51;
             if rt::Scalar::into_branch_condition(_e14) {
-                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_6.x(), c_6.x(), cost_10);
+                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_7.x(), c_7.x(), cost_10);
             }
-            return <Found>::new(FOUND_BRACKET, t_20, t_20, c_6.x(), c_6.x(), cost_10);
+            return <Found>::new(FOUND_BRACKET, t_21, t_21, c_7.x(), c_7.x(), cost_10);
         }
-        let _e25 = self.v_least_at(c_6, span_3);
-        let _e26 = self.v_quadratic(c_6, _e25);
+        let _e25 = self.v_least_at(c_7, span_3);
+        let _e26 = self.v_quadratic(c_7, _e25);
         if rt::Scalar::into_branch_condition(_e26.elementwise_le(rt::Scalar(0f32))) {
-            return <Found>::new(FOUND_BRACKET, t_20, (t_20 + _e25), c_6.x(), _e26, cost_10);
+            return <Found>::new(FOUND_BRACKET, t_21, (t_21 + _e25), c_7.x(), _e26, cost_10);
         }
-        let _e36 = self.v_quadratic(c_6, span_3);
-        return <Found>::new(FOUND_ABOVE, t_20, (t_20 + span_3), c_6.x(), _e36, cost_10);
+        let _e36 = self.v_quadratic(c_7, span_3);
+        return <Found>::new(FOUND_ABOVE, t_21, (t_21 + span_3), c_7.x(), _e36, cost_10);
     }
     pub(crate) fn search_cells(
         &self,
-        path_40: Path,
-        params_38: impl rt::Into<rt::Vec4<f32>>,
+        path_50: Path,
+        params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_40, rt::into(params_38)))
+        rt::into(self.v_search_cells(path_50, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
-        path_40: Path,
-        params_38: rt::Vec4<f32>,
+        path_50: Path,
+        params_50: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_8: rt::Vec2<f32>;
-        let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_22: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_11: rt::Vec3<u32> = NO_COST;
 
-        let _e2 = self.v_grid_of(path_40);
+        let _e2 = self.v_grid_of(path_50);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_8 = _e4;
-        let limit_1 = params_38.x().to_u32();
+        let limit_1 = params_50.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = cost_11.x();
@@ -7578,37 +8279,37 @@ impl<'g> Resources<'g> {
                     cost_11 = (_e15 + STEP);
                     let _e18 = cell_8;
                     let _e19 = self.v_cell_leave(_e2, _e18);
-                    let end_5 = _e19.x().min(_e19.y()).min(rt::Scalar(path_40.exit));
+                    let end_5 = _e19.x().min(_e19.y()).min(rt::Scalar(path_50.exit));
                     let _e25 = cell_8;
-                    let _e26 = t_21;
-                    let _e27 = self.v_cell_gap(path_40, _e2, _e25, _e26);
+                    let _e26 = t_22;
+                    let _e27 = self.v_cell_gap(path_50, _e2, _e25, _e26);
                     let _e28 = cost_11;
                     cost_11 = (_e28 + HEIGHTS_READ);
-                    let _e31 = t_21;
+                    let _e31 = t_22;
                     let span_7 = (end_5 - _e31).max(rt::Scalar(0f32));
-                    let _e35 = t_21;
+                    let _e35 = t_22;
                     let _e37 = cost_11.x();
                     let _e40 = cost_11;
                     let _e41 = self.v_found_in_cell(_e27, _e35, span_7, _e37.elementwise_eq(rt::Scalar(1u32)), _e40);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e41.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e41;
                     }
-                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_40.exit))) {
-                        let _e48 = t_21;
+                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_50.exit))) {
+                        let _e48 = t_22;
                         let _e52 = cost_11;
-                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_40.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
+                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_50.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
                     }
                     let _e54 = cell_8;
                     let _e55 = self.v_cell_next(_e2, _e54, _e19);
                     cell_8 = _e55;
-                    let _e56 = t_21;
-                    t_21 = _e56.max(end_5);
+                    let _e56 = t_22;
+                    t_22 = _e56.max(end_5);
                 }
             }
         }
-        let _e59 = t_21;
+        let _e59 = t_22;
         let _e61 = cost_11;
-        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
+        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
     }
     pub(crate) fn image_of(
         &self,
@@ -7623,14 +8324,14 @@ impl<'g> Resources<'g> {
         cell_9: rt::Scalar<i32>,
         n_5: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_49: rt::Scalar<bool>;
+        let mut local_52: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_9.elementwise_ge(rt::Scalar(0i32))) {
-            local_49 = cell_9.elementwise_lt(n_5);
+            local_52 = cell_9.elementwise_lt(n_5);
         } else {
-            local_49 = rt::Scalar(false);
+            local_52 = rt::Scalar(false);
         }
-        let _e8 = local_49;
+        let _e8 = local_52;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_9, rt::Scalar(0i32));
         }
@@ -7654,53 +8355,53 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn frustum_slope(
         &self,
-        path_41: Path,
+        path_51: Path,
         cell_10: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_41, rt::into(cell_10), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_51, rt::into(cell_10), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frustum_slope(
         &self,
-        path_41: Path,
+        path_51: Path,
         cell_10: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_50: rt::Scalar<bool>;
+        let mut local_53: rt::Scalar<bool>;
 
-        let _e4 = self.v_height_texels(rt::Scalar(path_41.level));
+        let _e4 = self.v_height_texels(rt::Scalar(path_51.level));
         let _e7 = self.v_image_of(cell_10.x(), _e4.x());
         let _e10 = self.v_image_of(cell_10.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_50 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_53 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_50 = rt::Scalar(true);
+            local_53 = rt::Scalar(true);
         }
-        let _e21 = local_50;
+        let _e21 = local_53;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
-        let _e29 = self.v_search_texel(path_41, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_41.level).to_i32());
+        let _e29 = self.v_search_texel(path_51, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_51.level).to_i32());
         let right_1 = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
         let down = forward_1.y().elementwise_eq(_e10.y().elementwise_eq(rt::Scalar(0i32)));
         return _e29.w().select(_e29.z(), right_1).select(_e29.y().select(_e29.x(), right_1), down);
     }
     pub(crate) fn map_read(
         &self,
-        path_42: Path,
+        path_52: Path,
         texels_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_map_read(path_42, rt::into(texels_3)))
+        rt::into(self.v_map_read(path_52, rt::into(texels_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_map_read(
         &self,
-        path_42: Path,
+        path_52: Path,
         texels_3: rt::Scalar<u32>,
     ) -> rt::Vec3<u32> {
-        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_42.ray).elementwise_eq(RAY_SHADOW));
+        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_52.ray).elementwise_eq(RAY_SHADOW));
         let _e14 = rt::Scalar(self.surface_settings.maps[rt::Scalar::into_array_index(slot)].texel_bytes);
         return <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), (texels_3 * _e14));
     }
@@ -7727,45 +8428,45 @@ impl<'g> Resources<'g> {
         span_4: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let rise_3 = (slope_2 * speed.abs());
-        let gap_1 = ((above_2.x() + (slope_2 * left)) - lost);
-        if rt::Scalar::into_branch_condition(gap_1.elementwise_le(rt::Scalar(0f32))) {
+        let gap_2 = ((above_2.x() + (slope_2 * left)) - lost);
+        if rt::Scalar::into_branch_condition(gap_2.elementwise_le(rt::Scalar(0f32))) {
             return rt::Scalar(0f32);
         }
         let closing_2 = ((rise_3 - above_2.y()) + (rt::Scalar(0.0000009536743f32) * (rise_3 + above_2.y().abs())));
         if rt::Scalar::into_branch_condition(above_2.z().elementwise_ne(rt::Scalar(0f32))) {
-            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_1, (rt::Scalar(0f32) - closing_2), above_2.z()), span_4);
+            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_2, (rt::Scalar(0f32) - closing_2), above_2.z()), span_4);
             return _e30;
         }
         if rt::Scalar::into_branch_condition(closing_2.elementwise_gt(rt::Scalar(0f32))) {
-            return (gap_1 / closing_2);
+            return (gap_2 / closing_2);
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
     pub(crate) fn search_frustum(
         &self,
-        path_43: Path,
-        params_39: impl rt::Into<rt::Vec4<f32>>,
+        path_53: Path,
+        params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_43, rt::into(params_39)))
+        rt::into(self.v_search_frustum(path_53, rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
-        path_43: Path,
-        params_39: rt::Vec4<f32>,
+        path_53: Path,
+        params_51: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_11: rt::Vec2<f32>;
-        let mut t_22: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_23: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_3: rt::Scalar<f32>;
-        let mut local_51: rt::Scalar<bool>;
+        let mut local_54: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_43);
+        let _e2 = self.v_grid_of(path_53);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_11 = _e9;
-        let limit_2 = params_39.x().to_u32();
+        let limit_2 = params_51.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_12.x();
@@ -7779,51 +8480,51 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_12.x();
                     let first_9 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_11;
-                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_43.level));
+                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_53.level));
                     let _e31 = cost_12;
                     cost_12 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_11;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_43.exit));
-                    let _e41 = t_22;
+                    let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_53.exit));
+                    let _e41 = t_23;
                     let span_8 = (end_6 - _e41).max(rt::Scalar(0f32));
                     let top_7 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
-                    let _e52 = t_22;
-                    let _e53 = self.v_path_height(path_43, _e52);
-                    let _e55 = t_22;
-                    let _e56 = self.v_path_slope(path_43, _e55);
-                    let above_7 = <rt::Vec3<f32>>::from_scalars((_e53 - top_7), _e56, path_43.h.z());
-                    let _e63 = t_22;
-                    let _e67 = t_22;
-                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_43.h.x().abs() + (_e63 * (path_43.h.y().abs() + (_e67 * path_43.h.z().abs())))));
-                    let _e77 = t_22;
+                    let _e52 = t_23;
+                    let _e53 = self.v_path_height(path_53, _e52);
+                    let _e55 = t_23;
+                    let _e56 = self.v_path_slope(path_53, _e55);
+                    let above_8 = <rt::Vec3<f32>>::from_scalars((_e53 - top_7), _e56, path_53.h.z());
+                    let _e63 = t_23;
+                    let _e67 = t_23;
+                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_53.h.x().abs() + (_e63 * (path_53.h.y().abs() + (_e67 * path_53.h.z().abs())))));
+                    let _e77 = t_23;
                     next_1 = _e77.max(end_6);
                     slope_3 = rt::Scalar(-1f32);
-                    let _e82 = self.v_least_at(above_7, span_8);
-                    let _e83 = self.v_quadratic(above_7, _e82);
+                    let _e82 = self.v_least_at(above_8, span_8);
+                    let _e83 = self.v_quadratic(above_8, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_51 = above_7.x().elementwise_gt(of_heights);
+                        local_54 = above_8.x().elementwise_gt(of_heights);
                     } else {
-                        local_51 = rt::Scalar(false);
+                        local_54 = rt::Scalar(false);
                     }
-                    let _e90 = local_51;
+                    let _e90 = local_54;
                     if rt::Scalar::into_branch_condition(_e90) {
-                        if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_43.exit))) {
+                        if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_53.exit))) {
                             let _e93 = cell_11;
-                            let _e95 = self.v_frustum_slope(path_43, _e93.to_i32(), forward_3);
+                            let _e95 = self.v_frustum_slope(path_53, _e93.to_i32(), forward_3);
                             slope_3 = _e95;
                             let _e96 = slope_3;
                             if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
                                 let _e99 = cost_12;
-                                let _e101 = self.v_map_read(path_43, rt::Scalar(1u32));
+                                let _e101 = self.v_map_read(path_53, rt::Scalar(1u32));
                                 cost_12 = (_e99 + _e101);
                             }
                         }
                     } else {
                         let _e103 = cell_11;
-                        let _e104 = t_22;
-                        let _e105 = self.v_gap_to(path_43, _e2, _e103, _e30, _e104);
-                        let _e106 = t_22;
+                        let _e104 = t_23;
+                        let _e105 = self.v_gap_to(path_53, _e2, _e103, _e30, _e104);
+                        let _e106 = t_23;
                         let _e107 = cost_12;
                         let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_9, _e107);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
@@ -7833,28 +8534,28 @@ impl<'g> Resources<'g> {
                     let _e112 = slope_3;
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_11;
-                        let _e119 = t_22;
-                        let at_101 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_3 = at_101.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_101), forward_3);
-                        let _e131 = t_22;
-                        let far_5 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                        let _e119 = t_23;
+                        let at_104 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_3 = at_104.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_104), forward_3);
+                        let _e131 = t_23;
+                        let far_7 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_3;
-                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_5));
-                        let _e145 = t_22;
-                        let rest_5 = (rt::Scalar(path_43.exit) - _e145);
+                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_7));
+                        let _e145 = t_23;
+                        let rest_6 = (rt::Scalar(path_53.exit) - _e145);
                         let _e147 = slope_3;
-                        let _e152 = self.v_stays_above(above_7, _e147, left_3.x(), _e2.step.x(), lost_1.x(), rest_5);
+                        let _e152 = self.v_stays_above(above_8, _e147, left_3.x(), _e2.step.x(), lost_1.x(), rest_6);
                         let _e153 = slope_3;
-                        let _e158 = self.v_stays_above(above_7, _e153, left_3.y(), _e2.step.y(), lost_1.y(), rest_5);
+                        let _e158 = self.v_stays_above(above_8, _e153, left_3.y(), _e2.step.y(), lost_1.y(), rest_6);
                         let _e159 = next_1;
-                        let _e160 = t_22;
+                        let _e160 = t_23;
                         next_1 = _e159.max((_e160 + _e152.min(_e158)));
                     }
                     let _e164 = next_1;
-                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_43.exit))) {
-                        let _e168 = t_22;
+                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_53.exit))) {
+                        let _e168 = t_23;
                         let _e170 = cost_12;
-                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
+                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_53.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
                     }
                     let _e174 = slope_3;
                     if rt::Scalar::into_branch_condition(_e174.elementwise_ge(rt::Scalar(0f32))) {
@@ -7868,87 +8569,87 @@ impl<'g> Resources<'g> {
                         cell_11 = _e181;
                     }
                     let _e182 = next_1;
-                    t_22 = _e182;
+                    t_23 = _e182;
                 }
             }
         }
-        let _e184 = t_22;
+        let _e184 = t_23;
         let _e186 = cost_12;
-        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
+        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_53.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
-    pub(crate) fn nearest_corner(&self, at_43: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_43)))
+    pub(crate) fn nearest_corner(&self, at_54: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_nearest_corner(&self, at_43: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_43.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_54: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_54.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
-        path_44: Path,
+        path_54: Path,
         grid_8: Grid,
-        offset_5: impl rt::Into<rt::Vec2<f32>>,
+        offset_6: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_4: impl rt::Into<rt::Scalar<f32>>,
-        t_23: impl rt::Into<rt::Scalar<f32>>,
+        t_24: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_44, grid_8, rt::into(offset_5), rt::into(apex), rt::into(slope_4), rt::into(t_23)))
+        rt::into(self.v_stays_inside(path_54, grid_8, rt::into(offset_6), rt::into(apex), rt::into(slope_4), rt::into(t_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
         &self,
-        path_44: Path,
+        path_54: Path,
         grid_8: Grid,
-        offset_5: rt::Vec2<f32>,
+        offset_6: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
         slope_4: rt::Scalar<f32>,
-        t_23: rt::Scalar<f32>,
+        t_24: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_52: rt::Scalar<bool>;
+        let mut local_55: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_6 = (rt::Scalar(path_44.exit) - t_23);
-        let _e8 = self.v_path_height(path_44, t_23);
-        let height_14 = (_e8 - apex);
-        let terms = (path_44.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_44.exit)) * path_44.h.z().abs()));
-        let _e21 = self.v_path_slope(path_44, t_23);
-        let rise_4 = ((_e21 + (path_44.h.z().min(rt::Scalar(0f32)) * rest_6)) - (rt::Scalar(0.0000009536743f32) * terms));
-        most = rest_6;
+        let rest_7 = (rt::Scalar(path_54.exit) - t_24);
+        let _e8 = self.v_path_height(path_54, t_24);
+        let height_15 = (_e8 - apex);
+        let terms = (path_54.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_54.exit)) * path_54.h.z().abs()));
+        let _e21 = self.v_path_slope(path_54, t_24);
+        let rise_4 = ((_e21 + (path_54.h.z().min(rt::Scalar(0f32)) * rest_7)) - (rt::Scalar(0.0000009536743f32) * terms));
+        most = rest_7;
         if rt::Scalar::into_branch_condition(rise_4.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
-            most = _e34.min((height_14 / (rt::Scalar(0f32) - rise_4)));
+            most = _e34.min((height_15 / (rt::Scalar(0f32) - rise_4)));
         }
         let _e39 = most;
-        let end_7 = (t_23 + _e39);
-        let _e52 = self.v_height_size(rt::Scalar(path_44.level));
-        let far_6 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_7)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
-        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_44.h.x().abs() + (end_7 * (path_44.h.y().abs() + (end_7 * path_44.h.z().abs())))));
-        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_6.x() + far_6.y())));
-        let gap_2 = (height_14 - (rt::Scalar(2f32) * lost_2));
-        let _e85 = self.v_height_size(rt::Scalar(path_44.level));
-        let aside_4 = (((grid_8.origin - offset_5) + (grid_8.step * t_23)) / _e85);
-        let c_15 = (((slope_4 * aside_4.length()) - gap_2) * ((slope_4 * aside_4.length()) + gap_2));
-        if rt::Scalar::into_branch_condition((!gap_2.elementwise_le(rt::Scalar(0f32)))) {
-            local_52 = c_15.elementwise_ge(rt::Scalar(0f32));
+        let end_7 = (t_24 + _e39);
+        let _e52 = self.v_height_size(rt::Scalar(path_54.level));
+        let far_8 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_7)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
+        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_54.h.x().abs() + (end_7 * (path_54.h.y().abs() + (end_7 * path_54.h.z().abs())))));
+        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_8.x() + far_8.y())));
+        let gap_3 = (height_15 - (rt::Scalar(2f32) * lost_2));
+        let _e85 = self.v_height_size(rt::Scalar(path_54.level));
+        let aside_4 = (((grid_8.origin - offset_6) + (grid_8.step * t_24)) / _e85);
+        let c_17 = (((slope_4 * aside_4.length()) - gap_3) * ((slope_4 * aside_4.length()) + gap_3));
+        if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
+            local_55 = c_17.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_52 = rt::Scalar(true);
+            local_55 = rt::Scalar(true);
         }
-        let _e102 = local_52;
+        let _e102 = local_55;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_23 = (((slope_4 * slope_4) * aside_4.dot(path_44.duv)) - (gap_2 * rise_4));
-        let a_24 = (((slope_4 * slope_4) * path_44.duv.dot(path_44.duv)) - (rise_4 * rise_4));
-        let discriminant_3 = ((b_23 * b_23) - (a_24 * c_15));
+        let b_26 = (((slope_4 * slope_4) * aside_4.dot(path_54.duv)) - (gap_3 * rise_4));
+        let a_26 = (((slope_4 * slope_4) * path_54.duv.dot(path_54.duv)) - (rise_4 * rise_4));
+        let discriminant_3 = ((b_26 * b_26) - (a_26 * c_17));
         if rt::Scalar::into_branch_condition(discriminant_3.elementwise_ge(rt::Scalar(0f32))) {
             let root_4 = discriminant_3.sqrt();
-            if rt::Scalar::into_branch_condition(b_23.elementwise_ge(rt::Scalar(0f32))) {
-                leave_6 = ((rt::Scalar(0f32) - c_15) / (b_23 + root_4));
+            if rt::Scalar::into_branch_condition(b_26.elementwise_ge(rt::Scalar(0f32))) {
+                leave_6 = ((rt::Scalar(0f32) - c_17) / (b_26 + root_4));
             } else {
-                if rt::Scalar::into_branch_condition(a_24.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_6 = ((root_4 - b_23) / a_24);
+                if rt::Scalar::into_branch_condition(a_26.elementwise_gt(rt::Scalar(0f32))) {
+                    leave_6 = ((root_4 - b_26) / a_26);
                 }
             }
         }
@@ -7957,7 +8658,7 @@ impl<'g> Resources<'g> {
         leave_6 = _e135.min(_e136);
         let _e139 = leave_6;
         let _e145 = leave_6;
-        if rt::Scalar::into_branch_condition(((slope_4 * (aside_4 + (path_44.duv * _e139)).length()) + lost_2).elementwise_le((height_14 + (rise_4 * _e145)))) {
+        if rt::Scalar::into_branch_condition(((slope_4 * (aside_4 + (path_54.duv * _e139)).length()) + lost_2).elementwise_le((height_15 + (rise_4 * _e145)))) {
             let _e149 = leave_6;
             return _e149;
         }
@@ -7965,27 +8666,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cone(
         &self,
-        path_45: Path,
-        params_40: impl rt::Into<rt::Vec4<f32>>,
+        path_55: Path,
+        params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_45, rt::into(params_40)))
+        rt::into(self.v_search_cone(path_55, rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
-        path_45: Path,
-        params_40: rt::Vec4<f32>,
+        path_55: Path,
+        params_52: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_12: rt::Vec2<f32>;
-        let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_45);
+        let _e2 = self.v_grid_of(path_55);
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_12 = _e9;
-        let limit_3 = params_40.x().to_u32();
+        let limit_3 = params_52.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_13.x();
@@ -7999,69 +8700,69 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_13.x();
                     let first_10 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_12;
-                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_45.level));
+                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_55.level));
                     let _e31 = cost_13;
                     cost_13 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_12;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_8 = _e35.x().min(_e35.y()).min(rt::Scalar(path_45.exit));
-                    let _e41 = t_24;
+                    let end_8 = _e35.x().min(_e35.y()).min(rt::Scalar(path_55.exit));
+                    let _e41 = t_25;
                     let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_12;
-                    let _e49 = t_24;
-                    let at_102 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_102);
+                    let _e49 = t_25;
+                    let at_105 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_105);
                     let _e53 = self.v_corner_height(_e30, _e52);
-                    let _e54 = t_24;
+                    let _e54 = t_25;
                     next_2 = _e54;
-                    let _e56 = t_24;
-                    let _e57 = self.v_path_height(path_45, _e56);
+                    let _e56 = t_25;
+                    let _e57 = self.v_path_height(path_55, _e56);
                     if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
                         let _e59 = cell_12;
                         let texel_8 = (_e59 + _e52);
-                        let _e61 = self.v_cone_slope(path_45, texel_8);
+                        let _e61 = self.v_cone_slope(path_55, texel_8);
                         let _e62 = cost_13;
-                        let _e64 = self.v_map_read(path_45, rt::Scalar(1u32));
+                        let _e64 = self.v_map_read(path_55, rt::Scalar(1u32));
                         cost_13 = (_e62 + _e64);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e68 = t_24;
-                            let _e69 = t_24;
-                            let _e70 = self.v_stays_inside(path_45, _e2, texel_8, _e53, _e61, _e69);
+                            let _e68 = t_25;
+                            let _e69 = t_25;
+                            let _e70 = self.v_stays_inside(path_55, _e2, texel_8, _e53, _e61, _e69);
                             next_2 = (_e68 + _e70);
                         }
                     }
                     let _e72 = next_2;
                     if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_8)) {
                         let _e74 = cell_12;
-                        let _e75 = t_24;
-                        let _e76 = self.v_gap_to(path_45, _e2, _e74, _e30, _e75);
-                        let _e77 = t_24;
+                        let _e75 = t_25;
+                        let _e76 = self.v_gap_to(path_55, _e2, _e74, _e30, _e75);
+                        let _e77 = t_25;
                         let _e78 = cost_13;
                         let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_10, _e78);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e79.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e79;
                         }
-                        let _e83 = t_24;
+                        let _e83 = t_25;
                         next_2 = _e83.max(end_8);
                     }
                     let _e85 = next_2;
-                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_45.exit))) {
-                        let _e89 = t_24;
+                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_55.exit))) {
+                        let _e89 = t_25;
                         let _e91 = cost_13;
-                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
+                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_55.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
                     }
                     let _e95 = cell_12;
                     let _e96 = next_2;
                     let _e97 = self.v_cell_after(_e2, _e95, _e35, forward_4, _e96);
                     cell_12 = _e97;
                     let _e98 = next_2;
-                    t_24 = _e98;
+                    t_25 = _e98;
                 }
             }
         }
-        let _e100 = t_24;
+        let _e100 = t_25;
         let _e102 = cost_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
+        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_55.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
     }
     pub(crate) fn node_extent(
         &self,
@@ -8080,13 +8781,13 @@ impl<'g> Resources<'g> {
         n_6: rt::Scalar<i32>,
         level_17: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_53: rt::Scalar<bool>;
+        let mut local_56: rt::Scalar<bool>;
 
         let first_11 = ((image.x() >> level_17) << level_17);
         let side_4 = (rt::Scalar(1i32) << level_17);
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low_2 = (cell_13 - (image.x() - first_11));
-            return <rt::Vec2<i32>>::from_scalars(low_2, (low_2 + side_4.min((n_6 - first_11))));
+            let low_3 = (cell_13 - (image.x() - first_11));
+            return <rt::Vec2<i32>>::from_scalars(low_3, (low_3 + side_4.min((n_6 - first_11))));
         }
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(1i32))) {
             let high = ((cell_13 + (image.x() - first_11)) + rt::Scalar(1i32));
@@ -8094,11 +8795,11 @@ impl<'g> Resources<'g> {
         }
         if rt::Scalar::into_branch_condition(level_17.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_53 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_56 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_53 = rt::Scalar(false);
+            local_56 = rt::Scalar(false);
         }
-        let _e43 = local_53;
+        let _e43 = local_56;
         if rt::Scalar::into_branch_condition(_e43) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_6, cell_13.elementwise_ge(n_6)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_13.elementwise_ge(n_6)));
         }
@@ -8107,54 +8808,54 @@ impl<'g> Resources<'g> {
     pub(crate) fn leaves_extent(
         &self,
         origin_1: impl rt::Into<rt::Scalar<f32>>,
-        step_2: impl rt::Into<rt::Scalar<f32>>,
+        step_3: impl rt::Into<rt::Scalar<f32>>,
         extent: impl rt::Into<rt::Vec2<i32>>,
     ) -> f32 {
-        rt::into(self.v_leaves_extent(rt::into(origin_1), rt::into(step_2), rt::into(extent)))
+        rt::into(self.v_leaves_extent(rt::into(origin_1), rt::into(step_3), rt::into(extent)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_leaves_extent(
         &self,
         origin_1: rt::Scalar<f32>,
-        step_2: rt::Scalar<f32>,
+        step_3: rt::Scalar<f32>,
         extent: rt::Vec2<i32>,
     ) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(step_2.elementwise_gt(rt::Scalar(0f32))) {
-            return ((extent.y().to_f32() - origin_1) / step_2);
+        if rt::Scalar::into_branch_condition(step_3.elementwise_gt(rt::Scalar(0f32))) {
+            return ((extent.y().to_f32() - origin_1) / step_3);
         }
-        if rt::Scalar::into_branch_condition(step_2.elementwise_lt(rt::Scalar(0f32))) {
-            return ((extent.x().to_f32() - origin_1) / step_2);
+        if rt::Scalar::into_branch_condition(step_3.elementwise_lt(rt::Scalar(0f32))) {
+            return ((extent.x().to_f32() - origin_1) / step_3);
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
     pub(crate) fn search_pyramid(
         &self,
-        path_46: Path,
-        params_41: impl rt::Into<rt::Vec4<f32>>,
+        path_56: Path,
+        params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_46, rt::into(params_41)))
+        rt::into(self.v_search_pyramid(path_56, rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
-        path_46: Path,
-        params_41: rt::Vec4<f32>,
+        path_56: Path,
+        params_53: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut level_18: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_14: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
-        let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_26: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_54: rt::Scalar<bool>;
-        let mut local_55: rt::Scalar<bool>;
-        let mut local_56: rt::Scalar<bool>;
         let mut local_57: rt::Scalar<bool>;
+        let mut local_58: rt::Scalar<bool>;
+        let mut local_59: rt::Scalar<bool>;
+        let mut local_60: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_46);
-        let _e4 = self.v_height_texels(rt::Scalar(path_46.level));
-        let long_5 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_46.exit));
+        let _e2 = self.v_grid_of(path_56);
+        let _e4 = self.v_height_texels(rt::Scalar(path_56.level));
+        let long_5 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_56.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = top;
@@ -8175,7 +8876,7 @@ impl<'g> Resources<'g> {
         }
         let _e37 = self.v_cell_of(_e2.origin);
         cell_14 = _e37.to_i32();
-        let limit_4 = params_41.x().to_u32();
+        let limit_4 = params_53.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e51 = cost_14.x();
@@ -8190,33 +8891,33 @@ impl<'g> Resources<'g> {
                     let _e59 = self.v_image_of(_e57, _e4.x());
                     let _e61 = cell_14.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_21 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let place_22 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
                     let _e67 = level_18;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over_1 = <rt::Vec2<i32>>::from_scalars((place_21.x() >> above_level), (place_21.y() >> above_level));
+                    let over_1 = <rt::Vec2<i32>>::from_scalars((place_22.x() >> above_level), (place_22.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_1.x()))) {
                             let _e89 = parent.y();
-                            local_55 = _e89.elementwise_ne(over_1.y());
+                            local_58 = _e89.elementwise_ne(over_1.y());
                         } else {
-                            local_55 = rt::Scalar(true);
+                            local_58 = rt::Scalar(true);
                         }
-                        let _e93 = local_55;
-                        local_54 = _e93;
+                        let _e93 = local_58;
+                        local_57 = _e93;
                     } else {
-                        local_54 = rt::Scalar(false);
+                        local_57 = rt::Scalar(false);
                     }
-                    let left_4 = local_54;
+                    let left_4 = local_57;
                     if rt::Scalar::into_branch_condition(left_4) {
                         let _e98 = level_18;
                         let _e99 = top;
-                        local_56 = _e98.elementwise_lt(_e99);
+                        local_59 = _e98.elementwise_lt(_e99);
                     } else {
-                        local_56 = rt::Scalar(false);
+                        local_59 = rt::Scalar(false);
                     }
-                    let _e102 = local_56;
+                    let _e102 = local_59;
                     if rt::Scalar::into_branch_condition(_e102) {
                         level_18 = above_level;
                     }
@@ -8228,10 +8929,10 @@ impl<'g> Resources<'g> {
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
-                    let end_9 = _e117.min(_e122).min(rt::Scalar(path_46.exit));
-                    let _e126 = t_25;
+                    let end_9 = _e117.min(_e122).min(rt::Scalar(path_56.exit));
+                    let _e126 = t_26;
                     let span_10 = (end_9 - _e126).max(rt::Scalar(0f32));
-                    let low_3 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
+                    let low_4 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_5 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
                     let _e140 = level_18;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
@@ -8239,11 +8940,11 @@ impl<'g> Resources<'g> {
                         cost_14 = (_e143 + HEIGHTS_READ);
                         let _e146 = cell_14;
                         let _e148 = cell_14;
-                        let _e150 = self.v_height_cell(_e148, rt::Scalar(path_46.level));
-                        let _e151 = t_25;
-                        let _e152 = self.v_gap_to(path_46, _e2, _e146.to_f32(), _e150, _e151);
-                        let _e153 = t_25;
-                        let _e154 = t_25;
+                        let _e150 = self.v_height_cell(_e148, rt::Scalar(path_56.level));
+                        let _e151 = t_26;
+                        let _e152 = self.v_gap_to(path_56, _e2, _e146.to_f32(), _e150, _e151);
+                        let _e153 = t_26;
+                        let _e154 = t_26;
                         let _e157 = cost_14;
                         let _e158 = self.v_found_in_cell(_e152, _e153, span_10, _e154.elementwise_eq(rt::Scalar(0f32)), _e157);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e158.status).elementwise_ne(FOUND_ABOVE)) {
@@ -8251,69 +8952,69 @@ impl<'g> Resources<'g> {
                         }
                     } else {
                         let _e162 = cost_14;
-                        let _e164 = self.v_map_read(path_46, rt::Scalar(1u32));
+                        let _e164 = self.v_map_read(path_56, rt::Scalar(1u32));
                         cost_14 = (_e162 + _e164);
                         let _e167 = level_18;
                         let _e170 = level_18;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_21.x() >> _e167), (place_21.y() >> _e170));
+                        let node = <rt::Vec2<i32>>::from_scalars((place_22.x() >> _e167), (place_22.y() >> _e170));
                         let _e174 = level_18;
-                        let _e180 = self.v_search_texel(path_46, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_46.level)).to_i32() - rt::Scalar(1i32)));
+                        let _e180 = self.v_search_texel(path_56, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_56.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
-                        let _e182 = t_25;
+                        let _e182 = t_26;
                         let furthest = (_e182 + span_10);
-                        let rounded = (path_46.h.x().abs() + (furthest * (path_46.h.y().abs() + (furthest * path_46.h.z().abs()))));
-                        let _e197 = t_25;
-                        let _e198 = self.v_path_height(path_46, _e197);
-                        let _e203 = t_25;
-                        let _e204 = self.v_path_slope(path_46, _e203);
-                        let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_46.h.z());
-                        if rt::Scalar::into_branch_condition((!gap_3.x().elementwise_le(rt::Scalar(0f32)))) {
-                            let _e214 = self.v_least_at(gap_3, span_10);
-                            let _e215 = self.v_quadratic(gap_3, _e214);
-                            local_57 = _e215.elementwise_le(rt::Scalar(0f32));
+                        let rounded = (path_56.h.x().abs() + (furthest * (path_56.h.y().abs() + (furthest * path_56.h.z().abs()))));
+                        let _e197 = t_26;
+                        let _e198 = self.v_path_height(path_56, _e197);
+                        let _e203 = t_26;
+                        let _e204 = self.v_path_slope(path_56, _e203);
+                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_56.h.z());
+                        if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
+                            let _e214 = self.v_least_at(gap_4, span_10);
+                            let _e215 = self.v_quadratic(gap_4, _e214);
+                            local_60 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_57 = rt::Scalar(true);
+                            local_60 = rt::Scalar(true);
                         }
-                        let _e219 = local_57;
+                        let _e219 = local_60;
                         if rt::Scalar::into_branch_condition(_e219) {
-                            if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e223 = t_25;
-                                let _e224 = self.v_first_root(gap_3, span_10);
-                                t_25 = (_e223 + _e224.min(span_10));
+                            if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
+                                let _e223 = t_26;
+                                let _e224 = self.v_first_root(gap_4, span_10);
+                                t_26 = (_e223 + _e224.min(span_10));
                             }
-                            let _e229 = t_25;
+                            let _e229 = t_26;
                             let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
-                            cell_14 = _e232.to_i32().clamp(low_3, last_5);
+                            cell_14 = _e232.to_i32().clamp(low_4, last_5);
                             let _e235 = level_18;
                             level_18 = (_e235 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_9.elementwise_ge(rt::Scalar(path_46.exit))) {
-                        let _e244 = t_25;
+                    if rt::Scalar::into_branch_condition(end_9.elementwise_ge(rt::Scalar(path_56.exit))) {
+                        let _e244 = t_26;
                         let _e246 = cost_14;
-                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
+                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_56.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
                     }
                     let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_9)));
-                    cell_14 = _e254.to_i32().clamp(low_3, last_5);
+                    cell_14 = _e254.to_i32().clamp(low_4, last_5);
                     if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_9)) {
-                        cell_14.set_x((low_3.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                        cell_14.set_x((low_4.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
                     if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_9)) {
-                        cell_14.set_y((low_3.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                        cell_14.set_y((low_4.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
                     let _e280 = level_18;
                     let _e285 = level_18;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_21.x() >> (_e280 + rt::Scalar(1u32))), (place_21.y() >> (_e285 + rt::Scalar(1u32))));
-                    let _e290 = t_25;
-                    t_25 = _e290.max(end_9);
+                    parent = <rt::Vec2<i32>>::from_scalars((place_22.x() >> (_e280 + rt::Scalar(1u32))), (place_22.y() >> (_e285 + rt::Scalar(1u32))));
+                    let _e290 = t_26;
+                    t_26 = _e290.max(end_9);
                 }
             }
         }
-        let _e293 = t_25;
+        let _e293 = t_26;
         let _e295 = cost_14;
-        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
+        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_56.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
     }
     pub(crate) fn texel_extent(
         &self,
@@ -8330,18 +9031,18 @@ impl<'g> Resources<'g> {
         n_7: rt::Scalar<i32>,
         level_19: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_58: rt::Scalar<bool>;
+        let mut local_61: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_7);
         let first_12 = ((_e3 >> level_19) << level_19);
         let last_6 = (first_12 + (rt::Scalar(1i32) << level_19)).min(n_7);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_58 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_61 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_58 = rt::Scalar(true);
+            local_61 = rt::Scalar(true);
         }
-        let _e20 = local_58;
+        let _e20 = local_61;
         if rt::Scalar::into_branch_condition(_e20) {
             return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_12), ((texel_2 - _e3) + last_6));
         }
@@ -8358,30 +9059,30 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid_texels(
         &self,
-        path_47: Path,
-        params_42: impl rt::Into<rt::Vec4<f32>>,
+        path_57: Path,
+        params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_47, rt::into(params_42)))
+        rt::into(self.v_search_pyramid_texels(path_57, rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
-        path_47: Path,
-        params_42: rt::Vec4<f32>,
+        path_57: Path,
+        params_54: rt::Vec4<f32>,
     ) -> Found {
         let mut level_20: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
-        let mut t_26: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_15: rt::Vec3<u32> = NO_COST;
         let mut finest_1: rt::Scalar<u32>;
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e3 = self.v_height_texels(rt::Scalar(path_47.level));
-        let _e6 = self.v_height_size(rt::Scalar(path_47.level));
-        let origin_6 = (path_47.uv * _e6);
-        let _e10 = self.v_height_size(rt::Scalar(path_47.level));
-        let step_5 = (path_47.duv * _e10);
+        let _e3 = self.v_height_texels(rt::Scalar(path_57.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_57.level));
+        let origin_6 = (path_57.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_57.level));
+        let step_5 = (path_57.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = level_20;
@@ -8397,10 +9098,10 @@ impl<'g> Resources<'g> {
         }
         let _e24 = self.v_cell_of(origin_6);
         texel_3 = _e24.to_i32();
-        let limit_5 = params_42.x().to_u32();
+        let limit_5 = params_54.x().to_u32();
         let _e35 = level_20;
-        finest_1 = params_42.y().to_u32().min(_e35);
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_47.ray).elementwise_eq(RAY_SHADOW)) {
+        finest_1 = params_54.y().to_u32().min(_e35);
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_57.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
         'naga_break: loop {
@@ -8417,23 +9118,23 @@ impl<'g> Resources<'g> {
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_22 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_23 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
                     let _e59 = level_20;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_15;
                         cost_15 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_22, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_23, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
                         let _e70 = level_20;
                         let _e73 = level_20;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_22.x() >> _e70), (place_22.y() >> _e73));
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_23.x() >> _e70), (place_23.y() >> _e73));
                         let _e76 = cost_15;
-                        let _e78 = self.v_map_read(path_47, rt::Scalar(1u32));
+                        let _e78 = self.v_map_read(path_57, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
                         let _e81 = level_20;
-                        let _e85 = self.v_search_texel(path_47, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
+                        let _e85 = self.v_search_texel(path_57, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
@@ -8445,61 +9146,61 @@ impl<'g> Resources<'g> {
                     let _e99 = self.v_leaves_extent(origin_6.x(), step_5.x(), _e91);
                     let _e102 = self.v_leaves_extent(origin_6.y(), step_5.y(), _e96);
                     let leave_7 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
-                    let _e109 = t_26;
-                    let end_10 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_47.exit)).max(_e109);
-                    let _e111 = t_26;
-                    let _e112 = self.v_path_height(path_47, _e111);
+                    let _e109 = t_27;
+                    let end_10 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_57.exit)).max(_e109);
+                    let _e111 = t_27;
+                    let _e112 = self.v_path_height(path_57, _e111);
                     let _e113 = highest;
-                    let _e115 = t_26;
-                    let _e116 = self.v_path_slope(path_47, _e115);
-                    let gap_4 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_47.h.z());
+                    let _e115 = t_27;
+                    let _e116 = self.v_path_slope(path_57, _e115);
+                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_57.h.z());
                     sinks = rt::Scalar(0f32);
-                    if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
-                        let _e125 = t_26;
-                        let _e127 = self.v_first_root(gap_4, (end_10 - _e125));
+                    if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
+                        let _e125 = t_27;
+                        let _e127 = self.v_first_root(gap_5, (end_10 - _e125));
                         sinks = _e127;
                     }
-                    let low_4 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
+                    let low_5 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
                     let last_7 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e141 = t_26;
+                        let _e141 = t_27;
                         let _e142 = sinks;
-                        t_26 = (_e141 + _e142);
+                        t_27 = (_e141 + _e142);
                         let _e144 = level_20;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
-                            let _e148 = t_26;
+                            let _e148 = t_27;
                             let _e149 = cost_15;
                             return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
                         let _e154 = level_20;
                         level_20 = (_e154 - rt::Scalar(1u32));
-                        let _e157 = t_26;
+                        let _e157 = t_27;
                         let _e160 = self.v_cell_of((origin_6 + (step_5 * _e157)));
-                        texel_3 = _e160.to_i32().clamp(low_4, last_7);
+                        texel_3 = _e160.to_i32().clamp(low_5, last_7);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_47.exit))) {
-                            let _e166 = t_26;
+                        if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_57.exit))) {
+                            let _e166 = t_27;
                             let _e168 = cost_15;
-                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
+                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_57.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
                         let _e174 = self.v_cell_of((origin_6 + (step_5 * end_10)));
-                        texel_3 = _e174.to_i32().clamp(low_4, last_7);
+                        texel_3 = _e174.to_i32().clamp(low_5, last_7);
                         if rt::Scalar::into_branch_condition(leave_7.x().elementwise_le(end_10)) {
-                            texel_3.set_x((low_4.x() - rt::Scalar(1i32)).select(_e91.y(), step_5.x().elementwise_gt(rt::Scalar(0f32))));
+                            texel_3.set_x((low_5.x() - rt::Scalar(1i32)).select(_e91.y(), step_5.x().elementwise_gt(rt::Scalar(0f32))));
                         }
                         if rt::Scalar::into_branch_condition(leave_7.y().elementwise_le(end_10)) {
-                            texel_3.set_y((low_4.y() - rt::Scalar(1i32)).select(_e96.y(), step_5.y().elementwise_gt(rt::Scalar(0f32))));
+                            texel_3.set_y((low_5.y() - rt::Scalar(1i32)).select(_e96.y(), step_5.y().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        t_26 = end_10;
+                        t_27 = end_10;
                     }
                 }
             }
         }
-        let _e200 = t_26;
+        let _e200 = t_27;
         let _e202 = cost_15;
-        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
+        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_57.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
     }
     pub(crate) fn leaves_window(
         &self,
@@ -8525,34 +9226,34 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_dilation_erosion(
         &self,
-        path_48: Path,
-        params_43: impl rt::Into<rt::Vec4<f32>>,
+        path_58: Path,
+        params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_48, rt::into(params_43)))
+        rt::into(self.v_search_dilation_erosion(path_58, rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
-        path_48: Path,
-        params_43: rt::Vec4<f32>,
+        path_58: Path,
+        params_55: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_16: rt::Vec2<f32>;
-        let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_59: rt::Scalar<bool>;
-        let mut local_60: rt::Scalar<bool>;
-        let mut local_61: rt::Scalar<bool>;
         let mut local_62: rt::Scalar<bool>;
+        let mut local_63: rt::Scalar<bool>;
+        let mut local_64: rt::Scalar<bool>;
+        let mut local_65: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_48);
-        let _e4 = self.v_height_texels(rt::Scalar(path_48.level));
+        let _e2 = self.v_grid_of(path_58);
+        let _e4 = self.v_height_texels(rt::Scalar(path_58.level));
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_16 = _e11;
-        let limit_6 = params_43.x().to_u32();
+        let limit_6 = params_55.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_16.x();
@@ -8565,156 +9266,156 @@ impl<'g> Resources<'g> {
                     cost_16 = (_e24 + STEP);
                     let _e27 = cell_16;
                     let _e28 = self.v_cell_leave(_e2, _e27);
-                    let end_11 = _e28.x().min(_e28.y()).min(rt::Scalar(path_48.exit));
-                    let _e34 = t_27;
+                    let end_11 = _e28.x().min(_e28.y()).min(rt::Scalar(path_58.exit));
+                    let _e34 = t_28;
                     let span_11 = (end_11 - _e34).max(rt::Scalar(0f32));
-                    let _e38 = t_27;
+                    let _e38 = t_28;
                     next_3 = _e38;
-                    looks = params_43.y().elementwise_gt(rt::Scalar(0.5f32));
+                    looks = params_55.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e45 = cell_16.x();
                     let _e48 = self.v_image_of(_e45.to_i32(), _e4.x());
                     let _e50 = cell_16.y();
                     let _e53 = self.v_image_of(_e50.to_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_59 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_62 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_59 = rt::Scalar(true);
+                        local_62 = rt::Scalar(true);
                     }
-                    let _e64 = local_59;
+                    let _e64 = local_62;
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e72 = self.v_search_texel(path_48, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_48.level).to_i32());
+                        let _e72 = self.v_search_texel(path_58, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_58.level).to_i32());
                         let _e73 = cost_16;
-                        let _e75 = self.v_map_read(path_48, rt::Scalar(1u32));
+                        let _e75 = self.v_map_read(path_58, rt::Scalar(1u32));
                         cost_16 = (_e73 + _e75);
                         let _e77 = cell_16;
-                        let _e79 = self.v_leaves_window(_e2, _e77, params_43.z());
-                        let _e82 = t_27;
-                        let reach = (_e79.min(rt::Scalar(path_48.exit)) - _e82).max(rt::Scalar(0f32));
-                        let _e86 = t_27;
+                        let _e79 = self.v_leaves_window(_e2, _e77, params_55.z());
+                        let _e82 = t_28;
+                        let reach = (_e79.min(rt::Scalar(path_58.exit)) - _e82).max(rt::Scalar(0f32));
+                        let _e86 = t_28;
                         let furthest_1 = (_e86 + reach);
-                        let rounded_1 = (path_48.h.x().abs() + (furthest_1 * (path_48.h.y().abs() + (furthest_1 * path_48.h.z().abs()))));
-                        let _e101 = t_27;
-                        let _e102 = self.v_path_height(path_48, _e101);
-                        let _e108 = t_27;
-                        let _e109 = self.v_path_slope(path_48, _e108);
-                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_48.h.z());
-                        if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
-                            let _e116 = t_27;
+                        let rounded_1 = (path_58.h.x().abs() + (furthest_1 * (path_58.h.y().abs() + (furthest_1 * path_58.h.z().abs()))));
+                        let _e101 = t_28;
+                        let _e102 = self.v_path_height(path_58, _e101);
+                        let _e108 = t_28;
+                        let _e109 = self.v_path_slope(path_58, _e108);
+                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_58.h.z());
+                        if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
+                            let _e116 = t_28;
                             safe_ = _e116;
-                            let _e117 = t_27;
+                            let _e117 = t_28;
                             next_3 = (_e117 + reach);
-                            let _e119 = self.v_least_at(gap_5, reach);
-                            let _e120 = self.v_quadratic(gap_5, _e119);
+                            let _e119 = self.v_least_at(gap_6, reach);
+                            let _e120 = self.v_quadratic(gap_6, _e119);
                             if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
-                                let _e123 = t_27;
-                                let _e124 = self.v_first_root(gap_5, reach);
+                                let _e123 = t_28;
+                                let _e124 = self.v_first_root(gap_6, reach);
                                 next_3 = (_e123 + _e124.min(reach));
                             }
                         }
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_60 = _e131.elementwise_lt(end_11);
+                            local_63 = _e131.elementwise_lt(end_11);
                         } else {
-                            local_60 = rt::Scalar(false);
+                            local_63 = rt::Scalar(false);
                         }
-                        let _e134 = local_60;
+                        let _e134 = local_63;
                         if rt::Scalar::into_branch_condition(_e134) {
-                            let _e137 = self.v_path_height(path_48, end_11);
-                            local_61 = _e137.elementwise_lt(_e72.x());
+                            let _e137 = self.v_path_height(path_58, end_11);
+                            local_64 = _e137.elementwise_lt(_e72.x());
                         } else {
-                            local_61 = rt::Scalar(false);
+                            local_64 = rt::Scalar(false);
                         }
-                        let _e141 = local_61;
+                        let _e141 = local_64;
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
-                            let _e144 = self.v_bracket_between(path_48, _e142, end_11, _e143);
+                            let _e144 = self.v_bracket_between(path_58, _e142, end_11, _e143);
                             return _e144;
                         }
                     }
                     let _e145 = next_3;
                     if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_11))) {
-                        let _e150 = t_27;
-                        local_62 = (!end_11.elementwise_gt(_e150));
+                        let _e150 = t_28;
+                        local_65 = (!end_11.elementwise_gt(_e150));
                     } else {
-                        local_62 = rt::Scalar(true);
+                        local_65 = rt::Scalar(true);
                     }
-                    let _e154 = local_62;
+                    let _e154 = local_65;
                     if rt::Scalar::into_branch_condition(_e154) {
                         let _e155 = looks;
                         if rt::Scalar::into_branch_condition(_e155) {
                             let _e156 = cost_16;
                             cost_16 = (_e156 + HEIGHTS_READ);
                             let _e159 = cell_16;
-                            let _e162 = self.v_height_cell(_e159.to_i32(), rt::Scalar(path_48.level));
+                            let _e162 = self.v_height_cell(_e159.to_i32(), rt::Scalar(path_58.level));
                             let _e163 = cell_16;
-                            let _e164 = t_27;
-                            let _e165 = self.v_gap_to(path_48, _e2, _e163, _e162, _e164);
-                            let _e166 = t_27;
-                            let _e167 = t_27;
+                            let _e164 = t_28;
+                            let _e165 = self.v_gap_to(path_58, _e2, _e163, _e162, _e164);
+                            let _e166 = t_28;
+                            let _e167 = t_28;
                             let _e170 = cost_16;
                             let _e171 = self.v_found_in_cell(_e165, _e166, span_11, _e167.elementwise_eq(rt::Scalar(0f32)), _e170);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e171.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e171;
                             }
                         }
-                        let _e175 = t_27;
+                        let _e175 = t_28;
                         next_3 = _e175.max(end_11);
                     }
                     let _e177 = next_3;
-                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_48.exit))) {
-                        let _e181 = t_27;
+                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_58.exit))) {
+                        let _e181 = t_28;
                         let _e183 = cost_16;
-                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
+                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_58.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
                     }
                     let _e187 = cell_16;
                     let _e188 = next_3;
                     let _e189 = self.v_cell_after(_e2, _e187, _e28, forward_5, _e188);
                     cell_16 = _e189;
                     let _e190 = next_3;
-                    t_27 = _e190;
+                    t_28 = _e190;
                 }
             }
         }
-        let _e192 = t_27;
+        let _e192 = t_28;
         let _e194 = cost_16;
-        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
+        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_58.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
     }
     pub(crate) fn search_sphere(
         &self,
-        path_49: Path,
-        params_44: impl rt::Into<rt::Vec4<f32>>,
+        path_59: Path,
+        params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_49, rt::into(params_44)))
+        rt::into(self.v_search_sphere(path_59, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
-        path_49: Path,
-        params_44: rt::Vec4<f32>,
+        path_59: Path,
+        params_56: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_17: rt::Vec2<f32>;
-        let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_63: rt::Scalar<bool>;
+        let mut local_66: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_49);
+        let _e2 = self.v_grid_of(path_59);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_49, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_49, rt::Scalar(path_49.exit));
+        let _e9 = self.v_path_slope(path_59, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_59, rt::Scalar(path_59.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let fastest = <rt::Vec3<f32>>::new_21(path_49.duv, climb_1).length();
+        let fastest = <rt::Vec3<f32>>::new_21(path_59.duv, climb_1).length();
         let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_7 = (path_49.uv.abs() + (path_49.duv.abs() * rt::Scalar(path_49.exit)));
-        let height_terms = (path_49.h.x().abs() + (rt::Scalar(path_49.exit) * (path_49.h.y().abs() + (rt::Scalar(path_49.exit) * path_49.h.z().abs()))));
-        let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_7.x() + far_7.y()) + height_terms) + rt::Scalar(1f32)));
+        let far_9 = (path_59.uv.abs() + (path_59.duv.abs() * rt::Scalar(path_59.exit)));
+        let height_terms = (path_59.h.x().abs() + (rt::Scalar(path_59.exit) * (path_59.h.y().abs() + (rt::Scalar(path_59.exit) * path_59.h.z().abs()))));
+        let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_9.x() + far_9.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_17 = _e52;
-        let limit_7 = params_44.x().to_u32();
+        let limit_7 = params_56.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e61 = cost_17.x();
@@ -8727,214 +9428,214 @@ impl<'g> Resources<'g> {
                     cost_17 = (_e63 + STEP);
                     let _e66 = cell_17;
                     let _e67 = self.v_cell_leave(_e2, _e66);
-                    let end_12 = _e67.x().min(_e67.y()).min(rt::Scalar(path_49.exit));
-                    let _e73 = t_28;
+                    let end_12 = _e67.x().min(_e67.y()).min(rt::Scalar(path_59.exit));
+                    let _e73 = t_29;
                     let span_12 = (end_12 - _e73).max(rt::Scalar(0f32));
-                    let _e77 = t_28;
-                    let _e78 = self.v_path_uv(path_49, _e77);
-                    let _e79 = t_28;
-                    let _e80 = self.v_path_height(path_49, _e79);
-                    let _e82 = self.v_distance_at(path_49, _e78, _e80, params_44.z());
+                    let _e77 = t_29;
+                    let _e78 = self.v_path_uv(path_59, _e77);
+                    let _e79 = t_29;
+                    let _e80 = self.v_path_height(path_59, _e79);
+                    let _e82 = self.v_distance_at(path_59, _e78, _e80, params_56.z());
                     let free_1 = (_e82 - lost_3);
                     let _e84 = cost_17;
-                    let _e86 = self.v_map_read(path_49, rt::Scalar(4u32));
-                    let _e89 = self.v_map_read(path_49, rt::Scalar(4u32));
+                    let _e86 = self.v_map_read(path_59, rt::Scalar(4u32));
+                    let _e89 = self.v_map_read(path_59, rt::Scalar(4u32));
                     cost_17 = ((_e84 + _e86) + _e89);
-                    let _e91 = t_28;
+                    let _e91 = t_29;
                     next_4 = _e91;
                     if rt::Scalar::into_branch_condition(free_1.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e95 = t_28;
+                        let _e95 = t_29;
                         next_4 = (_e95 + (free_1 / speed_2));
                     }
-                    if rt::Scalar::into_branch_condition(params_44.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_56.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_4;
-                        let _e102 = t_28;
-                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_49.exit))))) {
-                            let _e110 = t_28;
+                        let _e102 = t_29;
+                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_59.exit))))) {
+                            let _e110 = t_29;
                             let _e112 = cost_17;
-                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
+                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
                         }
                     } else {
                         let _e116 = next_4;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_12))) {
-                            let _e121 = t_28;
-                            local_63 = (!end_12.elementwise_gt(_e121));
+                            let _e121 = t_29;
+                            local_66 = (!end_12.elementwise_gt(_e121));
                         } else {
-                            local_63 = rt::Scalar(true);
+                            local_66 = rt::Scalar(true);
                         }
-                        let _e125 = local_63;
+                        let _e125 = local_66;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
                             let _e129 = cell_17;
                             let _e130 = cell_17;
-                            let _e133 = self.v_height_cell(_e130.to_i32(), rt::Scalar(path_49.level));
-                            let _e134 = t_28;
-                            let _e135 = self.v_gap_to(path_49, _e2, _e129, _e133, _e134);
-                            let _e136 = t_28;
-                            let _e137 = t_28;
+                            let _e133 = self.v_height_cell(_e130.to_i32(), rt::Scalar(path_59.level));
+                            let _e134 = t_29;
+                            let _e135 = self.v_gap_to(path_59, _e2, _e129, _e133, _e134);
+                            let _e136 = t_29;
+                            let _e137 = t_29;
                             let _e140 = cost_17;
                             let _e141 = self.v_found_in_cell(_e135, _e136, span_12, _e137.elementwise_eq(rt::Scalar(0f32)), _e140);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e141.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e141;
                             }
-                            let _e145 = t_28;
+                            let _e145 = t_29;
                             next_4 = _e145.max(end_12);
                         }
                     }
                     let _e147 = next_4;
-                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_49.exit))) {
-                        let _e151 = t_28;
+                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_59.exit))) {
+                        let _e151 = t_29;
                         let _e153 = cost_17;
-                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
+                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
                     }
                     let _e157 = cell_17;
                     let _e158 = next_4;
                     let _e159 = self.v_cell_after(_e2, _e157, _e67, forward_6, _e158);
                     cell_17 = _e159;
                     let _e160 = next_4;
-                    t_28 = _e160;
+                    t_29 = _e160;
                 }
             }
         }
-        let _e162 = t_28;
+        let _e162 = t_29;
         let _e164 = cost_17;
-        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
+        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
     }
     pub(crate) fn search_cone_moved(
         &self,
-        path_50: Path,
-        params_45: impl rt::Into<rt::Vec4<f32>>,
+        path_60: Path,
+        params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_50, rt::into(params_45)))
+        rt::into(self.v_search_cone_moved(path_60, rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
-        path_50: Path,
-        params_45: rt::Vec4<f32>,
+        path_60: Path,
+        params_57: rt::Vec4<f32>,
     ) -> Found {
-        let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
-        let mut k_15: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_64: rt::Scalar<bool>;
+        let mut k_17: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_67: rt::Scalar<bool>;
 
-        let aside_5 = path_50.duv.length();
+        let aside_5 = path_60.duv.length();
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_15;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_45.x())) {
+                let _e14 = k_17;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_57.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e17 = cost_18;
                     cost_18 = (_e17 + STEP);
-                    let _e20 = t_29;
-                    let _e21 = self.v_path_gap(path_50, _e20);
+                    let _e20 = t_30;
+                    let _e21 = self.v_path_gap(path_60, _e20);
                     let _e22 = cost_18;
                     cost_18 = (_e22 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
-                        let _e27 = t_29;
+                        let _e27 = t_30;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_64 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_67 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_64 = rt::Scalar(false);
+                            local_67 = rt::Scalar(false);
                         }
-                        let _e35 = local_64;
+                        let _e35 = local_67;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
                         }
                         let _e42 = near_5;
-                        let _e43 = t_29;
+                        let _e43 = t_30;
                         let _e44 = near_gap_3;
                         let _e45 = cost_18;
                         return <Found>::new(FOUND_BRACKET, _e42, _e43, _e44, _e21, _e45);
                     }
-                    let _e47 = t_29;
+                    let _e47 = t_30;
                     near_5 = _e47;
                     near_gap_3 = _e21;
-                    let _e48 = t_29;
-                    let _e49 = self.v_path_uv(path_50, _e48);
-                    let _e51 = self.v_search_texel_between(path_50, _e49, rt::Scalar(0i32));
+                    let _e48 = t_30;
+                    let _e49 = self.v_path_uv(path_60, _e48);
+                    let _e51 = self.v_search_texel_between(path_60, _e49, rt::Scalar(0i32));
                     let _e53 = self.v_slope_of(_e51.x());
                     let _e54 = cost_18;
-                    let _e56 = self.v_map_read(path_50, rt::Scalar(4u32));
+                    let _e56 = self.v_map_read(path_60, rt::Scalar(4u32));
                     cost_18 = (_e54 + _e56);
                     if rt::Scalar::into_branch_condition(_e53.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e61 = t_29;
-                    let rest_7 = (rt::Scalar(path_50.exit) - _e61);
-                    let _e63 = t_29;
-                    let _e64 = self.v_path_slope(path_50, _e63);
-                    let rise_5 = (_e64 + (path_50.h.z().min(rt::Scalar(0f32)) * rest_7));
-                    let terms_1 = (path_50.h.x().abs() + (rt::Scalar(path_50.exit) * (path_50.h.y().abs() + (rt::Scalar(path_50.exit) * path_50.h.z().abs()))));
-                    let far_8 = (((path_50.uv.abs() + (path_50.duv.abs() * rt::Scalar(path_50.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
-                    let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_8.x()) + far_8.y()));
+                    let _e61 = t_30;
+                    let rest_8 = (rt::Scalar(path_60.exit) - _e61);
+                    let _e63 = t_30;
+                    let _e64 = self.v_path_slope(path_60, _e63);
+                    let rise_5 = (_e64 + (path_60.h.z().min(rt::Scalar(0f32)) * rest_8));
+                    let terms_1 = (path_60.h.x().abs() + (rt::Scalar(path_60.exit) * (path_60.h.y().abs() + (rt::Scalar(path_60.exit) * path_60.h.z().abs()))));
+                    let far_10 = (((path_60.uv.abs() + (path_60.duv.abs() * rt::Scalar(path_60.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
+                    let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_10.x()) + far_10.y()));
                     let nearing = ((_e53 * aside_5) - rise_5);
                     let closing_3 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
-                        let _e112 = t_29;
+                        let _e112 = t_30;
                         let _e114 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
+                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_60.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                     }
-                    let _e118 = t_29;
-                    t_29 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
-                    let _e124 = t_29;
-                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_50.exit))) {
+                    let _e118 = t_30;
+                    t_30 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
+                    let _e124 = t_30;
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_60.exit))) {
                         let _e128 = near_5;
                         let _e130 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_60.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
-                    let _e134 = k_15;
-                    k_15 = (_e134 + rt::Scalar(1f32));
+                    let _e134 = k_17;
+                    k_17 = (_e134 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e138 = t_29;
-        let _e140 = t_29;
-        let _e141 = self.v_path_height(path_50, _e140);
+        let _e138 = t_30;
+        let _e140 = t_30;
+        let _e141 = self.v_path_height(path_60, _e140);
         let _e142 = cost_18;
-        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_50.exit), _e141, rt::Scalar(0f32), _e142);
+        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_60.exit), _e141, rt::Scalar(0f32), _e142);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
-        path_51: Path,
-        params_46: impl rt::Into<rt::Vec4<f32>>,
+        path_61: Path,
+        params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_51, rt::into(params_46)))
+        rt::into(self.v_search_relaxed_cone(path_61, rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
-        path_51: Path,
-        params_46: rt::Vec4<f32>,
+        path_61: Path,
+        params_58: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_18: rt::Vec2<f32>;
-        let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_65: rt::Scalar<bool>;
+        let mut local_68: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_66: rt::Scalar<bool>;
+        let mut local_69: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_51);
+        let _e2 = self.v_grid_of(path_61);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_6 = path_51.duv.length();
-        let _e11 = self.v_path_slope(path_51, rt::Scalar(0f32));
-        let terms_2 = (path_51.h.x().abs() + (rt::Scalar(path_51.exit) * path_51.h.y().abs()));
-        let _e33 = self.v_height_size(rt::Scalar(path_51.level));
-        let far_9 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_51.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let aside_6 = path_61.duv.length();
+        let _e11 = self.v_path_slope(path_61, rt::Scalar(0f32));
+        let terms_2 = (path_61.h.x().abs() + (rt::Scalar(path_61.exit) * path_61.h.y().abs()));
+        let _e33 = self.v_height_size(rt::Scalar(path_61.level));
+        let far_11 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_61.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_18 = _e36;
-        let limit_8 = params_46.x().to_u32();
+        let limit_8 = params_58.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e49 = cost_19.x();
@@ -8947,60 +9648,60 @@ impl<'g> Resources<'g> {
                     cost_19 = (_e51 + STEP);
                     let _e54 = cell_18;
                     let _e55 = self.v_cell_leave(_e2, _e54);
-                    let end_13 = _e55.x().min(_e55.y()).min(rt::Scalar(path_51.exit));
-                    let _e61 = t_30;
+                    let end_13 = _e55.x().min(_e55.y()).min(rt::Scalar(path_61.exit));
+                    let _e61 = t_31;
                     let span_13 = (end_13 - _e61).max(rt::Scalar(0f32));
                     let _e65 = cell_18;
                     let _e66 = cell_18;
-                    let _e69 = self.v_height_cell(_e66.to_i32(), rt::Scalar(path_51.level));
-                    let _e70 = t_30;
-                    let _e71 = self.v_gap_to(path_51, _e2, _e65, _e69, _e70);
+                    let _e69 = self.v_height_cell(_e66.to_i32(), rt::Scalar(path_61.level));
+                    let _e70 = t_31;
+                    let _e71 = self.v_gap_to(path_61, _e2, _e65, _e69, _e70);
                     let _e72 = cost_19;
                     cost_19 = (_e72 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e71.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e78 = near_6;
-                        let _e79 = t_30;
+                        let _e79 = t_31;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_65 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_68 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_65 = rt::Scalar(false);
+                            local_68 = rt::Scalar(false);
                         }
-                        let _e87 = local_65;
+                        let _e87 = local_68;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
-                            let _e89 = t_30;
+                            let _e89 = t_31;
                             let _e90 = near_gap_4;
                             let _e92 = cost_19;
-                            let _e93 = self.v_entered_once(path_51, _e2, _e88, _e89, _e90, _e71.x(), _e92);
+                            let _e93 = self.v_entered_once(path_61, _e2, _e88, _e89, _e90, _e71.x(), _e92);
                             return _e93;
                         }
-                        let _e94 = t_30;
-                        let _e95 = t_30;
+                        let _e94 = t_31;
+                        let _e95 = t_31;
                         let _e98 = cost_19;
                         let _e99 = self.v_found_in_cell(_e71, _e94, span_13, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
                         return _e99;
                     }
-                    let _e100 = t_30;
+                    let _e100 = t_31;
                     start_1 = _e100;
                     gap = _e71.x();
-                    if rt::Scalar::into_branch_condition(params_46.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e107 = t_30;
-                        let _e108 = t_30;
+                    if rt::Scalar::into_branch_condition(params_58.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e107 = t_31;
+                        let _e108 = t_31;
                         let _e111 = cost_19;
                         let _e112 = self.v_found_in_cell(_e71, _e107, span_13, _e108.elementwise_eq(rt::Scalar(0f32)), _e111);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e112.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e112;
                         }
-                        let _e116 = t_30;
+                        let _e116 = t_31;
                         start_1 = _e116.max(end_13);
                         gap = rt::Scalar(_e112.far_gap);
                     }
                     let _e119 = start_1;
-                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_51.exit))) {
-                        let _e123 = t_30;
+                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_61.exit))) {
+                        let _e123 = t_31;
                         let _e125 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_51.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
+                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
                     }
                     let _e129 = start_1;
                     near_6 = _e129;
@@ -9010,9 +9711,9 @@ impl<'g> Resources<'g> {
                     let _e133 = cell_18;
                     let _e136 = start_1;
                     let _e139 = self.v_nearest_corner(((_e2.origin - _e133) + (_e2.step * _e136)));
-                    let _e141 = self.v_cone_slope(path_51, (_e131 + _e139));
+                    let _e141 = self.v_cone_slope(path_61, (_e131 + _e139));
                     let _e142 = cost_19;
-                    let _e144 = self.v_map_read(path_51, rt::Scalar(1u32));
+                    let _e144 = self.v_map_read(path_61, rt::Scalar(1u32));
                     cost_19 = (_e142 + _e144);
                     let _e146 = start_1;
                     next_5 = _e146;
@@ -9020,82 +9721,82 @@ impl<'g> Resources<'g> {
                         let nearing_1 = ((_e141 * aside_6) - _e11);
                         let closing_4 = (nearing_1 + (rt::Scalar(0.0000009536743f32) * nearing_1));
                         let _e155 = gap;
-                        let room_1 = (_e155 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e141 * (far_9.x() + far_9.y())))));
+                        let room_1 = (_e155 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e141 * (far_11.x() + far_11.y())))));
                         next_5 = rt::Scalar(300000000000000000000000000000000000000f32);
                         if rt::Scalar::into_branch_condition(closing_4.elementwise_gt(rt::Scalar(0f32))) {
                             let _e167 = start_1;
                             next_5 = (_e167 + (room_1.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_46.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_58.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
-                        let _e178 = t_30;
-                        local_66 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_51.exit))));
+                        let _e178 = t_31;
+                        local_69 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_61.exit))));
                     } else {
-                        local_66 = rt::Scalar(false);
+                        local_69 = rt::Scalar(false);
                     }
-                    let _e186 = local_66;
+                    let _e186 = local_69;
                     if rt::Scalar::into_branch_condition(_e186) {
-                        let _e188 = t_30;
+                        let _e188 = t_31;
                         let _e190 = gap;
                         let _e191 = cost_19;
-                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_51.exit), _e190, rt::Scalar(0f32), _e191);
+                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_61.exit), _e190, rt::Scalar(0f32), _e191);
                     }
                     let _e194 = next_5;
-                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_51.exit))) {
-                        let _e198 = self.v_path_gap(path_51, rt::Scalar(path_51.exit));
+                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_61.exit))) {
+                        let _e198 = self.v_path_gap(path_61, rt::Scalar(path_61.exit));
                         let _e199 = cost_19;
                         cost_19 = (_e199 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e198.elementwise_le(rt::Scalar(0f32))) {
                             let _e204 = start_1;
                             let _e206 = gap;
                             let _e207 = cost_19;
-                            let _e208 = self.v_entered_once(path_51, _e2, _e204, rt::Scalar(path_51.exit), _e206, _e198, _e207);
+                            let _e208 = self.v_entered_once(path_61, _e2, _e204, rt::Scalar(path_61.exit), _e206, _e198, _e207);
                             return _e208;
                         }
                         let _e210 = start_1;
                         let _e212 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_51.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
+                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
                     }
                     let _e216 = cell_18;
                     let _e217 = next_5;
                     let _e218 = self.v_cell_after(_e2, _e216, _e55, forward_7, _e217);
                     cell_18 = _e218;
                     let _e219 = next_5;
-                    t_30 = _e219;
+                    t_31 = _e219;
                 }
             }
         }
-        let _e221 = t_30;
+        let _e221 = t_31;
         let _e223 = cost_19;
-        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_51.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
+        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
-        path_52: Path,
-        params_47: impl rt::Into<rt::Vec4<f32>>,
+        path_62: Path,
+        params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_52, rt::into(params_47)))
+        rt::into(self.v_search_relaxed_cone_resting(path_62, rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
-        path_52: Path,
-        params_47: rt::Vec4<f32>,
+        path_62: Path,
+        params_59: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_19: rt::Vec2<f32>;
-        let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_32: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_67: rt::Scalar<bool>;
+        let mut local_70: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_52);
+        let _e2 = self.v_grid_of(path_62);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_19 = _e9;
-        let limit_9 = params_47.x().to_u32();
+        let limit_9 = params_59.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_20.x();
@@ -9107,54 +9808,54 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_20;
                     cost_20 = (_e24 + STEP);
                     let _e27 = cell_19;
-                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_52.level));
+                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_62.level));
                     let _e31 = cost_20;
                     cost_20 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_19;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_14 = _e35.x().min(_e35.y()).min(rt::Scalar(path_52.exit));
-                    let _e41 = t_31;
+                    let end_14 = _e35.x().min(_e35.y()).min(rt::Scalar(path_62.exit));
+                    let _e41 = t_32;
                     let span_14 = (end_14 - _e41).max(rt::Scalar(0f32));
                     let _e45 = cell_19;
-                    let _e46 = t_31;
-                    let _e47 = self.v_gap_to(path_52, _e2, _e45, _e30, _e46);
+                    let _e46 = t_32;
+                    let _e47 = self.v_gap_to(path_62, _e2, _e45, _e30, _e46);
                     if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_7;
-                        let _e52 = t_31;
+                        let _e52 = t_32;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_67 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_70 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_67 = rt::Scalar(false);
+                            local_70 = rt::Scalar(false);
                         }
-                        let _e60 = local_67;
+                        let _e60 = local_70;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
-                            let _e62 = t_31;
+                            let _e62 = t_32;
                             let _e63 = near_gap_5;
                             let _e65 = cost_20;
-                            let _e66 = self.v_entered_once(path_52, _e2, _e61, _e62, _e63, _e47.x(), _e65);
+                            let _e66 = self.v_entered_once(path_62, _e2, _e61, _e62, _e63, _e47.x(), _e65);
                             return _e66;
                         }
-                        let _e67 = t_31;
-                        let _e68 = t_31;
+                        let _e67 = t_32;
+                        let _e68 = t_32;
                         let _e71 = cost_20;
                         let _e72 = self.v_found_in_cell(_e47, _e67, span_14, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
                         return _e72;
                     }
-                    let _e73 = t_31;
-                    let _e74 = t_31;
+                    let _e73 = t_32;
+                    let _e74 = t_32;
                     let _e77 = cost_20;
                     let _e78 = self.v_found_in_cell(_e47, _e73, span_14, _e74.elementwise_eq(rt::Scalar(0f32)), _e77);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e78.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e78;
                     }
-                    let _e82 = t_31;
+                    let _e82 = t_32;
                     let start_3 = _e82.max(end_14);
-                    if rt::Scalar::into_branch_condition(start_3.elementwise_ge(rt::Scalar(path_52.exit))) {
-                        let _e87 = t_31;
+                    if rt::Scalar::into_branch_condition(start_3.elementwise_ge(rt::Scalar(path_62.exit))) {
+                        let _e87 = t_32;
                         let _e89 = cost_20;
-                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_52.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
                     near_7 = start_3;
                     near_gap_5 = rt::Scalar(_e78.far_gap);
@@ -9162,637 +9863,234 @@ impl<'g> Resources<'g> {
                     let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_3)));
                     let _e101 = self.v_corner_height(_e30, _e100);
                     next_6 = start_3;
-                    let _e103 = self.v_path_height(path_52, start_3);
+                    let _e103 = self.v_path_height(path_62, start_3);
                     if rt::Scalar::into_branch_condition(_e103.elementwise_gt(_e101)) {
                         let _e105 = cell_19;
                         let texel_9 = (_e105 + _e100);
-                        let _e107 = self.v_cone_slope(path_52, texel_9);
+                        let _e107 = self.v_cone_slope(path_62, texel_9);
                         let _e108 = cost_20;
-                        let _e110 = self.v_map_read(path_52, rt::Scalar(1u32));
+                        let _e110 = self.v_map_read(path_62, rt::Scalar(1u32));
                         cost_20 = (_e108 + _e110);
                         if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e114 = self.v_stays_inside(path_52, _e2, texel_9, _e101, _e107, start_3);
+                            let _e114 = self.v_stays_inside(path_62, _e2, texel_9, _e101, _e107, start_3);
                             next_6 = (start_3 + _e114);
                         }
                     }
                     let _e116 = next_6;
-                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_52.exit))) {
-                        let _e120 = self.v_path_gap(path_52, rt::Scalar(path_52.exit));
+                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_62.exit))) {
+                        let _e120 = self.v_path_gap(path_62, rt::Scalar(path_62.exit));
                         let _e121 = cost_20;
                         cost_20 = (_e121 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
                             let _e127 = near_gap_5;
                             let _e128 = cost_20;
-                            let _e129 = self.v_entered_once(path_52, _e2, start_3, rt::Scalar(path_52.exit), _e127, _e120, _e128);
+                            let _e129 = self.v_entered_once(path_62, _e2, start_3, rt::Scalar(path_62.exit), _e127, _e120, _e128);
                             return _e129;
                         }
                         let _e132 = cost_20;
-                        return <Found>::new(FOUND_MISS, start_3, rt::Scalar(path_52.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
+                        return <Found>::new(FOUND_MISS, start_3, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
                     }
                     let _e136 = cell_19;
                     let _e137 = next_6;
                     let _e138 = self.v_cell_after(_e2, _e136, _e35, forward_8, _e137);
                     cell_19 = _e138;
                     let _e139 = next_6;
-                    t_31 = _e139;
+                    t_32 = _e139;
                 }
             }
         }
-        let _e141 = t_31;
+        let _e141 = t_32;
         let _e143 = cost_20;
-        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_52.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
+        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
     }
-    pub(crate) fn search_stage(&self, path_53: Path) -> Found {
-        rt::into(self.v_search_stage(path_53))
+    pub(crate) fn search_stage(&self, path_63: Path) -> Found {
+        rt::into(self.v_search_stage(path_63))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_53: Path) -> Found {
-        let _e5 = rt::Scalar(self.surface_settings.choices[3usize].number);
+    fn v_search_stage(&self, path_63: Path) -> Found {
+        let _e5 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
-                let _e10 = self.surface_settings.choices[3usize].params;
-                let _e11 = self.v_search_none(path_53, _e10);
+                let _e10 = self.surface_settings.choices[4usize].params;
+                let _e11 = self.v_search_none(path_63, _e10);
                 return _e11;
             }
             1u32 => {
-                let _e16 = self.surface_settings.choices[3usize].params;
-                let _e17 = self.v_search_linear(path_53, _e16);
+                let _e16 = self.surface_settings.choices[4usize].params;
+                let _e17 = self.v_search_linear(path_63, _e16);
                 return _e17;
             }
             2u32 => {
-                let _e22 = self.surface_settings.choices[3usize].params;
-                let _e23 = self.v_search_cells(path_53, _e22);
+                let _e22 = self.surface_settings.choices[4usize].params;
+                let _e23 = self.v_search_cells(path_63, _e22);
                 return _e23;
             }
             3u32 => {
-                let _e28 = self.surface_settings.choices[3usize].params;
-                let _e29 = self.v_search_frustum(path_53, _e28);
+                let _e28 = self.surface_settings.choices[4usize].params;
+                let _e29 = self.v_search_frustum(path_63, _e28);
                 return _e29;
             }
             4u32 => {
-                let _e34 = self.surface_settings.choices[3usize].params;
-                let _e35 = self.v_search_cone(path_53, _e34);
+                let _e34 = self.surface_settings.choices[4usize].params;
+                let _e35 = self.v_search_cone(path_63, _e34);
                 return _e35;
             }
             5u32 => {
-                let _e40 = self.surface_settings.choices[3usize].params;
-                let _e41 = self.v_search_pyramid(path_53, _e40);
+                let _e40 = self.surface_settings.choices[4usize].params;
+                let _e41 = self.v_search_pyramid(path_63, _e40);
                 return _e41;
             }
             6u32 => {
-                let _e46 = self.surface_settings.choices[3usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_53, _e46);
+                let _e46 = self.surface_settings.choices[4usize].params;
+                let _e47 = self.v_search_pyramid_texels(path_63, _e46);
                 return _e47;
             }
             7u32 => {
-                let _e52 = self.surface_settings.choices[3usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_53, _e52);
+                let _e52 = self.surface_settings.choices[4usize].params;
+                let _e53 = self.v_search_dilation_erosion(path_63, _e52);
                 return _e53;
             }
             8u32 => {
-                let _e58 = self.surface_settings.choices[3usize].params;
-                let _e59 = self.v_search_sphere(path_53, _e58);
+                let _e58 = self.surface_settings.choices[4usize].params;
+                let _e59 = self.v_search_sphere(path_63, _e58);
                 return _e59;
             }
             9u32 => {
-                let _e64 = self.surface_settings.choices[3usize].params;
-                let _e65 = self.v_search_cone_moved(path_53, _e64);
+                let _e64 = self.surface_settings.choices[4usize].params;
+                let _e65 = self.v_search_cone_moved(path_63, _e64);
                 return _e65;
             }
             10u32 => {
-                let _e70 = self.surface_settings.choices[3usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_53, _e70);
+                let _e70 = self.surface_settings.choices[4usize].params;
+                let _e71 = self.v_search_relaxed_cone(path_63, _e70);
                 return _e71;
             }
             _ => {
-                let _e76 = self.surface_settings.choices[3usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_53, _e76);
+                let _e76 = self.surface_settings.choices[4usize].params;
+                let _e77 = self.v_search_relaxed_cone_resting(path_63, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn trace(&self, path_54: Path) -> Hit {
-        rt::into(self.v_trace(path_54))
+    pub(crate) fn trace(&self, path_64: Path) -> Hit {
+        rt::into(self.v_trace(path_64))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_trace(&self, path_54: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_54);
-        let _e2 = self.v_refine_stage(path_54, _e1);
+    fn v_trace(&self, path_64: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_64);
+        let _e2 = self.v_refine_stage(path_64, _e1);
         return _e2;
     }
-    pub(crate) fn surface_plane_polish(
-        &self,
-        pixel_50: PixelIn,
-        at_44: Entered,
-        path_55: Path,
-        hit_8: Hit,
-        params_48: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_50, at_44, path_55, hit_8, rt::into(params_48)))
+    pub(crate) fn first_hit(&self, pixel_65: PixelIn, at_55: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_65, at_55))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_surface_plane_polish(
-        &self,
-        pixel_50: PixelIn,
-        at_44: Entered,
-        path_55: Path,
-        hit_8: Hit,
-        params_48: rt::Vec4<f32>,
-    ) -> Hit {
-        return hit_8;
-    }
-    pub(crate) fn weights_at_offset(
-        &self,
-        prism_11: Prism,
-        place_11: impl rt::Into<rt::Vec3<f32>>,
-        offset_6: impl rt::Into<rt::Scalar<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_11), rt::into(offset_6)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_weights_at_offset(
-        &self,
-        prism_11: Prism,
-        place_11: rt::Vec3<f32>,
-        offset_6: rt::Scalar<f32>,
-    ) -> rt::Vec3<f32> {
-        let corner_6 = (prism_11.p0_ + (prism_11.n0_ * offset_6));
-        let a_25 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_6));
-        let b_24 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_6));
-        let rest_8 = (place_11 - corner_6);
-        let across_5 = a_25.cross(b_24);
-        let square_2 = across_5.dot(across_5);
-        if rt::Scalar::into_branch_condition((!square_2.elementwise_gt(rt::Scalar(0f32)))) {
-            return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
-        }
-        let second_4 = (rest_8.cross(b_24).dot(across_5) / square_2);
-        let third_3 = (a_25.cross(rest_8).dot(across_5) / square_2);
-        return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_4) - third_3), second_4, third_3);
-    }
-    pub(crate) fn shell_point_near(
-        &self,
-        prism_12: Prism,
-        place_12: impl rt::Into<rt::Vec3<f32>>,
-        height_4: impl rt::Into<rt::Scalar<f32>>,
-    ) -> ShellPoint {
-        rt::into(self.v_shell_point_near(prism_12, rt::into(place_12), rt::into(height_4)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_shell_point_near(
-        &self,
-        prism_12: Prism,
-        place_12: rt::Vec3<f32>,
-        height_4: rt::Scalar<f32>,
-    ) -> ShellPoint {
-        let low_5 = self.surface_settings.shell_m.x();
-        let _e10 = self.surface_settings.shell_m.y();
-        let offset_8 = (low_5 + ((_e10 - low_5).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_4));
-        let _e16 = self.v_weights_at_offset(prism_12, place_12, offset_8);
-        let _e18 = self.v_lift_of(prism_12.lift, _e16);
-        let _e20 = self.v_weights_at_offset(prism_12, place_12, (offset_8 + _e18));
-        let near_8 = <ShellPoint>::new(_e20, height_4);
-        let _e22 = self.v_shell_point_from(prism_12, place_12, near_8);
-        let moved = (_e22.weights - near_8.weights).abs();
-        let away_1 = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_4).abs()));
-        if rt::Scalar::into_branch_condition(away_1.elementwise_lt(rt::Scalar(0.5f32))) {
-            return _e22;
-        }
-        return near_8;
-    }
-    pub(crate) fn point_of_way(
-        &self,
-        pixel_51: PixelIn,
-        prism_13: Prism,
-        place_13: impl rt::Into<rt::Vec3<f32>>,
-        height_5: impl rt::Into<rt::Scalar<f32>>,
-    ) -> ShellPoint {
-        rt::into(self.v_point_of_way(pixel_51, prism_13, rt::into(place_13), rt::into(height_5)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_point_of_way(
-        &self,
-        pixel_51: PixelIn,
-        prism_13: Prism,
-        place_13: rt::Vec3<f32>,
-        height_5: rt::Scalar<f32>,
-    ) -> ShellPoint {
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_51.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_shell_point_near(prism_13, place_13, height_5);
-            return _e8;
-        }
-        let _e9 = self.v_shell_point(prism_13, place_13, height_5);
-        return _e9;
-    }
-    pub(crate) fn surface_prism_polish(
-        &self,
-        pixel_52: PixelIn,
-        at_45: Entered,
-        path_56: Path,
-        hit_9: Hit,
-        params_49: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_52, at_45, path_56, hit_9, rt::into(params_49)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_prism_polish(
-        &self,
-        pixel_52: PixelIn,
-        at_45: Entered,
-        path_56: Path,
-        hit_9: Hit,
-        params_49: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut t_32: rt::Scalar<f32>;
-        let mut point_4: ShellPoint;
-        let mut step_3: rt::Scalar<u32> = rt::Scalar(0u32);
-
-        let along_30 = pixel_52.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_52, along_30);
-        let _e8 = self.v_prism_of(pixel_52, along_30, _e7, params_49);
-        let _e10 = self.v_path_gap(path_56, rt::Scalar(hit_9.t));
-        let _e11 = self.v_grid_of(path_56);
-        let texels_5 = _e11.step.abs();
-        let most_9 = ((rt::Scalar(2f32) * params_49.x()) / texels_5.x().max(texels_5.y()).max((path_56.h.y().abs() / rt::Scalar(0.0625f32))));
-        t_32 = rt::Scalar(hit_9.t);
-        let _e30 = t_32;
-        let _e34 = t_32;
-        let _e35 = self.v_path_height(path_56, _e34);
-        let _e36 = self.v_point_of_way(pixel_52, _e8, (along_30 * ((rt::Scalar(path_56.start) + _e30) - _e7)), _e35);
-        point_4 = _e36;
-        'naga_break: loop {
-            'naga_continue: {
-                let _e40 = step_3;
-                if rt::Scalar::into_branch_condition(_e40.elementwise_lt(POLISH_STEPS)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e43 = step_3;
-                    step_3 = (_e43 + rt::Scalar(1u32));
-                    let _e47 = rt::Scalar(point_4.height);
-                    let _e49 = point_4.weights;
-                    let _e50 = self.v_uv_of(pixel_52, _e49);
-                    let _e52 = self.v_height_at(_e50, rt::Scalar(path_56.level));
-                    let gap_6 = ((_e47 - _e52) - _e10);
-                    let _e57 = t_32;
-                    let _e60 = self.v_cell_of((_e11.origin + (_e11.step * _e57)));
-                    let _e61 = t_32;
-                    let _e62 = self.v_cell_gap(path_56, _e11, _e60, _e61);
-                    let change_5 = _e62.y();
-                    if rt::Scalar::into_branch_condition(change_5.elementwise_lt(rt::Scalar(0f32))) {
-                        let _e66 = t_32;
-                        t_32 = (_e66 - (gap_6 / change_5)).clamp((rt::Scalar(hit_9.t) - most_9), (rt::Scalar(hit_9.t) + most_9));
-                    }
-                    let _e75 = t_32;
-                    let place_23 = (along_30 * ((rt::Scalar(path_56.start) + _e75) - _e7));
-                    if rt::Scalar::into_branch_condition(rt::Scalar(pixel_52.shell.order).elementwise_ge(SHELL_FOLDED)) {
-                        let _e83 = t_32;
-                        let _e84 = self.v_path_height(path_56, _e83);
-                        let _e85 = self.v_shell_point_near(_e8, place_23, _e84);
-                        point_4 = _e85;
-                    } else {
-                        let _e86 = point_4;
-                        let _e87 = self.v_shell_point_from(_e8, place_23, _e86);
-                        point_4 = _e87;
-                    }
-                }
-            }
-        }
-        let _e91 = point_4.weights;
-        let _e92 = self.v_uv_of(pixel_52, _e91);
-        let _e94 = rt::Scalar(point_4.height);
-        let _e95 = t_32;
-        return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_9.exhausted), _e92, _e94, _e95, hit_9.cost);
-    }
-    pub(crate) fn surface_quadric_perpendicular_polish(
-        &self,
-        pixel_53: PixelIn,
-        at_46: Entered,
-        path_57: Path,
-        hit_10: Hit,
-        params_50: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_53, at_46, path_57, hit_10, rt::into(params_50)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_surface_quadric_perpendicular_polish(
-        &self,
-        pixel_53: PixelIn,
-        at_46: Entered,
-        path_57: Path,
-        hit_10: Hit,
-        params_50: rt::Vec4<f32>,
-    ) -> Hit {
-        return hit_10;
-    }
-    pub(crate) fn surface_quadric_vertical_polish(
-        &self,
-        pixel_54: PixelIn,
-        at_47: Entered,
-        path_58: Path,
-        hit_11: Hit,
-        params_51: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_54, at_47, path_58, hit_11, rt::into(params_51)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_surface_quadric_vertical_polish(
-        &self,
-        pixel_54: PixelIn,
-        at_47: Entered,
-        path_58: Path,
-        hit_11: Hit,
-        params_51: rt::Vec4<f32>,
-    ) -> Hit {
-        return hit_11;
-    }
-    pub(crate) fn surface_tetrahedra_polish(
-        &self,
-        pixel_55: PixelIn,
-        at_48: Entered,
-        path_59: Path,
-        hit_12: Hit,
-        params_52: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_55, at_48, path_59, hit_12, rt::into(params_52)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_surface_tetrahedra_polish(
-        &self,
-        pixel_55: PixelIn,
-        at_48: Entered,
-        path_59: Path,
-        hit_12: Hit,
-        params_52: rt::Vec4<f32>,
-    ) -> Hit {
-        return hit_12;
-    }
-    pub(crate) fn surface_facets_polish(
-        &self,
-        pixel_56: PixelIn,
-        at_49: Entered,
-        path_60: Path,
-        hit_13: Hit,
-        params_53: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_surface_facets_polish(pixel_56, at_49, path_60, hit_13, rt::into(params_53)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_surface_facets_polish(
-        &self,
-        pixel_56: PixelIn,
-        at_49: Entered,
-        path_60: Path,
-        hit_13: Hit,
-        params_53: rt::Vec4<f32>,
-    ) -> Hit {
-        return hit_13;
-    }
-    pub(crate) fn surface_polish_stage(&self, pixel_57: PixelIn, at_50: Entered, path_61: Path, hit_14: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_57, at_50, path_61, hit_14))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_57: PixelIn, at_50: Entered, path_61: Path, hit_14: Hit) -> Hit {
-        let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
-        match rt::Scalar::into_inner(_e8) {
-            0u32 => {
-                let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_57, at_50, path_61, hit_14, _e13);
-                return _e14;
-            }
-            1u32 => {
-                let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_57, at_50, path_61, hit_14, _e19);
-                return _e20;
-            }
-            2u32 => {
-                let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_57, at_50, path_61, hit_14, _e25);
-                return _e26;
-            }
-            3u32 => {
-                let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_57, at_50, path_61, hit_14, _e31);
-                return _e32;
-            }
-            4u32 => {
-                let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_57, at_50, path_61, hit_14, _e37);
-                return _e38;
-            }
-            _ => {
-                let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_polish(pixel_57, at_50, path_61, hit_14, _e43);
-                return _e44;
-            }
-        }
-    }
-    pub(crate) fn polish_hit(&self, pixel_58: PixelIn, at_51: Entered, path_62: Path, hit_15: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_58, at_51, path_62, hit_15))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_polish_hit(&self, pixel_58: PixelIn, at_51: Entered, path_62: Path, hit_15: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_58, at_51, path_62, hit_15);
-        return _e4;
-    }
-    pub(crate) fn key_of(&self, depth_5: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_key_of(rt::into(depth_5)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_key_of(&self, depth_5: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let _e3 = rt::Scalar(self.frame.near);
-        let _e6 = rt::Scalar(self.frame.near);
-        return (_e3 / (_e6 + depth_5.max(rt::Scalar(0f32))));
-    }
-    pub(crate) fn is_in_hole(&self, uv_16: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_is_in_hole(rt::into(uv_16)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_is_in_hole(&self, uv_16: rt::Vec2<f32>) -> rt::Scalar<bool> {
-        let _e2 = self.v_height_texels(rt::Scalar(0u32));
-        let _e4 = self.v_height_size(rt::Scalar(0u32));
-        let _e10 = self.v_cell_of(((uv_16 * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let cell_20 = _e10.to_i32();
-        let _e14 = self.v_wrap_index(cell_20.x(), _e2.x());
-        let _e19 = self.v_wrap_index((cell_20.x() + rt::Scalar(1i32)), _e2.x());
-        let _e22 = self.v_wrap_index(cell_20.y(), _e2.y());
-        let _e27 = self.v_wrap_index((cell_20.y() + rt::Scalar(1i32)), _e2.y());
-        let _e31 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e14, _e22), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e36 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e19, _e22), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let above_8 = _e31.x().max(_e36.x());
-        let _e42 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e14, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e47 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e19, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let below_6 = _e42.x().max(_e47.x());
-        return above_8.max(below_6).elementwise_gt(rt::Scalar(0f32));
-    }
-    pub(crate) fn in_hole(&self, uv_17: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_in_hole(rt::into(uv_17)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_in_hole(&self, uv_17: rt::Vec2<f32>) -> rt::Scalar<bool> {
-        let _e3 = rt::Scalar(self.surface_settings.has_holes);
-        if rt::Scalar::into_branch_condition(_e3.elementwise_ne(rt::Scalar(1u32))) {
-            return rt::Scalar(false);
-        }
-        let _e7 = self.v_is_in_hole(uv_17);
-        return _e7;
-    }
-    pub(crate) fn hit_on_segment(
-        &self,
-        pixel_59: PixelIn,
-        at_52: Entered,
-        path_63: Path,
-        found_13: Hit,
-        k_16: impl rt::Into<rt::Scalar<u32>>,
-    ) -> FirstHit {
-        rt::into(self.v_hit_on_segment(pixel_59, at_52, path_63, found_13, rt::into(k_16)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_hit_on_segment(
-        &self,
-        pixel_59: PixelIn,
-        at_52: Entered,
-        path_63: Path,
-        found_13: Hit,
-        k_16: rt::Scalar<u32>,
-    ) -> FirstHit {
-        let mut first_2: FirstHit;
-
-        first_2 = <FirstHit>::new(found_13, k_16, rt::Scalar(0f32));
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_13.found).elementwise_eq(rt::Scalar(1u32))) {
-            let _e11 = self.v_polish_hit(pixel_59, at_52, path_63, found_13);
-            let _e12 = self.v_depth_on_ray(pixel_59, path_63, _e11);
-            let _e13 = self.v_key_of(_e12);
-            first_2 = <FirstHit>::new(_e11, k_16, _e13);
-            let _e16 = self.v_in_hole(_e11.uv);
-            if rt::Scalar::into_branch_condition(_e16) {
-                rt::Scalar(first_2.hit.found) = rt::Scalar(0u32);
-            }
-        }
-        let _e20 = first_2;
-        return _e20;
-    }
-    pub(crate) fn first_hit(&self, pixel_60: PixelIn, at_53: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_60, at_53))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_hit(&self, pixel_60: PixelIn, at_53: Entered) -> FirstHit {
+    fn v_first_hit(&self, pixel_65: PixelIn, at_55: Entered) -> FirstHit {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
         let mut first_3: FirstHit;
-        let mut k_17: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_68: rt::Scalar<bool>;
+        let mut k_18: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_71: rt::Scalar<bool>;
 
         let _e4 = cost_21;
         let _e5 = self.v_miss(_e4);
         first_3 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e12 = k_17;
-                if rt::Scalar::into_branch_condition(_e12.elementwise_lt(rt::Scalar(at_53.segments))) {
+                let _e12 = k_18;
+                if rt::Scalar::into_branch_condition(_e12.elementwise_lt(rt::Scalar(at_55.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_17;
-                    let _e16 = self.v_segment_of(pixel_60, at_53, _e15);
+                    let _e15 = k_18;
+                    let _e16 = self.v_segment_of(pixel_65, at_55, _e15);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e16.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e20 = self.v_trace(_e16);
-                        let _e21 = cost_21;
-                        cost_21 = (_e21 + _e20.cost);
-                        let _e24 = k_17;
-                        let _e25 = self.v_hit_on_segment(pixel_60, at_53, _e16, _e20, _e24);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e25.hit.found).elementwise_eq(rt::Scalar(1u32))) {
-                            let _e32 = rt::Scalar(first_3.hit.found);
-                            if rt::Scalar::into_branch_condition((!_e32.elementwise_eq(rt::Scalar(0u32)))) {
-                                let _e40 = rt::Scalar(first_3.key);
-                                local_68 = rt::Scalar(_e25.key).elementwise_gt(_e40);
+                        let _e21 = k_18;
+                        let _e22 = self.v_hit_on_segment(pixel_65, at_55, _e16, _e20, _e21);
+                        let _e23 = cost_21;
+                        cost_21 = (_e23 + _e22.hit.cost);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e22.hit.found).elementwise_eq(rt::Scalar(1u32))) {
+                            let _e33 = rt::Scalar(first_3.hit.found);
+                            if rt::Scalar::into_branch_condition((!_e33.elementwise_eq(rt::Scalar(0u32)))) {
+                                let _e41 = rt::Scalar(first_3.key);
+                                local_71 = rt::Scalar(_e22.key).elementwise_gt(_e41);
                             } else {
-                                local_68 = rt::Scalar(true);
+                                local_71 = rt::Scalar(true);
                             }
-                            let _e43 = local_68;
-                            if rt::Scalar::into_branch_condition(_e43) {
-                                first_3 = _e25;
+                            let _e44 = local_71;
+                            if rt::Scalar::into_branch_condition(_e44) {
+                                first_3 = _e22;
                             }
-                            if rt::Scalar::into_branch_condition(rt::Scalar(pixel_60.shell.order).elementwise_lt(SHELL_FOLDED)) {
+                            if rt::Scalar::into_branch_condition(rt::Scalar(pixel_65.shell.order).elementwise_lt(SHELL_FOLDED)) {
                                 break 'naga_break;
                             }
                         }
                     }
-                    let _e48 = k_17;
-                    k_17 = (_e48 + rt::Scalar(1u32));
+                    let _e49 = k_18;
+                    k_18 = (_e49 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e53 = cost_21;
-        first_3.hit.cost = _e53;
-        let _e54 = first_3;
-        return _e54;
+        let _e54 = cost_21;
+        first_3.hit.cost = _e54;
+        let _e55 = first_3;
+        return _e55;
     }
-    pub(crate) fn footprint_m(&self, at_54: Entered) -> f32 {
-        rt::into(self.v_footprint_m(at_54))
+    pub(crate) fn footprint_m(&self, at_56: Entered) -> f32 {
+        rt::into(self.v_footprint_m(at_56))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_footprint_m(&self, at_54: Entered) -> rt::Scalar<f32> {
+    fn v_footprint_m(&self, at_56: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        return ((rt::Scalar(at_54.footprint) * at_54.metric.x().sqrt()) / _e7.x());
+        return ((rt::Scalar(at_56.footprint) * at_56.metric.x().sqrt()) / _e7.x());
     }
-    pub(crate) fn near_uv(&self, uv_18: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_18)))
+    pub(crate) fn near_uv(&self, uv_19: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_near_uv(&self, uv_18: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_near_uv(&self, uv_19: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_18 - uv_18.floor());
+            return (uv_19 - uv_19.floor());
         }
         let _e10 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_18 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_18).floor()));
+            return (uv_19 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_19).floor()));
         }
-        return uv_18;
+        return uv_19;
     }
-    pub(crate) fn from_hit(&self, at_55: Entered, hit_16: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_55, hit_16, light_1))
+    pub(crate) fn from_hit(&self, at_57: Entered, hit_17: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_57, hit_17, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_from_hit(&self, at_55: Entered, hit_16: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_55, light_1.direction);
-        let _e6 = self.v_near_uv(hit_16.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_55.level));
+    fn v_from_hit(&self, at_57: Entered, hit_17: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_57, light_1.direction);
+        let _e6 = self.v_near_uv(hit_17.uv);
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_57.level));
         let h_5 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_5, rt::Scalar(0f32), rt::Scalar(0f32), at_55.metric, RAY_SHADOW, rt::Scalar(at_55.level), rt::Scalar(0f32), rt::Scalar(1f32));
+        return <Path>::new(_e6, _e4.xy(), h_5, rt::Scalar(0f32), rt::Scalar(0f32), at_57.metric, RAY_SHADOW, rt::Scalar(at_57.level), rt::Scalar(0f32), rt::Scalar(1f32));
     }
-    pub(crate) fn way_out(&self, path_64: Path, light_2: Toward) -> f32 {
-        rt::into(self.v_way_out(path_64, light_2))
+    pub(crate) fn way_out(&self, path_65: Path, light_2: Toward) -> f32 {
+        rt::into(self.v_way_out(path_65, light_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_way_out(&self, path_64: Path, light_2: Toward) -> rt::Scalar<f32> {
+    fn v_way_out(&self, path_65: Path, light_2: Toward) -> rt::Scalar<f32> {
         let mut way_6: rt::Scalar<f32>;
         let mut interval_5: rt::Vec2<f32>;
 
-        way_6 = ((rt::Scalar(1f32) - path_64.h.x()) / path_64.h.y()).min(rt::Scalar(light_2.distance));
+        way_6 = ((rt::Scalar(1f32) - path_65.h.x()) / path_65.h.y()).min(rt::Scalar(light_2.distance));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
             let _e21 = way_6;
-            let _e24 = self.v_inside_unit(path_64.uv.x(), path_64.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
+            let _e24 = self.v_inside_unit(path_65.uv.x(), path_65.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
             interval_5 = _e24;
             let _e30 = interval_5;
-            let _e31 = self.v_inside_unit(path_64.uv.y(), path_64.duv.y(), _e30);
+            let _e31 = self.v_inside_unit(path_65.uv.y(), path_65.duv.y(), _e30);
             interval_5 = _e31;
             let _e33 = interval_5.y();
             way_6 = _e33;
@@ -9800,14 +10098,14 @@ impl<'g> Resources<'g> {
         let _e34 = way_6;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_56: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_56, hit_17, light_3))
+    pub(crate) fn light_ray(&self, at_58: Entered, hit_18: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_58, hit_18, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_56: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
-        let mut local_69: rt::Scalar<bool>;
+    fn v_light_ray(&self, at_58: Entered, hit_18: Hit, light_3: Toward) -> LightRay {
+        let mut local_72: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_56, hit_17, light_3);
+        let _e3 = self.v_from_hit(at_58, hit_18, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -9822,11 +10120,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.to_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_69 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
+            local_72 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_69 = rt::Scalar(true);
+            local_72 = rt::Scalar(true);
         }
-        let _e45 = local_69;
+        let _e45 = local_72;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -9837,85 +10135,85 @@ impl<'g> Resources<'g> {
         let gap_7 = (end_15 * (_e31.y() + (_e31.z() * end_15)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
         let h_6 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_74 = <Path>::new(_e51, _e3.duv, h_6, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_74);
+        let path_76 = <Path>::new(_e51, _e3.duv, h_6, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_76);
     }
-    pub(crate) fn shadow_search_stage(&self, path_65: Path) -> Found {
-        rt::into(self.v_shadow_search_stage(path_65))
+    pub(crate) fn shadow_search_stage(&self, path_66: Path) -> Found {
+        rt::into(self.v_shadow_search_stage(path_66))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_search_stage(&self, path_65: Path) -> Found {
-        let _e5 = rt::Scalar(self.surface_settings.choices[7usize].number);
+    fn v_shadow_search_stage(&self, path_66: Path) -> Found {
+        let _e5 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
-                let _e10 = self.surface_settings.choices[7usize].params;
-                let _e11 = self.v_search_none(path_65, _e10);
+                let _e10 = self.surface_settings.choices[8usize].params;
+                let _e11 = self.v_search_none(path_66, _e10);
                 return _e11;
             }
             1u32 => {
-                let _e16 = self.surface_settings.choices[7usize].params;
-                let _e17 = self.v_search_linear(path_65, _e16);
+                let _e16 = self.surface_settings.choices[8usize].params;
+                let _e17 = self.v_search_linear(path_66, _e16);
                 return _e17;
             }
             2u32 => {
-                let _e22 = self.surface_settings.choices[7usize].params;
-                let _e23 = self.v_search_cells(path_65, _e22);
+                let _e22 = self.surface_settings.choices[8usize].params;
+                let _e23 = self.v_search_cells(path_66, _e22);
                 return _e23;
             }
             3u32 => {
-                let _e28 = self.surface_settings.choices[7usize].params;
-                let _e29 = self.v_search_frustum(path_65, _e28);
+                let _e28 = self.surface_settings.choices[8usize].params;
+                let _e29 = self.v_search_frustum(path_66, _e28);
                 return _e29;
             }
             4u32 => {
-                let _e34 = self.surface_settings.choices[7usize].params;
-                let _e35 = self.v_search_cone(path_65, _e34);
+                let _e34 = self.surface_settings.choices[8usize].params;
+                let _e35 = self.v_search_cone(path_66, _e34);
                 return _e35;
             }
             5u32 => {
-                let _e40 = self.surface_settings.choices[7usize].params;
-                let _e41 = self.v_search_pyramid(path_65, _e40);
+                let _e40 = self.surface_settings.choices[8usize].params;
+                let _e41 = self.v_search_pyramid(path_66, _e40);
                 return _e41;
             }
             6u32 => {
-                let _e46 = self.surface_settings.choices[7usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_65, _e46);
+                let _e46 = self.surface_settings.choices[8usize].params;
+                let _e47 = self.v_search_pyramid_texels(path_66, _e46);
                 return _e47;
             }
             7u32 => {
-                let _e52 = self.surface_settings.choices[7usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_65, _e52);
+                let _e52 = self.surface_settings.choices[8usize].params;
+                let _e53 = self.v_search_dilation_erosion(path_66, _e52);
                 return _e53;
             }
             8u32 => {
-                let _e58 = self.surface_settings.choices[7usize].params;
-                let _e59 = self.v_search_sphere(path_65, _e58);
+                let _e58 = self.surface_settings.choices[8usize].params;
+                let _e59 = self.v_search_sphere(path_66, _e58);
                 return _e59;
             }
             9u32 => {
-                let _e64 = self.surface_settings.choices[7usize].params;
-                let _e65 = self.v_search_cone_moved(path_65, _e64);
+                let _e64 = self.surface_settings.choices[8usize].params;
+                let _e65 = self.v_search_cone_moved(path_66, _e64);
                 return _e65;
             }
             10u32 => {
-                let _e70 = self.surface_settings.choices[7usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_65, _e70);
+                let _e70 = self.surface_settings.choices[8usize].params;
+                let _e71 = self.v_search_relaxed_cone(path_66, _e70);
                 return _e71;
             }
             _ => {
-                let _e76 = self.surface_settings.choices[7usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_65, _e76);
+                let _e76 = self.surface_settings.choices[8usize].params;
+                let _e77 = self.v_search_relaxed_cone_resting(path_66, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn free_way(&self, at_57: Entered, hit_18: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_57, hit_18, light_4))
+    pub(crate) fn free_way(&self, at_59: Entered, hit_19: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_59, hit_19, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_free_way(&self, at_57: Entered, hit_18: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_57, hit_18, light_4);
+    fn v_free_way(&self, at_59: Entered, hit_19: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_59, hit_19, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -9948,23 +10246,23 @@ impl<'g> Resources<'g> {
         place_14: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_70: rt::Scalar<bool>;
-        let mut local_71: rt::Scalar<bool>;
+        let mut local_73: rt::Scalar<bool>;
+        let mut local_74: rt::Scalar<bool>;
 
         let least_3 = (place_14.x().min(place_14.y()) - half);
         let most_10 = (place_14.x().max(place_14.y()) + half);
         if rt::Scalar::into_branch_condition(place_14.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_70 = least_3.elementwise_ge(rt::Scalar(0f32));
+            local_73 = least_3.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_70 = rt::Scalar(false);
+            local_73 = rt::Scalar(false);
         }
-        let _e19 = local_70;
+        let _e19 = local_73;
         if rt::Scalar::into_branch_condition(_e19) {
-            local_71 = most_10.elementwise_le(rt::Scalar(view_6.size).to_f32());
+            local_74 = most_10.elementwise_le(rt::Scalar(view_6.size).to_f32());
         } else {
-            local_71 = rt::Scalar(false);
+            local_74 = rt::Scalar(false);
         }
-        let _e26 = local_71;
+        let _e26 = local_74;
         return _e26;
     }
     pub(crate) fn is_before(
@@ -9987,70 +10285,70 @@ impl<'g> Resources<'g> {
         low_m: rt::Scalar<f32>,
         high_m: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_72: rt::Scalar<bool>;
+        let mut local_75: rt::Scalar<bool>;
 
         let low_6 = (plane.xyz().dot((position + (direction_5 * low_m))) + plane.w());
         let high_1 = (plane.xyz().dot((position + (direction_5 * high_m))) + plane.w());
         if rt::Scalar::into_branch_condition(low_6.elementwise_gt(rt::Scalar(0f32))) {
-            local_72 = high_1.elementwise_gt(rt::Scalar(0f32));
+            local_75 = high_1.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_72 = rt::Scalar(false);
+            local_75 = rt::Scalar(false);
         }
-        let _e24 = local_72;
+        let _e24 = local_75;
         return _e24;
     }
     pub(crate) fn is_left_out(
         &self,
         grid_10: Tessellation,
-        a_10: BaseVertex,
-        b_10: BaseVertex,
-        c_7: BaseVertex,
+        a_11: BaseVertex,
+        b_11: BaseVertex,
+        c_8: BaseVertex,
         low_m_1: impl rt::Into<rt::Scalar<f32>>,
         high_m_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_is_left_out(grid_10, a_10, b_10, c_7, rt::into(low_m_1), rt::into(high_m_1)))
+        rt::into(self.v_is_left_out(grid_10, a_11, b_11, c_8, rt::into(low_m_1), rt::into(high_m_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_is_left_out(
         &self,
         grid_10: Tessellation,
-        a_10: BaseVertex,
-        b_10: BaseVertex,
-        c_7: BaseVertex,
+        a_11: BaseVertex,
+        b_11: BaseVertex,
+        c_8: BaseVertex,
         low_m_1: rt::Scalar<f32>,
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut k_18: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_73: rt::Scalar<bool>;
-        let mut local_74: rt::Scalar<bool>;
+        let mut k_19: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_76: rt::Scalar<bool>;
+        let mut local_77: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e8 = k_18;
+                let _e8 = k_19;
                 if rt::Scalar::into_branch_condition(_e8.elementwise_lt(rt::Scalar(5u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e12 = k_18;
+                    let _e12 = k_19;
                     let plane_1 = grid_10.planes[rt::Scalar::into_array_index(_e12)];
-                    let _e14 = k_18;
-                    k_18 = (_e14 + rt::Scalar(1u32));
-                    let _e19 = self.v_is_before(plane_1, a_10.position, a_10.direction, low_m_1, high_m_1);
+                    let _e14 = k_19;
+                    k_19 = (_e14 + rt::Scalar(1u32));
+                    let _e19 = self.v_is_before(plane_1, a_11.position, a_11.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
-                        let _e24 = self.v_is_before(plane_1, b_10.position, b_10.direction, low_m_1, high_m_1);
-                        local_73 = _e24;
+                        let _e24 = self.v_is_before(plane_1, b_11.position, b_11.direction, low_m_1, high_m_1);
+                        local_76 = _e24;
                     } else {
-                        local_73 = rt::Scalar(false);
+                        local_76 = rt::Scalar(false);
                     }
-                    let _e26 = local_73;
+                    let _e26 = local_76;
                     if rt::Scalar::into_branch_condition(_e26) {
-                        let _e31 = self.v_is_before(plane_1, c_7.position, c_7.direction, low_m_1, high_m_1);
-                        local_74 = _e31;
+                        let _e31 = self.v_is_before(plane_1, c_8.position, c_8.direction, low_m_1, high_m_1);
+                        local_77 = _e31;
                     } else {
-                        local_74 = rt::Scalar(false);
+                        local_77 = rt::Scalar(false);
                     }
-                    let _e33 = local_74;
+                    let _e33 = local_77;
                     if rt::Scalar::into_branch_condition(_e33) {
                         return rt::Scalar(true);
                     }
@@ -10062,72 +10360,72 @@ impl<'g> Resources<'g> {
     pub(crate) fn light_place(
         &self,
         view_7: LightView,
-        point_5: impl rt::Into<rt::Vec3<f32>>,
+        point_7: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_light_place(view_7, rt::into(point_5)))
+        rt::into(self.v_light_place(view_7, rt::into(point_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_light_place(
         &self,
         view_7: LightView,
-        point_5: rt::Vec3<f32>,
+        point_7: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_103 = <rt::Vec4<f32>>::new_31(point_5, rt::Scalar(1f32));
-        let depth_7 = view_7.depth.dot(at_103);
+        let at_106 = <rt::Vec4<f32>>::new_31(point_7, rt::Scalar(1f32));
+        let depth_7 = view_7.depth.dot(at_106);
         let over_2 = rt::Scalar(1f32).select(depth_7, rt::Scalar(view_7.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_7.column.dot(at_103), view_7.row.dot(at_103)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_7.column.dot(at_106), view_7.row.dot(at_106)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
     }
     pub(crate) fn patch_normal(
         &self,
-        at_58: Entered,
-        uv_19: impl rt::Into<rt::Vec2<f32>>,
+        at_60: Entered,
+        uv_20: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_58, rt::into(uv_19)))
+        rt::into(self.v_patch_normal(at_60, rt::into(uv_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_patch_normal(
         &self,
-        at_58: Entered,
-        uv_19: rt::Vec2<f32>,
+        at_60: Entered,
+        uv_20: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let facet = at_58.facing.normalize();
-            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_58.normal).elementwise_ge(rt::Scalar(0f32))));
+            let facet = at_60.facing.normalize();
+            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_60.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_19, rt::Scalar(at_58.level));
+        let _e18 = self.v_height_and_slope(uv_20, rt::Scalar(at_60.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_2 = (at_58.tangent + (at_58.normal * (_e18.y() * _e24)));
+        let along_u_2 = (at_60.tangent + (at_60.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_2 = (at_58.bitangent + (at_58.normal * (_e18.z() * _e33)));
+        let along_v_2 = (at_60.bitangent + (at_60.normal * (_e18.z() * _e33)));
         let across_6 = along_v_2.cross(along_u_2).normalize();
-        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_58.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_60.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
         view_8: LightView,
-        point_6: impl rt::Into<rt::Vec3<f32>>,
-        normal_13: impl rt::Into<rt::Vec3<f32>>,
+        point_8: impl rt::Into<rt::Vec3<f32>>,
+        normal_15: impl rt::Into<rt::Vec3<f32>>,
         texel_4: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_plane_depth(view_8, rt::into(point_6), rt::into(normal_13), rt::into(texel_4)))
+        rt::into(self.v_plane_depth(view_8, rt::into(point_8), rt::into(normal_15), rt::into(texel_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_depth(
         &self,
         view_8: LightView,
-        point_6: rt::Vec3<f32>,
-        normal_13: rt::Vec3<f32>,
+        point_8: rt::Vec3<f32>,
+        normal_15: rt::Vec3<f32>,
         texel_4: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let corner_7 = ((view_8.corner.xyz() + (view_8.across.xyz() * texel_4.x())) + (view_8.along.xyz() * texel_4.y()));
         if rt::Scalar::into_branch_condition(rt::Scalar(view_8.from_point).elementwise_eq(rt::Scalar(1u32))) {
-            return (normal_13.dot((point_6 - view_8.eye.xyz())) / normal_13.dot(corner_7));
+            return (normal_15.dot((point_8 - view_8.eye.xyz())) / normal_15.dot(corner_7));
         }
-        return (normal_13.dot((point_6 - corner_7)) / normal_13.dot(view_8.depth.xyz()));
+        return (normal_15.dot((point_8 - corner_7)) / normal_15.dot(view_8.depth.xyz()));
     }
     pub(crate) fn light_texel(
         &self,
@@ -10148,24 +10446,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn row_sees(
         &self,
-        at_59: InView,
+        at_61: InView,
         row_6: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_59, rt::into(row_6), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_61, rt::into(row_6), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_row_sees(
         &self,
-        at_59: InView,
+        at_61: InView,
         row_6: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column: rt::Scalar<f32>;
 
-        let view_16 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_59.number))];
-        column = at_59.low.x().floor();
+        let view_16 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_61.number))];
+        column = at_61.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = column;
@@ -10176,13 +10474,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e18 = column;
                     let _e24 = column;
-                    let wide_2 = (at_59.high.x().min((_e18 + rt::Scalar(1f32))) - at_59.low.x().max(_e24));
+                    let wide_2 = (at_61.high.x().min((_e18 + rt::Scalar(1f32))) - at_61.low.x().max(_e24));
                     let _e27 = column;
                     let place_24 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_16, at_59.point, at_59.normal, (place_24 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_8 = _e35.clamp(rt::Scalar(at_59.least_depth), rt::Scalar(at_59.most_depth));
+                    let _e35 = self.v_plane_depth(view_16, at_61.point, at_61.normal, (place_24 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_8 = _e35.clamp(rt::Scalar(at_61.least_depth), rt::Scalar(at_61.most_depth));
                     let key = (rt::Scalar(view_16.near) / (rt::Scalar(view_16.near) + depth_8.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_24.to_i32(), rt::Scalar(at_59.number).to_i32());
+                    let _e48 = self.v_light_texel(place_24.to_i32(), rt::Scalar(at_61.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -10198,20 +10496,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn seen_part(
         &self,
         number_8: impl rt::Into<rt::Scalar<u32>>,
-        at_60: Entered,
-        normal_14: impl rt::Into<rt::Vec3<f32>>,
+        at_62: Entered,
+        normal_16: impl rt::Into<rt::Vec3<f32>>,
         place_16: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_8), at_60, rt::into(normal_14), rt::into(place_16), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_8), at_62, rt::into(normal_16), rt::into(place_16), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
         &self,
         number_8: rt::Scalar<u32>,
-        at_60: Entered,
-        normal_14: rt::Vec3<f32>,
+        at_62: Entered,
+        normal_16: rt::Vec3<f32>,
         place_16: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
         bias: rt::Scalar<f32>,
@@ -10221,13 +10519,13 @@ impl<'g> Resources<'g> {
 
         let view_17 = self.frame.light_views[rt::Scalar::into_array_index(number_8)];
         let texel_m = (rt::Scalar(view_17.texel_m) * rt::Scalar(1f32).select(place_16.z(), rt::Scalar(view_17.from_point).elementwise_eq(rt::Scalar(1u32))));
-        let _e19 = self.v_footprint_m(at_60);
-        let point_17 = (at_60.point + (normal_14 * (bias * texel_m.max(_e19))));
+        let _e19 = self.v_footprint_m(at_62);
+        let point_20 = (at_62.point + (normal_16 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
         let low_7 = (place_16.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_2 = (low_7 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
         let last_8 = high_2.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_17.size).to_f32(), rt::Scalar(view_17.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_8, point_17, normal_14, low_7, high_2, (place_16.z() - reach_1), (place_16.z() + reach_1));
+        let in_view = <InView>::new(number_8, point_20, normal_16, low_7, high_2, (place_16.z() - reach_1), (place_16.z() + reach_1));
         row_7 = low_7.y().floor();
         'naga_break: loop {
             'naga_continue: {
@@ -10254,58 +10552,58 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_seen(
         &self,
-        at_61: Entered,
-        uv_20: impl rt::Into<rt::Vec2<f32>>,
+        at_63: Entered,
+        uv_21: impl rt::Into<rt::Vec2<f32>>,
         number_9: impl rt::Into<rt::Scalar<u32>>,
         toward: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_61, rt::into(uv_20), rt::into(number_9), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_63, rt::into(uv_21), rt::into(number_9), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
-        at_61: Entered,
-        uv_20: rt::Vec2<f32>,
+        at_63: Entered,
+        uv_21: rt::Vec2<f32>,
         number_9: rt::Scalar<u32>,
         toward: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
         bias_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut k_19: rt::Scalar<u32>;
+        let mut k_20: rt::Scalar<u32>;
 
         let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_9)];
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_61, uv_20);
+        let _e14 = self.v_patch_normal(at_63, uv_21);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let width_5 = filter_texels.max(rt::Scalar(0.001f32));
-        k_19 = rt::Scalar(light_17.first_view);
+        k_20 = rt::Scalar(light_17.first_view);
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_19;
+                let _e24 = k_20;
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt((rt::Scalar(light_17.first_view) + rt::Scalar(light_17.views)))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e31 = k_19;
+                    let _e31 = k_20;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_light_place(_e33, at_61.point);
-                    let _e38 = k_19;
+                    let _e35 = self.v_light_place(_e33, at_63.point);
+                    let _e38 = k_20;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
                     let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_5));
                     if rt::Scalar::into_branch_condition(_e43) {
-                        let _e44 = k_19;
-                        let _e45 = self.v_seen_part(_e44, at_61, _e14, _e35, width_5, bias_1);
+                        let _e44 = k_20;
+                        let _e45 = self.v_seen_part(_e44, at_63, _e14, _e35, width_5, bias_1);
                         return _e45;
                     }
-                    let _e46 = k_19;
-                    k_19 = (_e46 + rt::Scalar(1u32));
+                    let _e46 = k_20;
+                    k_20 = (_e46 + rt::Scalar(1u32));
                 }
             }
         }
@@ -10347,68 +10645,68 @@ impl<'g> Resources<'g> {
         let none = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         return <SeenTable>::new(none, none, none);
     }
-    pub(crate) fn one_seen(&self, normal_15: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
-        rt::into(self.v_one_seen(rt::into(normal_15)))
+    pub(crate) fn one_seen(&self, normal_17: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
+        rt::into(self.v_one_seen(rt::into(normal_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_one_seen(&self, normal_15: rt::Vec3<f32>) -> SeenNormals {
+    fn v_one_seen(&self, normal_17: rt::Vec3<f32>) -> SeenNormals {
         let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let none_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let parts_4 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let _e13 = self.v_no_table();
-        return <SeenNormals>::new(normal_15, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts_4, rt::Scalar(0f32), _e13);
+        return <SeenNormals>::new(normal_17, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts_4, rt::Scalar(0f32), _e13);
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_62: Entered,
+        at_64: Entered,
         v: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_62, rt::into(v)))
+        rt::into(self.v_to_tangent_space(at_64, rt::into(v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_to_tangent_space(
         &self,
-        at_62: Entered,
+        at_64: Entered,
         v: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_3 = at_62.tangent.normalize();
-        let along_v_3 = at_62.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v), (-along_v_3.dot(v)), at_62.normal.dot(v));
+        let along_u_3 = at_64.tangent.normalize();
+        let along_v_3 = at_64.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v), (-along_v_3.dot(v)), at_64.normal.dot(v));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_63: Entered,
-        uv_21: impl rt::Into<rt::Vec2<f32>>,
+        at_65: Entered,
+        uv_22: impl rt::Into<rt::Vec2<f32>>,
         level_21: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_63, rt::into(uv_21), rt::into(level_21)))
+        rt::into(self.v_normals_of_level(at_65, rt::into(uv_22), rt::into(level_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_63: Entered,
-        uv_21: rt::Vec2<f32>,
+        at_65: Entered,
+        uv_22: rt::Vec2<f32>,
         level_21: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_21.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_63, uv_21);
-            let _e6 = self.v_to_tangent_space(at_63, _e5);
+            let _e5 = self.v_finest_normal(at_65, uv_22);
+            let _e6 = self.v_to_tangent_space(at_65, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_21, rt::Scalar(0i32), level_21);
-            let _e16 = self.v_normal_at(uv_21, rt::Scalar(1i32), level_21);
+            let _e14 = self.v_normal_at(uv_22, rt::Scalar(0i32), level_21);
+            let _e16 = self.v_normal_at(uv_22, rt::Scalar(1i32), level_21);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_3 = ((tile.x() * at_63.tangent.normalize().dot(at_63.tangent)) / at_63.tangent.dot(at_63.tangent));
-        let y_2 = ((tile.y() * at_63.bitangent.normalize().dot(at_63.bitangent)) / at_63.bitangent.dot(at_63.bitangent));
-        let _e44 = self.v_normal_at(uv_21, rt::Scalar(0i32), (level_21 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_21, rt::Scalar(1i32), (level_21 - rt::Scalar(1u32)));
+        let x_3 = ((tile.x() * at_65.tangent.normalize().dot(at_65.tangent)) / at_65.tangent.dot(at_65.tangent));
+        let y_2 = ((tile.y() * at_65.bitangent.normalize().dot(at_65.bitangent)) / at_65.bitangent.dot(at_65.bitangent));
+        let _e44 = self.v_normal_at(uv_22, rt::Scalar(0i32), (level_21 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_22, rt::Scalar(1i32), (level_21 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_3), (_e44.y() * y_2), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
         let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_3) * x_3), ((_e48.y() * x_3) * y_2), ((_e48.z() * y_2) * y_2)) * longer_1);
@@ -10424,16 +10722,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_64: Entered,
+        at_66: Entered,
         normals: Normals,
         view_10: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_64, normals, rt::into(view_10)))
+        rt::into(self.v_seen_normals(at_66, normals, rt::into(view_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_64: Entered,
+        at_66: Entered,
         normals: Normals,
         view_10: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -10443,54 +10741,54 @@ impl<'g> Resources<'g> {
         let upright_1 = first_13.z().max(rt::Scalar(0.05f32));
         let x_4 = (first_13.x() / upright_1);
         let y_3 = (first_13.y() / upright_1);
-        let a_26 = ((second_5.x() / upright_1) - (x_4 * x_4)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_25 = (((second_5.y() / upright_1) - (x_4 * y_3)) / a_26);
+        let a_27 = ((second_5.x() / upright_1) - (x_4 * x_4)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_27 = (((second_5.y() / upright_1) - (x_4 * y_3)) / a_27);
         let spread = ((second_5.z() / upright_1) - (y_3 * y_3)).max(rt::Scalar(0f32));
-        let d_2 = (spread - (b_25 * b_25)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let d_2 = (spread - (b_27 * b_27)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
         let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_13.x())) - (first_13.xyz() * slope_12.x()));
         let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_13.y())) - (first_13.xyz() * slope_12.y()));
-        let most_11 = ((a_26 * a_26) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_31 = (with_x / rt::Vec3::splat_from_scalar(a_26.max((with_x.length() / most_11))));
-        let rest_9 = (with_y - (along_31 * b_25));
+        let most_11 = ((a_27 * a_27) + spread).sqrt().min(rt::Scalar(1f32));
+        let along_33 = (with_x / rt::Vec3::splat_from_scalar(a_27.max((with_x.length() / most_11))));
+        let rest_9 = (with_y - (along_33 * b_27));
         let across_7 = (rest_9 / rt::Vec3::splat_from_scalar(d_2.max((rest_9.length() / most_11))));
-        let _e77 = self.v_to_tangent_space(at_64, view_10);
+        let _e77 = self.v_to_tangent_space(at_66, view_10);
         let middle_14 = (_e77.z() - _e77.xy().dot(slope_12));
-        let _e91 = self.v_facing_four(middle_14, (-((_e77.x() * a_26) + (_e77.y() * b_25))), (-(_e77.y() * d_2)));
+        let _e91 = self.v_facing_four(middle_14, (-((_e77.x() * a_27) + (_e77.y() * b_27))), (-(_e77.y() * d_2)));
         let one = middle_14.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one, _e94);
         let all_1 = _e95.max(rt::Scalar(0.001f32));
-        let aside_7 = ((along_31 * ((_e91.x() - _e91.y()) / all_1)) + (across_7 * ((_e91.z() - _e91.w()) / all_1)));
-        let _e113 = self.v_from_tangent_space(at_64, (first_13.xyz() + (aside_7 * rt::Scalar(0.28867513f32))));
+        let aside_7 = ((along_33 * ((_e91.x() - _e91.y()) / all_1)) + (across_7 * ((_e91.z() - _e91.w()) / all_1)));
+        let _e113 = self.v_from_tangent_space(at_66, (first_13.xyz() + (aside_7 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_13.xyz(), along_31, across_7, slope_12, <rt::Vec2<f32>>::from_scalars(a_26, b_25), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_13.xyz(), along_33, across_7, slope_12, <rt::Vec2<f32>>::from_scalars(a_27, b_27), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_65: Entered) -> f32 {
-        rt::into(self.v_table_part(at_65))
+    pub(crate) fn table_part(&self, at_67: Entered) -> f32 {
+        rt::into(self.v_table_part(at_67))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_table_part(&self, at_65: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_67: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_65.fade) * ((rt::Scalar(at_65.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_67.fade) * ((rt::Scalar(at_67.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_66: Entered,
+        at_68: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_66, seen_1, table, rt::into(part_6)))
+        rt::into(self.v_with_table(at_68, seen_1, table, rt::into(part_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_with_table(
         &self,
-        at_66: Entered,
+        at_68: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: rt::Scalar<f32>,
@@ -10499,7 +10797,7 @@ impl<'g> Resources<'g> {
 
         told = seen_1;
         let before_4 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_66, table.mean);
+        let _e9 = self.v_from_tangent_space(at_68, table.mean);
         let mean_4 = (before_4 + ((_e9 - before_4) * part_6));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
@@ -10540,66 +10838,66 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_between(
         &self,
-        a_11: SeenTexel,
-        b_11: SeenTexel,
+        a_12: SeenTexel,
+        b_12: SeenTexel,
         part_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_between(a_11, b_11, rt::into(part_7)))
+        rt::into(self.v_seen_between(a_12, b_12, rt::into(part_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_between(
         &self,
-        a_11: SeenTexel,
-        b_11: SeenTexel,
+        a_12: SeenTexel,
+        b_12: SeenTexel,
         part_7: rt::Scalar<f32>,
     ) -> SeenTexel {
-        return <SeenTexel>::new((a_11.first + ((b_11.first - a_11.first) * part_7)), (a_11.second + ((b_11.second - a_11.second) * part_7)));
+        return <SeenTexel>::new((a_12.first + ((b_12.first - a_12.first) * part_7)), (a_12.second + ((b_12.second - a_12.second) * part_7)));
     }
     pub(crate) fn seen_texel(
         &self,
-        uv_22: impl rt::Into<rt::Vec2<f32>>,
+        uv_23: impl rt::Into<rt::Vec2<f32>>,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
         level_22: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_22), rt::into(azimuth), rt::into(elevation), rt::into(level_22)))
+        rt::into(self.v_seen_texel(rt::into(uv_23), rt::into(azimuth), rt::into(elevation), rt::into(level_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_texel(
         &self,
-        uv_22: rt::Vec2<f32>,
+        uv_23: rt::Vec2<f32>,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
         level_22: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_8 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_22, layer_8, level_22);
-        let _e12 = self.v_detail_texel_between(uv_22, (layer_8 + rt::Scalar(1i32)), level_22);
+        let _e9 = self.v_detail_texel_between(uv_23, layer_8, level_22);
+        let _e12 = self.v_detail_texel_between(uv_23, (layer_8 + rt::Scalar(1i32)), level_22);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
         &self,
-        uv_23: impl rt::Into<rt::Vec2<f32>>,
+        uv_24: impl rt::Into<rt::Vec2<f32>>,
         azimuth_1: impl rt::Into<rt::Scalar<i32>>,
         elevation_1: impl rt::Into<rt::Scalar<i32>>,
         levels_1: Levels,
     ) -> SeenTexel {
-        rt::into(self.v_seen_in_levels(rt::into(uv_23), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
+        rt::into(self.v_seen_in_levels(rt::into(uv_24), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_in_levels(
         &self,
-        uv_23: rt::Vec2<f32>,
+        uv_24: rt::Vec2<f32>,
         azimuth_1: rt::Scalar<i32>,
         elevation_1: rt::Scalar<i32>,
         levels_1: Levels,
     ) -> SeenTexel {
-        let _e5 = self.v_seen_texel(uv_23, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
+        let _e5 = self.v_seen_texel(uv_24, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
         if rt::Scalar::into_branch_condition(rt::Scalar(levels_1.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e12 = self.v_seen_texel(uv_23, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
+            let _e12 = self.v_seen_texel(uv_24, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
             let _e14 = self.v_seen_between(_e5, _e12, rt::Scalar(levels_1.part));
             return _e14;
         }
@@ -10607,22 +10905,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_67: Entered,
-        uv_24: impl rt::Into<rt::Vec2<f32>>,
+        at_69: Entered,
+        uv_25: impl rt::Into<rt::Vec2<f32>>,
         view_11: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_67, rt::into(uv_24), rt::into(view_11), levels_2))
+        rt::into(self.v_table_of(at_69, rt::into(uv_25), rt::into(view_11), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_67: Entered,
-        uv_24: rt::Vec2<f32>,
+        at_69: Entered,
+        uv_25: rt::Vec2<f32>,
         view_11: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_67, view_11);
+        let _e4 = self.v_climb(at_69, view_11);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_5 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
@@ -10635,15 +10933,15 @@ impl<'g> Resources<'g> {
         let e0_ = elevation_3.floor().to_i32();
         let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
         let across_8 = (azimuth_3 - azimuth_3.floor());
-        let _e48 = self.v_seen_in_levels(uv_24, a0_, e0_, levels_2);
-        let _e49 = self.v_seen_in_levels(uv_24, a1_, e0_, levels_2);
+        let _e48 = self.v_seen_in_levels(uv_25, a0_, e0_, levels_2);
+        let _e49 = self.v_seen_in_levels(uv_25, a1_, e0_, levels_2);
         let _e50 = self.v_seen_between(_e48, _e49, across_8);
-        let _e51 = self.v_seen_in_levels(uv_24, a0_, e1_1, levels_2);
-        let _e52 = self.v_seen_in_levels(uv_24, a1_, e1_1, levels_2);
+        let _e51 = self.v_seen_in_levels(uv_25, a0_, e1_1, levels_2);
+        let _e52 = self.v_seen_in_levels(uv_25, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_8);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_6 = ((tile_1.x() * at_67.tangent.normalize().dot(at_67.tangent)) / at_67.tangent.dot(at_67.tangent));
-        let y_5 = ((tile_1.y() * at_67.bitangent.normalize().dot(at_67.bitangent)) / at_67.bitangent.dot(at_67.bitangent));
+        let x_6 = ((tile_1.x() * at_69.tangent.normalize().dot(at_69.tangent)) / at_69.tangent.dot(at_69.tangent));
+        let y_5 = ((tile_1.y() * at_69.bitangent.normalize().dot(at_69.bitangent)) / at_69.bitangent.dot(at_69.bitangent));
         let mean_5 = _e56.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_6), (mean_5.y() * y_5), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
@@ -10652,51 +10950,51 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_68: Entered,
-        uv_25: impl rt::Into<rt::Vec2<f32>>,
+        at_70: Entered,
+        uv_26: impl rt::Into<rt::Vec2<f32>>,
         view_12: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_68, rt::into(uv_25), rt::into(view_12)))
+        rt::into(self.v_mesostructure_normals(at_70, rt::into(uv_26), rt::into(view_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_68: Entered,
-        uv_25: rt::Vec2<f32>,
+        at_70: Entered,
+        uv_26: rt::Vec2<f32>,
         view_12: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_75: rt::Scalar<bool>;
+        let mut local_78: rt::Scalar<bool>;
         let mut first_4: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
         let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_one_seen(at_68.normal);
+            let _e9 = self.v_one_seen(at_70.normal);
             return _e9;
         }
-        let upright_3 = at_68.normal.dot(view_12);
+        let upright_3 = at_70.normal.dot(view_12);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_6 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_68.fade)));
+        let width_6 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_70.fade)));
         let _e22 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_6 = ((rt::Scalar(at_68.footprint) * _e22) * width_6);
+        let texels_6 = ((rt::Scalar(at_70.footprint) * _e22) * width_6);
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_6, _e27);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_75 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
+            local_78 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_75 = rt::Scalar(false);
+            local_78 = rt::Scalar(false);
         }
-        let _e39 = local_75;
+        let _e39 = local_78;
         if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_68, uv_25);
+            let _e40 = self.v_finest_normal(at_70, uv_26);
             let _e41 = self.v_one_seen(_e40);
             return _e41;
         }
-        let _e43 = self.v_normals_of_level(at_68, uv_25, rt::Scalar(_e28.fine));
+        let _e43 = self.v_normals_of_level(at_70, uv_26, rt::Scalar(_e28.fine));
         first_4 = _e43.first;
         second = _e43.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_68, uv_25, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e54 = self.v_normals_of_level(at_70, uv_26, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
             let _e55 = first_4;
             let _e57 = first_4;
             first_4 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
@@ -10706,15 +11004,15 @@ impl<'g> Resources<'g> {
         }
         let _e69 = first_4;
         let _e70 = second;
-        let _e72 = self.v_seen_normals(at_68, <Normals>::new(_e69, _e70), view_12);
-        let _e73 = self.v_table_part(at_68);
+        let _e72 = self.v_seen_normals(at_70, <Normals>::new(_e69, _e70), view_12);
+        let _e73 = self.v_table_part(at_70);
         if rt::Scalar::into_branch_condition(_e73.elementwise_gt(rt::Scalar(0f32))) {
             let _e79 = rt::Scalar(self.surface_settings.height_levels);
-            let _e80 = self.v_levels_of(rt::Scalar(at_68.footprint), _e79);
+            let _e80 = self.v_levels_of(rt::Scalar(at_70.footprint), _e79);
             let _e81 = self.v_has_table(_e80);
             if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_68, uv_25, view_12, _e80);
-                let _e83 = self.v_with_table(at_68, _e72, _e82, _e73);
+                let _e82 = self.v_table_of(at_70, uv_26, view_12, _e80);
+                let _e83 = self.v_with_table(at_70, _e72, _e82, _e73);
                 return _e83;
             }
         }
@@ -10722,63 +11020,63 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_69: Entered,
-        hit_19: Hit,
+        at_71: Entered,
+        hit_20: Hit,
         light_5: Toward,
-        params_54: impl rt::Into<rt::Vec4<f32>>,
+        params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_69, hit_19, light_5, rt::into(params_54)))
+        rt::into(self.v_shadow_ray(at_71, hit_20, light_5, rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_ray(
         &self,
-        at_69: Entered,
-        hit_19: Hit,
+        at_71: Entered,
+        hit_20: Hit,
         light_5: Toward,
-        params_54: rt::Vec4<f32>,
+        params_60: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_69, hit_19, light_5);
+        let _e4 = self.v_free_way(at_71, hit_20, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_70: Entered,
-        hit_20: Hit,
+        at_72: Entered,
+        hit_21: Hit,
         light_6: Toward,
-        params_55: impl rt::Into<rt::Vec4<f32>>,
+        params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_70, hit_20, light_6, rt::into(params_55)))
+        rt::into(self.v_shadow_none(at_72, hit_21, light_6, rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_none(
         &self,
-        at_70: Entered,
-        hit_20: Hit,
+        at_72: Entered,
+        hit_21: Hit,
         light_6: Toward,
-        params_55: rt::Vec4<f32>,
+        params_61: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_71: Entered,
-        hit_21: Hit,
+        at_73: Entered,
+        hit_22: Hit,
         light_7: Toward,
-        params_56: impl rt::Into<rt::Vec4<f32>>,
+        params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_71, hit_21, light_7, rt::into(params_56)))
+        rt::into(self.v_shadow_entry(at_73, hit_22, light_7, rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_71: Entered,
-        hit_21: Hit,
+        at_73: Entered,
+        hit_22: Hit,
         light_7: Toward,
-        params_56: rt::Vec4<f32>,
+        params_62: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_71, hit_21, light_7);
+        let _e4 = self.v_from_hit(at_73, hit_22, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -10797,7 +11095,7 @@ impl<'g> Resources<'g> {
         }
         let _e51 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_4 = ((_e41.uv - _e4.uv).abs() * _e51);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_56.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_62.x()));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
         rt::into(self.v_mixed(rt::into(seed)))
@@ -10819,13 +11117,13 @@ impl<'g> Resources<'g> {
         let _e17 = x;
         return (_e16 ^ (_e17 >> rt::Scalar(16u32)));
     }
-    pub(crate) fn seed_of(&self, hit_22: Hit) -> u32 {
-        rt::into(self.v_seed_of(hit_22))
+    pub(crate) fn seed_of(&self, hit_23: Hit) -> u32 {
+        rt::into(self.v_seed_of(hit_23))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_seed_of(&self, hit_22: Hit) -> rt::Scalar<u32> {
-        let place_25 = ((hit_22.uv - hit_22.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+    fn v_seed_of(&self, hit_23: Hit) -> rt::Scalar<u32> {
+        let place_25 = ((hit_23.uv - hit_23.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
         let _e10 = self.v_mixed(place_25.y());
         let _e12 = self.v_mixed((place_25.x() ^ _e10));
         return _e12;
@@ -10873,10 +11171,10 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: impl rt::Into<rt::Scalar<u32>>,
-        k_20: impl rt::Into<rt::Scalar<u32>>,
+        k_21: impl rt::Into<rt::Scalar<u32>>,
         count_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_20), rt::into(count_4)))
+        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_21), rt::into(count_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -10884,59 +11182,59 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: rt::Scalar<u32>,
-        k_20: rt::Scalar<u32>,
+        k_21: rt::Scalar<u32>,
         count_4: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_1 + k_20) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_1 + k_21) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_20.to_f32() + _e9) / count_4.to_f32());
+        let ring = ((k_21.to_f32() + _e9) / count_4.to_f32());
         let _e16 = self.v_unit_of(seed_1);
-        let _e18 = self.v_turned_1(((k_20.to_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let _e18 = self.v_turned_1(((k_21.to_f32() * rt::Scalar(0.618034f32)) + _e16));
         let place_26 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
         let up_3 = light_8.direction.cross(right_2);
         let toward_6 = ((light_8.direction + (right_2 * place_26.x())) + (up_3 * place_26.y()));
-        let along_32 = toward_6.length();
-        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_32)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_32), rt::Scalar(0f32), rt::Scalar(light_8.number));
+        let along_34 = toward_6.length();
+        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_34)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_34), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_72: Entered,
-        hit_23: Hit,
+        at_74: Entered,
+        hit_24: Hit,
         light_9: Toward,
-        params_57: impl rt::Into<rt::Vec4<f32>>,
+        params_63: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_72, hit_23, light_9, rt::into(params_57)))
+        rt::into(self.v_shadow_soft(at_74, hit_24, light_9, rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_72: Entered,
-        hit_23: Hit,
+        at_74: Entered,
+        hit_24: Hit,
         light_9: Toward,
-        params_57: rt::Vec4<f32>,
+        params_63: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_21: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_22: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_7 = params_57.x().to_u32();
-        let _e6 = self.v_seed_of(hit_23);
+        let count_7 = params_63.x().to_u32();
+        let _e6 = self.v_seed_of(hit_24);
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_21;
+                let _e11 = k_22;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_7)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
-                    let _e14 = k_21;
+                    let _e14 = k_22;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_7);
-                    let _e16 = self.v_free_way(at_72, hit_23, _e15);
+                    let _e16 = self.v_free_way(at_74, hit_24, _e15);
                     free = (_e13 + _e16);
-                    let _e18 = k_21;
-                    k_21 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_22;
+                    k_22 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
@@ -10945,49 +11243,49 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_73: Entered,
-        hit_24: Hit,
+        at_75: Entered,
+        hit_25: Hit,
         light_10: Toward,
-        params_58: impl rt::Into<rt::Vec4<f32>>,
+        params_64: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_73, hit_24, light_10, rt::into(params_58)))
+        rt::into(self.v_shadow_heuristic(at_75, hit_25, light_10, rt::into(params_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_73: Entered,
-        hit_24: Hit,
+        at_75: Entered,
+        hit_25: Hit,
         light_10: Toward,
-        params_58: rt::Vec4<f32>,
+        params_64: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_22: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_23: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_73, hit_24, light_10);
+        let _e4 = self.v_from_hit(at_75, hit_25, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let _e11 = self.v_way_out(_e4, light_10);
         'naga_break: loop {
             'naga_continue: {
-                let _e16 = k_22;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_58.x())) {
+                let _e16 = k_23;
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_64.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = k_22;
-                    let part_18 = (_e19 / params_58.x());
+                    let _e19 = k_23;
+                    let part_18 = (_e19 / params_64.x());
                     let _e22 = most_1;
                     let _e24 = self.v_path_gap(_e4, (part_18 * _e11));
                     most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_18)));
-                    let _e31 = k_22;
-                    k_22 = (_e31 + rt::Scalar(1f32));
+                    let _e31 = k_23;
+                    k_23 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
         let _e35 = most_1;
-        return (rt::Scalar(1f32) - (params_58.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_64.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
@@ -11012,27 +11310,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_26: impl rt::Into<rt::Vec2<f32>>,
+        uv_27: impl rt::Into<rt::Vec2<f32>>,
         layer_7: impl rt::Into<rt::Scalar<i32>>,
         level_24: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_26), rt::into(layer_7), rt::into(level_24)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_27), rt::into(layer_7), rt::into(level_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_texel_between(
         &self,
-        uv_26: rt::Vec2<f32>,
+        uv_27: rt::Vec2<f32>,
         layer_7: rt::Scalar<i32>,
         level_24: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_24);
-        let _e4 = self.v_texels_around(uv_26, _e3);
-        let k_33 = level_24.to_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_33);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_33);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_33);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_33);
+        let _e4 = self.v_texels_around(uv_27, _e3);
+        let k_34 = level_24.to_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_34);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_34);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_34);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_34);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -11068,42 +11366,42 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_74: Entered,
-        hit_25: Hit,
+        at_76: Entered,
+        hit_26: Hit,
         light_11: Toward,
-        params_59: impl rt::Into<rt::Vec4<f32>>,
+        params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_74, hit_25, light_11, rt::into(params_59)))
+        rt::into(self.v_shadow_horizon(at_76, hit_26, light_11, rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_74: Entered,
-        hit_25: Hit,
+        at_76: Entered,
+        hit_26: Hit,
         light_11: Toward,
-        params_59: rt::Vec4<f32>,
+        params_65: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_74, light_11.direction);
-        let map_1 = self.surface_settings.maps[3usize];
-        let along_33 = (_e5.xy() * map_1.tile_m);
-        let _e13 = self.v_turn_of(along_33);
-        let azimuth_4 = (_e13 * params_59.x());
+        let _e5 = self.v_climb(at_76, light_11.direction);
+        let map_5 = self.surface_settings.maps[3usize];
+        let along_35 = (_e5.xy() * map_5.tile_m);
+        let _e13 = self.v_turn_of(along_35);
+        let azimuth_4 = (_e13 * params_65.x());
         let first_14 = azimuth_4.floor();
-        let count_8 = params_59.x().to_i32();
+        let count_8 = params_65.x().to_i32();
         let before_5 = (first_14.to_i32() % count_8);
         let part_19 = (azimuth_4 - first_14);
-        let _e24 = self.v_shadow_texel_between(hit_25.uv, before_5, rt::Scalar(at_74.level));
+        let _e24 = self.v_shadow_texel_between(hit_26.uv, before_5, rt::Scalar(at_76.level));
         let low_8 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_25.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_74.level));
+        let _e31 = self.v_shadow_texel_between(hit_26.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_76.level));
         let sine_1 = (low_8 + ((_e31.x() - low_8) * part_19));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
-        let far_10 = (squared_4 * along_33.dot(along_33)).sqrt();
-        let _e48 = self.v_from_hit(at_74, hit_25, light_11);
+        let far_12 = (squared_4 * along_35.dot(along_35)).sqrt();
+        let _e48 = self.v_from_hit(at_76, hit_26, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_9 = (_e49 * _e52);
-        let horizon = far_10.max(near_9);
-        let up_4 = at_74.normal.dot(light_11.direction);
+        let horizon = far_12.max(near_9);
+        let up_4 = at_76.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_4.elementwise_gt(horizon));
         }
@@ -11117,61 +11415,61 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn open_part(
         &self,
-        at_75: Entered,
-        hit_26: Hit,
+        at_77: Entered,
+        hit_27: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_75, hit_26, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_77, hit_27, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_open_part(
         &self,
-        at_75: Entered,
-        hit_26: Hit,
+        at_77: Entered,
+        hit_27: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_26.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_75.level));
+        let _e9 = self.v_shadow_texel_between(hit_27.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_77.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_76: Entered,
-        hit_27: Hit,
+        at_78: Entered,
+        hit_28: Hit,
         light_12: Toward,
-        params_60: impl rt::Into<rt::Vec4<f32>>,
+        params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_76, hit_27, light_12, rt::into(params_60)))
+        rt::into(self.v_shadow_visibility(at_78, hit_28, light_12, rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_76: Entered,
-        hit_27: Hit,
+        at_78: Entered,
+        hit_28: Hit,
         light_12: Toward,
-        params_60: rt::Vec4<f32>,
+        params_66: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_76, light_12.direction);
+        let _e5 = self.v_climb(at_78, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let map_2 = self.surface_settings.maps[3usize];
-        let along_34 = (_e5.xy() * map_2.tile_m);
+        let map_6 = self.surface_settings.maps[3usize];
+        let along_36 = (_e5.xy() * map_6.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
-        let height_15 = (_e5.z() * _e21);
-        let squared_5 = ((height_15 * height_15) / (along_34.dot(along_34) + (height_15 * height_15)));
-        let azimuths = params_60.x().to_i32();
-        let elevations_1 = params_60.y().to_i32();
-        let _e32 = self.v_turn_of(along_34);
-        let azimuth_5 = (_e32 * params_60.x());
-        let elevation_4 = ((squared_5 * params_60.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_60.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_60.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_27 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_76, hit_27, a_27, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+        let height_16 = (_e5.z() * _e21);
+        let squared_5 = ((height_16 * height_16) / (along_36.dot(along_36) + (height_16 * height_16)));
+        let azimuths = params_66.x().to_i32();
+        let elevations_1 = params_66.y().to_i32();
+        let _e32 = self.v_turn_of(along_36);
+        let azimuth_5 = (_e32 * params_66.x());
+        let elevation_4 = ((squared_5 * params_66.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_66.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_66.z().elementwise_lt(rt::Scalar(2f32))) {
+            let a_28 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
+            let _e56 = self.v_open_part(at_78, hit_28, a_28, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().to_i32() % azimuths);
@@ -11180,430 +11478,430 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_76, hit_27, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_76, hit_27, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_78, hit_28, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_78, hit_28, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_76, hit_27, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_78, hit_28, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_76, hit_27, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_78, hit_28, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_77: Entered,
-        hit_28: Hit,
+        at_79: Entered,
+        hit_29: Hit,
         light_13: Toward,
-        params_61: impl rt::Into<rt::Vec4<f32>>,
+        params_67: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_77, hit_28, light_13, rt::into(params_61)))
+        rt::into(self.v_shadow_map(at_79, hit_29, light_13, rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_map(
         &self,
-        at_77: Entered,
-        hit_28: Hit,
+        at_79: Entered,
+        hit_29: Hit,
         light_13: Toward,
-        params_61: rt::Vec4<f32>,
+        params_67: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_77, hit_28.uv, rt::Scalar(light_13.number), light_13.direction, params_61.z(), params_61.w());
+        let _e9 = self.v_light_seen(at_79, hit_29.uv, rt::Scalar(light_13.number), light_13.direction, params_67.z(), params_67.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_78: Entered,
-        hit_29: Hit,
+        at_80: Entered,
+        hit_30: Hit,
         light_14: Toward,
-        params_62: impl rt::Into<rt::Vec4<f32>>,
+        params_68: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_78, hit_29, light_14, rt::into(params_62)))
+        rt::into(self.v_shadow_scene(at_80, hit_30, light_14, rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_scene(
         &self,
-        at_78: Entered,
-        hit_29: Hit,
+        at_80: Entered,
+        hit_30: Hit,
         light_14: Toward,
-        params_62: rt::Vec4<f32>,
+        params_68: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_79: Entered, hit_30: Hit, light_15: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_79, hit_30, light_15))
+    pub(crate) fn shadow_stage(&self, at_81: Entered, hit_31: Hit, light_15: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_81, hit_31, light_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_79: Entered, hit_30: Hit, light_15: Toward) -> rt::Scalar<f32> {
-        let _e7 = rt::Scalar(self.surface_settings.choices[6usize].number);
+    fn v_shadow_stage(&self, at_81: Entered, hit_31: Hit, light_15: Toward) -> rt::Scalar<f32> {
+        let _e7 = rt::Scalar(self.surface_settings.choices[7usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
-                let _e12 = self.surface_settings.choices[6usize].params;
-                let _e13 = self.v_shadow_ray(at_79, hit_30, light_15, _e12);
+                let _e12 = self.surface_settings.choices[7usize].params;
+                let _e13 = self.v_shadow_ray(at_81, hit_31, light_15, _e12);
                 return _e13;
             }
             1u32 => {
-                let _e18 = self.surface_settings.choices[6usize].params;
-                let _e19 = self.v_shadow_none(at_79, hit_30, light_15, _e18);
+                let _e18 = self.surface_settings.choices[7usize].params;
+                let _e19 = self.v_shadow_none(at_81, hit_31, light_15, _e18);
                 return _e19;
             }
             2u32 => {
-                let _e24 = self.surface_settings.choices[6usize].params;
-                let _e25 = self.v_shadow_entry(at_79, hit_30, light_15, _e24);
+                let _e24 = self.surface_settings.choices[7usize].params;
+                let _e25 = self.v_shadow_entry(at_81, hit_31, light_15, _e24);
                 return _e25;
             }
             3u32 => {
-                let _e30 = self.surface_settings.choices[6usize].params;
-                let _e31 = self.v_shadow_soft(at_79, hit_30, light_15, _e30);
+                let _e30 = self.surface_settings.choices[7usize].params;
+                let _e31 = self.v_shadow_soft(at_81, hit_31, light_15, _e30);
                 return _e31;
             }
             4u32 => {
-                let _e36 = self.surface_settings.choices[6usize].params;
-                let _e37 = self.v_shadow_heuristic(at_79, hit_30, light_15, _e36);
+                let _e36 = self.surface_settings.choices[7usize].params;
+                let _e37 = self.v_shadow_heuristic(at_81, hit_31, light_15, _e36);
                 return _e37;
             }
             5u32 => {
-                let _e42 = self.surface_settings.choices[6usize].params;
-                let _e43 = self.v_shadow_horizon(at_79, hit_30, light_15, _e42);
+                let _e42 = self.surface_settings.choices[7usize].params;
+                let _e43 = self.v_shadow_horizon(at_81, hit_31, light_15, _e42);
                 return _e43;
             }
             6u32 => {
-                let _e48 = self.surface_settings.choices[6usize].params;
-                let _e49 = self.v_shadow_visibility(at_79, hit_30, light_15, _e48);
+                let _e48 = self.surface_settings.choices[7usize].params;
+                let _e49 = self.v_shadow_visibility(at_81, hit_31, light_15, _e48);
                 return _e49;
             }
             7u32 => {
-                let _e54 = self.surface_settings.choices[6usize].params;
-                let _e55 = self.v_shadow_map(at_79, hit_30, light_15, _e54);
+                let _e54 = self.surface_settings.choices[7usize].params;
+                let _e55 = self.v_shadow_map(at_81, hit_31, light_15, _e54);
                 return _e55;
             }
             _ => {
-                let _e60 = self.surface_settings.choices[6usize].params;
-                let _e61 = self.v_shadow_scene(at_79, hit_30, light_15, _e60);
+                let _e60 = self.surface_settings.choices[7usize].params;
+                let _e61 = self.v_shadow_scene(at_81, hit_31, light_15, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_61: PixelIn, at_80: Entered, hit_31: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_61, at_80, hit_31))
+    pub(crate) fn mirrored_light(&self, pixel_66: PixelIn, at_82: Entered, hit_32: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_66, at_82, hit_32))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mirrored_light(&self, pixel_61: PixelIn, at_80: Entered, hit_31: Hit) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_31.found).elementwise_eq(rt::Scalar(0u32))) {
+    fn v_mirrored_light(&self, pixel_66: PixelIn, at_82: Entered, hit_32: Hit) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_32.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
-        let down_2 = pixel_61.direction.normalize();
-        let up_5 = (down_2 - (at_80.normal * (rt::Scalar(2f32) * down_2.dot(at_80.normal))));
-        let _e24 = self.v_shadow_stage(at_80, hit_31, <Toward>::new(up_5, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
+        let down_2 = pixel_66.direction.normalize();
+        let up_5 = (down_2 - (at_82.normal * (rt::Scalar(2f32) * down_2.dot(at_82.normal))));
+        let _e24 = self.v_shadow_stage(at_82, hit_32, <Toward>::new(up_5, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
         return _e24;
     }
     pub(crate) fn parts_between(
         &self,
-        a_12: Voxel,
-        b_12: Voxel,
+        a_13: Voxel,
+        b_13: Voxel,
         level_26: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_between(a_12, b_12, rt::into(level_26)))
+        rt::into(self.v_parts_between(a_13, b_13, rt::into(level_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_parts_between(
         &self,
-        a_12: Voxel,
-        b_12: Voxel,
+        a_13: Voxel,
+        b_13: Voxel,
         level_26: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let apart_5 = (b_12.at - a_12.at).abs().to_u32();
+        let apart_5 = (b_13.at - a_13.at).abs().to_u32();
         let farthest = apart_5.x().max(apart_5.y()).max(apart_5.z());
         let parts_5 = (((farthest + (rt::Scalar(1u32) << level_26)) - rt::Scalar(1u32)) >> level_26);
         return parts_5.clamp(rt::Scalar(1u32), DICE_PARTS).select(rt::Scalar(1u32), level_26.elementwise_eq(COARSEST));
     }
-    pub(crate) fn pixel_direction(&self, pixel_62: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_direction(rt::into(pixel_62)))
+    pub(crate) fn pixel_direction(&self, pixel_67: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_direction(rt::into(pixel_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_direction(&self, pixel_62: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_direction(&self, pixel_67: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.corner;
         let _e7 = self.frame.right;
         let _e14 = self.frame.down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_62.x())) + (_e14.xyz() * pixel_62.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_67.x())) + (_e14.xyz() * pixel_67.y()));
     }
-    pub(crate) fn pixel_eye(&self, pixel_63: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_eye(rt::into(pixel_63)))
+    pub(crate) fn pixel_eye(&self, pixel_68: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_eye(rt::into(pixel_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_eye(&self, pixel_63: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_eye(&self, pixel_68: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.eye;
         let _e7 = self.frame.eye_right;
         let _e14 = self.frame.eye_down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_63.x())) + (_e14.xyz() * pixel_63.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_68.x())) + (_e14.xyz() * pixel_68.y()));
     }
     pub(crate) fn pixel_of(
         &self,
-        a_13: Corner,
-        b_13: Corner,
-        c_8: Corner,
+        a_14: Corner,
+        b_14: Corner,
+        c_9: Corner,
         shell_4: Shell,
         side_3: impl rt::Into<rt::Scalar<f32>>,
-        point_7: impl rt::Into<rt::Vec2<f32>>,
+        point_9: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_13, b_13, c_8, shell_4, rt::into(side_3), rt::into(point_7)))
+        rt::into(self.v_pixel_of(a_14, b_14, c_9, shell_4, rt::into(side_3), rt::into(point_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_pixel_of(
         &self,
-        a_13: Corner,
-        b_13: Corner,
-        c_8: Corner,
+        a_14: Corner,
+        b_14: Corner,
+        c_9: Corner,
         shell_4: Shell,
         side_3: rt::Scalar<f32>,
-        point_7: rt::Vec2<f32>,
+        point_9: rt::Vec2<f32>,
     ) -> PixelIn {
-        let _e6 = self.v_pixel_eye(point_7);
-        let _e7 = self.v_pixel_direction(point_7);
-        return <PixelIn>::new(_e6, _e7, side_3, a_13, b_13, c_8, shell_4);
+        let _e6 = self.v_pixel_eye(point_9);
+        let _e7 = self.v_pixel_direction(point_9);
+        return <PixelIn>::new(_e6, _e7, side_3, a_14, b_14, c_9, shell_4);
     }
     pub(crate) fn surface_plane_place(
         &self,
-        pixel_64: PixelIn,
-        at_81: Entered,
-        path_66: Path,
-        hit_32: Hit,
-        params_63: impl rt::Into<rt::Vec4<f32>>,
+        pixel_69: PixelIn,
+        at_83: Entered,
+        path_67: Path,
+        hit_33: Hit,
+        params_69: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_64, at_81, path_66, hit_32, rt::into(params_63)))
+        rt::into(self.v_surface_plane_place(pixel_69, at_83, path_67, hit_33, rt::into(params_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_place(
         &self,
-        pixel_64: PixelIn,
-        at_81: Entered,
-        path_66: Path,
-        hit_32: Hit,
-        params_63: rt::Vec4<f32>,
+        pixel_69: PixelIn,
+        at_83: Entered,
+        path_67: Path,
+        hit_33: Hit,
+        params_69: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_8 = (hit_32.uv - at_81.uv);
+        let aside_8 = (hit_33.uv - at_83.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_32.uv, rt::Scalar(at_81.level));
-        let height_16 = (_e10 + (_e13 * _e16));
-        placed = at_81;
-        placed.point = (((at_81.point + (at_81.tangent * aside_8.x())) + (at_81.bitangent * aside_8.y())) + (at_81.normal * height_16));
-        placed.uv = hit_32.uv;
+        let _e16 = self.v_height_at(hit_33.uv, rt::Scalar(at_83.level));
+        let height_17 = (_e10 + (_e13 * _e16));
+        placed = at_83;
+        placed.point = (((at_83.point + (at_83.tangent * aside_8.x())) + (at_83.bitangent * aside_8.y())) + (at_83.normal * height_17));
+        placed.uv = hit_33.uv;
         let _e35 = placed;
         return _e35;
     }
     pub(crate) fn placed_at(
         &self,
-        pixel_65: PixelIn,
-        at_82: Entered,
+        pixel_70: PixelIn,
+        at_84: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
-        point_8: impl rt::Into<rt::Vec3<f32>>,
-        uv_27: impl rt::Into<rt::Vec2<f32>>,
+        point_10: impl rt::Into<rt::Vec3<f32>>,
+        uv_28: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_65, at_82, rt::into(weights_4), rt::into(point_8), rt::into(uv_27)))
+        rt::into(self.v_placed_at(pixel_70, at_84, rt::into(weights_4), rt::into(point_10), rt::into(uv_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_at(
         &self,
-        pixel_65: PixelIn,
-        at_82: Entered,
+        pixel_70: PixelIn,
+        at_84: Entered,
         weights_4: rt::Vec3<f32>,
-        point_8: rt::Vec3<f32>,
-        uv_27: rt::Vec2<f32>,
+        point_10: rt::Vec3<f32>,
+        uv_28: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_65, weights_4, point_8, uv_27, at_82.facing);
+        let _e6 = self.v_frame_at(pixel_70, weights_4, point_10, uv_28, at_84.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_82.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_82.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_82.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_84.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_84.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_84.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_prism_place(
         &self,
-        pixel_66: PixelIn,
-        at_83: Entered,
-        path_67: Path,
-        hit_33: Hit,
-        params_64: impl rt::Into<rt::Vec4<f32>>,
+        pixel_71: PixelIn,
+        at_85: Entered,
+        path_68: Path,
+        hit_34: Hit,
+        params_70: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_66, at_83, path_67, hit_33, rt::into(params_64)))
+        rt::into(self.v_surface_prism_place(pixel_71, at_85, path_68, hit_34, rt::into(params_70)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_prism_place(
         &self,
-        pixel_66: PixelIn,
-        at_83: Entered,
-        path_67: Path,
-        hit_33: Hit,
-        params_64: rt::Vec4<f32>,
+        pixel_71: PixelIn,
+        at_85: Entered,
+        path_68: Path,
+        hit_34: Hit,
+        params_70: rt::Vec4<f32>,
     ) -> Entered {
-        let along_35 = pixel_66.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_66, along_35);
-        let _e8 = self.v_prism_of(pixel_66, along_35, _e7, params_64);
-        let s_4 = ((rt::Scalar(path_67.start) + rt::Scalar(hit_33.t)) - _e7);
-        let _e15 = self.v_point_of_way(pixel_66, _e8, (along_35 * s_4), rt::Scalar(hit_33.height));
+        let along_37 = pixel_71.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_71, along_37);
+        let _e8 = self.v_prism_of(pixel_71, along_37, _e7, params_70);
+        let s_4 = ((rt::Scalar(path_68.start) + rt::Scalar(hit_34.t)) - _e7);
+        let _e15 = self.v_point_of_way(pixel_71, _e8, (along_37 * s_4), rt::Scalar(hit_34.height));
         let weights_6 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_66, at_83, weights_6, (pixel_66.origin + (along_35 * (rt::Scalar(path_67.start) + rt::Scalar(hit_33.t)))), hit_33.uv);
+        let _e24 = self.v_placed_at(pixel_71, at_85, weights_6, (pixel_71.origin + (along_37 * (rt::Scalar(path_68.start) + rt::Scalar(hit_34.t)))), hit_34.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_84: Entered,
+        at_86: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_84, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_86, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_frame(
         &self,
-        at_84: Entered,
+        at_86: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_76: rt::Scalar<bool>;
+        let mut local_79: rt::Scalar<bool>;
 
-        placed_2 = at_84;
-        let _e5 = self.v_quadric_slope(at_84.quadric.xyz(), aside);
+        placed_2 = at_86;
+        let _e5 = self.v_quadric_slope(at_86.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_76 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_79 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_76 = rt::Scalar(false);
+            local_79 = rt::Scalar(false);
         }
-        let _e15 = local_76;
+        let _e15 = local_79;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_5 = at_84.metric;
-        let area_5 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
-        let along_t = (((_e5.x() * m_5.z()) - (_e5.y() * m_5.y())) / area_5);
-        let along_b = (((_e5.y() * m_5.x()) - (_e5.x() * m_5.y())) / area_5);
-        placed_2.tangent = (at_84.tangent + (at_84.normal * _e5.x()));
-        placed_2.bitangent = (at_84.bitangent + (at_84.normal * _e5.y()));
-        placed_2.normal = ((at_84.normal - (at_84.tangent * along_t)) - (at_84.bitangent * along_b)).normalize();
+        let m_5 = at_86.metric;
+        let area_6 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
+        let along_t = (((_e5.x() * m_5.z()) - (_e5.y() * m_5.y())) / area_6);
+        let along_b = (((_e5.y() * m_5.x()) - (_e5.x() * m_5.y())) / area_6);
+        placed_2.tangent = (at_86.tangent + (at_86.normal * _e5.x()));
+        placed_2.bitangent = (at_86.bitangent + (at_86.normal * _e5.y()));
+        placed_2.normal = ((at_86.normal - (at_86.tangent * along_t)) - (at_86.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
-        let tt_2 = _e63.dot(_e65);
+        let tt_3 = _e63.dot(_e65);
         let _e68 = placed_2.tangent;
         let _e70 = placed_2.bitangent;
-        let tb_2 = _e68.dot(_e70);
+        let tb_3 = _e68.dot(_e70);
         let _e73 = placed_2.bitangent;
         let _e75 = placed_2.bitangent;
-        let bb_2 = _e73.dot(_e75);
-        placed_2.metric = <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, m_5.w());
+        let bb_3 = _e73.dot(_e75);
+        placed_2.metric = <rt::Vec4<f32>>::from_scalars(tt_3, tb_3, bb_3, m_5.w());
         let _e80 = placed_2;
         return _e80;
     }
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
-        pixel_67: PixelIn,
-        at_85: Entered,
-        path_68: Path,
-        hit_34: Hit,
-        params_65: impl rt::Into<rt::Vec4<f32>>,
+        pixel_72: PixelIn,
+        at_87: Entered,
+        path_69: Path,
+        hit_35: Hit,
+        params_71: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_67, at_85, path_68, hit_34, rt::into(params_65)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_72, at_87, path_69, hit_35, rt::into(params_71)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_place(
         &self,
-        pixel_67: PixelIn,
-        at_85: Entered,
-        path_68: Path,
-        hit_34: Hit,
-        params_65: rt::Vec4<f32>,
+        pixel_72: PixelIn,
+        at_87: Entered,
+        path_69: Path,
+        hit_35: Hit,
+        params_71: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_85, (hit_34.uv - at_85.uv));
+        let _e8 = self.v_quadric_frame(at_87, (hit_35.uv - at_87.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_67.origin + (pixel_67.direction.normalize() * (rt::Scalar(path_68.start) + rt::Scalar(hit_34.t))));
-        placed_3.uv = hit_34.uv;
+        placed_3.point = (pixel_72.origin + (pixel_72.direction.normalize() * (rt::Scalar(path_69.start) + rt::Scalar(hit_35.t))));
+        placed_3.uv = hit_35.uv;
         let _e21 = placed_3;
         return _e21;
     }
     pub(crate) fn surface_quadric_vertical_place(
         &self,
-        pixel_68: PixelIn,
-        at_86: Entered,
-        path_69: Path,
-        hit_35: Hit,
-        params_66: impl rt::Into<rt::Vec4<f32>>,
+        pixel_73: PixelIn,
+        at_88: Entered,
+        path_70: Path,
+        hit_36: Hit,
+        params_72: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_68, at_86, path_69, hit_35, rt::into(params_66)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_73, at_88, path_70, hit_36, rt::into(params_72)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
-        pixel_68: PixelIn,
-        at_86: Entered,
-        path_69: Path,
-        hit_35: Hit,
-        params_66: rt::Vec4<f32>,
+        pixel_73: PixelIn,
+        at_88: Entered,
+        path_70: Path,
+        hit_36: Hit,
+        params_72: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_9 = (hit_35.uv - at_86.uv);
+        let aside_9 = (hit_36.uv - at_88.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_35.uv, rt::Scalar(at_86.level));
-        let height_17 = (_e10 + (_e13 * _e16));
+        let _e16 = self.v_height_at(hit_36.uv, rt::Scalar(at_88.level));
+        let height_18 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_86.quadric.xyz(), aside_9);
-        let lifted_2 = (((_e19 - at_86.quadric.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_86, aside_9);
+        let _e27 = self.v_quadric_at(at_88.of_surface.xyz(), aside_9);
+        let lifted_2 = (((_e19 - at_88.of_surface.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_88, aside_9);
         placed_4 = _e29;
-        placed_4.point = (((at_86.point + (at_86.tangent * aside_9.x())) + (at_86.bitangent * aside_9.y())) + (at_86.normal * (height_17 + lifted_2)));
-        placed_4.uv = hit_35.uv;
+        placed_4.point = (((at_88.point + (at_88.tangent * aside_9.x())) + (at_88.bitangent * aside_9.y())) + (at_88.normal * (height_18 + lifted_2)));
+        placed_4.uv = hit_36.uv;
         let _e47 = placed_4;
         return _e47;
     }
     pub(crate) fn surface_tetrahedra_place(
         &self,
-        pixel_69: PixelIn,
-        at_87: Entered,
-        path_70: Path,
-        hit_36: Hit,
-        params_67: impl rt::Into<rt::Vec4<f32>>,
+        pixel_74: PixelIn,
+        at_89: Entered,
+        path_71: Path,
+        hit_37: Hit,
+        params_73: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_69, at_87, path_70, hit_36, rt::into(params_67)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_74, at_89, path_71, hit_37, rt::into(params_73)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
-        pixel_69: PixelIn,
-        at_87: Entered,
-        path_70: Path,
-        hit_36: Hit,
-        params_67: rt::Vec4<f32>,
+        pixel_74: PixelIn,
+        at_89: Entered,
+        path_71: Path,
+        hit_37: Hit,
+        params_73: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
         let mut number_10: rt::Scalar<u32> = rt::Scalar(1u32);
 
-        let along_36 = pixel_69.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_69, along_36);
-        let t_37 = ((rt::Scalar(path_70.start) + rt::Scalar(hit_36.t)) - _e7);
-        let _e13 = self.v_tetrahedron(pixel_69, along_36, _e7, rt::Scalar(0u32));
+        let along_38 = pixel_74.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_74, along_38);
+        let t_38 = ((rt::Scalar(path_71.start) + rt::Scalar(hit_37.t)) - _e7);
+        let _e13 = self.v_tetrahedron(pixel_74, along_38, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
-        beside_1 = (_e17 - t_37).max((t_37 - _e21));
+        beside_1 = (_e17 - t_38).max((t_38 - _e21));
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = number_10;
@@ -11613,8 +11911,8 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e30 = number_10;
-                    let _e31 = self.v_tetrahedron(pixel_69, along_36, _e7, _e30);
-                    let aside_10 = (_e31.inside.x() - t_37).max((t_37 - _e31.inside.y()));
+                    let _e31 = self.v_tetrahedron(pixel_74, along_38, _e7, _e30);
+                    let aside_10 = (_e31.inside.x() - t_38).max((t_38 - _e31.inside.y()));
                     let _e39 = beside_1;
                     if rt::Scalar::into_branch_condition(aside_10.elementwise_lt(_e39)) {
                         nearest = _e31;
@@ -11627,107 +11925,145 @@ impl<'g> Resources<'g> {
         }
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
-        let weights_7 = (_e45 + (_e47 * t_37));
-        let point_18 = (pixel_69.origin + (along_36 * (rt::Scalar(path_70.start) + rt::Scalar(hit_36.t))));
-        let _e58 = self.v_placed_at(pixel_69, at_87, weights_7.xyz(), point_18, hit_36.uv);
+        let weights_7 = (_e45 + (_e47 * t_38));
+        let point_21 = (pixel_74.origin + (along_38 * (rt::Scalar(path_71.start) + rt::Scalar(hit_37.t))));
+        let _e58 = self.v_placed_at(pixel_74, at_89, weights_7.xyz(), point_21, hit_37.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
-        pixel_70: PixelIn,
-        at_88: Entered,
-        path_71: Path,
-        hit_37: Hit,
-        params_68: impl rt::Into<rt::Vec4<f32>>,
+        pixel_75: PixelIn,
+        at_90: Entered,
+        path_72: Path,
+        hit_38: Hit,
+        params_74: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_70, at_88, path_71, hit_37, rt::into(params_68)))
+        rt::into(self.v_surface_facets_place(pixel_75, at_90, path_72, hit_38, rt::into(params_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_place(
         &self,
-        pixel_70: PixelIn,
-        at_88: Entered,
-        path_71: Path,
-        hit_37: Hit,
-        params_68: rt::Vec4<f32>,
+        pixel_75: PixelIn,
+        at_90: Entered,
+        path_72: Path,
+        hit_38: Hit,
+        params_74: rt::Vec4<f32>,
     ) -> Entered {
-        return at_88;
+        return at_90;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_71: PixelIn, at_89: Entered, path_72: Path, hit_38: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_71, at_89, path_72, hit_38))
+    pub(crate) fn surface_slices_place(
+        &self,
+        pixel_76: PixelIn,
+        at_91: Entered,
+        path_73: Path,
+        hit_39: Hit,
+        params_75: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_slices_place(pixel_76, at_91, path_73, hit_39, rt::into(params_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_71: PixelIn, at_89: Entered, path_72: Path, hit_38: Hit) -> Entered {
+    #[inline(always)]
+    fn v_surface_slices_place(
+        &self,
+        pixel_76: PixelIn,
+        at_91: Entered,
+        path_73: Path,
+        hit_39: Hit,
+        params_75: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut placed_5: Entered;
+
+        let aside_11 = (hit_39.uv - at_91.uv);
+        let _e10 = rt::Scalar(self.surface_settings.bias_m);
+        let _e13 = rt::Scalar(self.surface_settings.scale_m);
+        let _e16 = self.v_height_at(hit_39.uv, rt::Scalar(at_91.level));
+        let height_19 = (_e10 + (_e13 * _e16));
+        placed_5 = at_91;
+        placed_5.point = (((at_91.point + (at_91.tangent * aside_11.x())) + (at_91.bitangent * aside_11.y())) + (at_91.normal * height_19));
+        placed_5.uv = hit_39.uv;
+        let _e35 = placed_5;
+        return _e35;
+    }
+    pub(crate) fn surface_place_stage(&self, pixel_77: PixelIn, at_92: Entered, path_74: Path, hit_40: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_77, at_92, path_74, hit_40))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_place_stage(&self, pixel_77: PixelIn, at_92: Entered, path_74: Path, hit_40: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_71, at_89, path_72, hit_38, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_77, at_92, path_74, hit_40, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_71, at_89, path_72, hit_38, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_77, at_92, path_74, hit_40, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_71, at_89, path_72, hit_38, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_77, at_92, path_74, hit_40, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_71, at_89, path_72, hit_38, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_77, at_92, path_74, hit_40, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_71, at_89, path_72, hit_38, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_77, at_92, path_74, hit_40, _e37);
                 return _e38;
             }
-            _ => {
+            5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_71, at_89, path_72, hit_38, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_77, at_92, path_74, hit_40, _e43);
                 return _e44;
+            }
+            _ => {
+                let _e49 = self.surface_settings.choices[1usize].params;
+                let _e50 = self.v_surface_slices_place(pixel_77, at_92, path_74, hit_40, _e49);
+                return _e50;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_72: PixelIn, at_90: Entered, path_73: Path, hit_39: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_72, at_90, path_73, hit_39))
+    pub(crate) fn place_on_segment(&self, pixel_78: PixelIn, at_93: Entered, path_75: Path, hit_41: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_78, at_93, path_75, hit_41))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_place_on_segment(&self, pixel_72: PixelIn, at_90: Entered, path_73: Path, hit_39: Hit) -> Entered {
-        let mut placed_5: Entered;
+    fn v_place_on_segment(&self, pixel_78: PixelIn, at_93: Entered, path_75: Path, hit_41: Hit) -> Entered {
+        let mut placed_6: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_72, at_90, path_73, hit_39);
-        placed_5 = _e4;
-        let _e7 = self.v_depth_on_ray(pixel_72, path_73, hit_39);
-        rt::Scalar(placed_5.depth) = _e7;
-        let _e8 = placed_5;
+        let _e4 = self.v_surface_place_stage(pixel_78, at_93, path_75, hit_41);
+        placed_6 = _e4;
+        let _e7 = self.v_depth_on_ray(pixel_78, path_75, hit_41);
+        rt::Scalar(placed_6.depth) = _e7;
+        let _e8 = placed_6;
         return _e8;
     }
     pub(crate) fn place_hit(
         &self,
-        pixel_73: PixelIn,
-        at_91: Entered,
+        pixel_79: PixelIn,
+        at_94: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
-        hit_40: Hit,
+        hit_42: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_73, at_91, rt::into(segment), hit_40))
+        rt::into(self.v_place_hit(pixel_79, at_94, rt::into(segment), hit_42))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_place_hit(
         &self,
-        pixel_73: PixelIn,
-        at_91: Entered,
+        pixel_79: PixelIn,
+        at_94: Entered,
         segment: rt::Scalar<u32>,
-        hit_40: Hit,
+        hit_42: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_73, at_91, segment);
-        let _e5 = self.v_place_on_segment(pixel_73, at_91, _e4, hit_40);
+        let _e4 = self.v_segment_of(pixel_79, at_94, segment);
+        let _e5 = self.v_place_on_segment(pixel_79, at_94, _e4, hit_42);
         return _e5;
     }
     pub(crate) fn toward_light(
@@ -11756,54 +12092,54 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn point_of_light(
         &self,
-        at_92: Entered,
-        hit_41: Hit,
+        at_95: Entered,
+        hit_43: Hit,
         number_12: impl rt::Into<rt::Scalar<u32>>,
-        k_23: impl rt::Into<rt::Scalar<u32>>,
+        k_24: impl rt::Into<rt::Scalar<u32>>,
         count_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_92, hit_41, rt::into(number_12), rt::into(k_23), rt::into(count_5)))
+        rt::into(self.v_point_of_light(at_95, hit_43, rt::into(number_12), rt::into(k_24), rt::into(count_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_light(
         &self,
-        at_92: Entered,
-        hit_41: Hit,
+        at_95: Entered,
+        hit_43: Hit,
         number_12: rt::Scalar<u32>,
-        k_23: rt::Scalar<u32>,
+        k_24: rt::Scalar<u32>,
         count_5: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_12, at_92.point);
+        let _e6 = self.v_toward_light(number_12, at_95.point);
         if rt::Scalar::into_branch_condition(count_5.elementwise_gt(rt::Scalar(0u32))) {
-            let _e9 = self.v_seed_of(hit_41);
-            let _e10 = self.v_point_of_disc(_e6, _e9, k_23, count_5);
+            let _e9 = self.v_seed_of(hit_43);
+            let _e10 = self.v_point_of_disc(_e6, _e9, k_24, count_5);
             return _e10;
         }
         return _e6;
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_93: Entered,
-        hit_42: Hit,
+        at_96: Entered,
+        hit_44: Hit,
         number_13: impl rt::Into<rt::Scalar<u32>>,
-        k_24: impl rt::Into<rt::Scalar<u32>>,
+        k_25: impl rt::Into<rt::Scalar<u32>>,
         count_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_93, hit_42, rt::into(number_13), rt::into(k_24), rt::into(count_6)))
+        rt::into(self.v_ray_to_light(at_96, hit_44, rt::into(number_13), rt::into(k_25), rt::into(count_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ray_to_light(
         &self,
-        at_93: Entered,
-        hit_42: Hit,
+        at_96: Entered,
+        hit_44: Hit,
         number_13: rt::Scalar<u32>,
-        k_24: rt::Scalar<u32>,
+        k_25: rt::Scalar<u32>,
         count_6: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_93, hit_42, number_13, k_24, count_6);
-        let _e6 = self.v_light_ray(at_93, hit_42, _e5);
+        let _e5 = self.v_point_of_light(at_96, hit_44, number_13, k_25, count_6);
+        let _e6 = self.v_light_ray(at_96, hit_44, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
@@ -11832,16 +12168,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_94: Entered,
+        at_97: Entered,
         seen_2: SeenNormals,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_94, seen_2, rt::into(toward_2)))
+        rt::into(self.v_seen_cosine(at_97, seen_2, rt::into(toward_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_94: Entered,
+        at_97: Entered,
         seen_2: SeenNormals,
         toward_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -11850,7 +12186,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_2.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_2.normal.dot(toward_2).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_94, toward_2);
+        let _e10 = self.v_to_tangent_space(at_97, toward_2);
         let middle_15 = seen_2.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_15, seen_2.along.dot(_e10), seen_2.across.dot(_e10));
         let one_1 = (rt::Scalar(seen_2.middle_seen) * middle_15.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
@@ -11922,26 +12258,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_blinn_phong(
         &self,
-        normal_16: impl rt::Into<rt::Vec3<f32>>,
+        normal_18: impl rt::Into<rt::Vec3<f32>>,
         mean: impl rt::Into<rt::Scalar<f32>>,
         cosine_1: impl rt::Into<rt::Scalar<f32>>,
         view_13: impl rt::Into<rt::Vec3<f32>>,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
         color_7: impl rt::Into<rt::Vec3<f32>>,
-        params_69: impl rt::Into<rt::Vec4<f32>>,
+        params_76: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_16), rt::into(mean), rt::into(cosine_1), rt::into(view_13), rt::into(toward_3), rt::into(color_7), rt::into(params_69)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_18), rt::into(mean), rt::into(cosine_1), rt::into(view_13), rt::into(toward_3), rt::into(color_7), rt::into(params_76)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
         &self,
-        normal_16: rt::Vec3<f32>,
+        normal_18: rt::Vec3<f32>,
         mean: rt::Scalar<f32>,
         cosine_1: rt::Scalar<f32>,
         view_13: rt::Vec3<f32>,
         toward_3: rt::Vec3<f32>,
         color_7: rt::Vec3<f32>,
-        params_69: rt::Vec4<f32>,
+        params_76: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_2: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -11956,7 +12292,7 @@ impl<'g> Resources<'g> {
                 exponent_2 = wide_3.to_u32();
                 dimmed = ((wide_3 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_16.dot((toward_3 + view_13).normalize()).max(rt::Scalar(0f32));
+            let lobe = normal_18.dot((toward_3 + view_13).normalize()).max(rt::Scalar(0f32));
             let _e43 = self.surface_settings.specular;
             let _e45 = exponent_2;
             let _e46 = self.v_whole_power(lobe, _e45);
@@ -11968,84 +12304,84 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_stage(
         &self,
-        normal_17: impl rt::Into<rt::Vec3<f32>>,
+        normal_19: impl rt::Into<rt::Vec3<f32>>,
         mean_1: impl rt::Into<rt::Scalar<f32>>,
         cosine_2: impl rt::Into<rt::Scalar<f32>>,
         view_14: impl rt::Into<rt::Vec3<f32>>,
         toward_4: impl rt::Into<rt::Vec3<f32>>,
         color_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(normal_17), rt::into(mean_1), rt::into(cosine_2), rt::into(view_14), rt::into(toward_4), rt::into(color_8)))
+        rt::into(self.v_shade_stage(rt::into(normal_19), rt::into(mean_1), rt::into(cosine_2), rt::into(view_14), rt::into(toward_4), rt::into(color_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shade_stage(
         &self,
-        normal_17: rt::Vec3<f32>,
+        normal_19: rt::Vec3<f32>,
         mean_1: rt::Scalar<f32>,
         cosine_2: rt::Scalar<f32>,
         view_14: rt::Vec3<f32>,
         toward_4: rt::Vec3<f32>,
         color_8: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e10 = rt::Scalar(self.surface_settings.choices[5usize].number);
+        let _e10 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e10) {
             _ => {
-                let _e15 = self.surface_settings.choices[5usize].params;
-                let _e16 = self.v_shade_blinn_phong(normal_17, mean_1, cosine_2, view_14, toward_4, color_8, _e15);
+                let _e15 = self.surface_settings.choices[6usize].params;
+                let _e16 = self.v_shade_blinn_phong(normal_19, mean_1, cosine_2, view_14, toward_4, color_8, _e15);
                 return _e16;
             }
         }
     }
     pub(crate) fn reflected_light(
         &self,
-        at_95: Entered,
-        hit_43: Hit,
+        at_98: Entered,
+        hit_45: Hit,
         seen_3: SeenNormals,
         view_15: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_95, hit_43, seen_3, rt::into(view_15), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_98, hit_45, seen_3, rt::into(view_15), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_95: Entered,
-        hit_43: Hit,
+        at_98: Entered,
+        hit_45: Hit,
         seen_3: SeenNormals,
         view_15: rt::Vec3<f32>,
         color_9: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_16: rt::Vec3<f32>;
-        let mut k_25: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_26: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_95, hit_43, (seen_3.normal * rt::Scalar(seen_3.length)), view_15, diffuse);
+        let _e20 = self.v_ambient_stage(at_98, hit_45, (seen_3.normal * rt::Scalar(seen_3.length)), view_15, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_25;
+                let _e24 = k_26;
                 let _e27 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt(_e27)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e29 = k_25;
-                    let _e31 = self.v_toward_light(_e29, at_95.point);
-                    let _e33 = self.v_seen_cosine(at_95, seen_3, _e31.direction);
+                    let _e29 = k_26;
+                    let _e31 = self.v_toward_light(_e29, at_98.point);
+                    let _e33 = self.v_seen_cosine(at_98, seen_3, _e31.direction);
                     let _e37 = self.v_shade_stage(seen_3.normal, rt::Scalar(seen_3.length), _e33, view_15, _e31.direction, diffuse);
                     let _e38 = light_16;
-                    let _e41 = k_25;
+                    let _e41 = k_26;
                     let _e44 = self.frame.lights[rt::Scalar::into_array_index(_e41)].color;
-                    let _e48 = k_25;
+                    let _e48 = k_26;
                     light_16 = (_e38 + ((_e37 * _e44.xyz()) * (rt::Scalar(_e31.falloff) * visible[rt::Scalar::into_array_index(_e48)].x())));
-                    let _e54 = k_25;
-                    k_25 = (_e54 + rt::Scalar(1u32));
+                    let _e54 = k_26;
+                    k_26 = (_e54 + rt::Scalar(1u32));
                 }
             }
         }
@@ -12071,171 +12407,171 @@ impl<'g> Resources<'g> {
     pub(crate) fn shade_hit(
         &self,
         origin_2: impl rt::Into<rt::Vec3<f32>>,
-        at_96: Entered,
-        hit_44: Hit,
+        at_99: Entered,
+        hit_46: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_2), at_96, hit_44, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_2), at_99, hit_46, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(
         &self,
         origin_2: rt::Vec3<f32>,
-        at_96: Entered,
-        hit_44: Hit,
+        at_99: Entered,
+        hit_46: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_44.found).elementwise_eq(rt::Scalar(0u32))) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_44.cost.x(), hit_44.cost.y(), hit_44.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_46.found).elementwise_eq(rt::Scalar(0u32))) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_46.cost.x(), hit_46.cost.y(), hit_46.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_44.uv, rt::Scalar(at_96.level));
-        let view_18 = (origin_2 - at_96.point).normalize();
-        let _e49 = self.v_mesostructure_normals(at_96, hit_44.uv, view_18);
-        let _e52 = self.v_color_or_white(hit_44.uv, rt::Scalar(at_96.footprint));
-        let _e53 = self.v_reflected_light(at_96, hit_44, _e49, view_18, _e52, visible_1);
+        let _e44 = self.v_height_at(hit_46.uv, rt::Scalar(at_99.level));
+        let view_18 = (origin_2 - at_99.point).normalize();
+        let _e49 = self.v_mesostructure_normals(at_99, hit_46.uv, view_18);
+        let _e52 = self.v_color_or_white(hit_46.uv, rt::Scalar(at_99.footprint));
+        let _e53 = self.v_reflected_light(at_99, hit_46, _e49, view_18, _e52, visible_1);
         let _e58 = self.frame.forward;
-        let depth_9 = (at_96.point - origin_2).dot(_e58.xyz());
+        let depth_9 = (at_99.point - origin_2).dot(_e58.xyz());
         let _e63 = self.v_height_size(rt::Scalar(0u32));
-        let _e69 = self.v_cell_of(((hit_44.uv * _e63) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e89 = self.v_z_of(rt::Scalar(at_96.depth));
+        let _e69 = self.v_cell_of(((hit_46.uv * _e63) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e89 = self.v_z_of(rt::Scalar(at_99.depth));
         let _e92 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e53, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_44.exhausted), hit_44.uv, _e44, at_96.point, _e49.normal, depth_9, rt::Scalar(hit_44.t), _e69.to_i32(), hit_44.cost.x(), hit_44.cost.y(), hit_44.cost.z(), visible_1[0usize].x(), rt::Scalar(at_96.level), _e89, _e92);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e53, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_46.exhausted), hit_46.uv, _e44, at_99.point, _e49.normal, depth_9, rt::Scalar(hit_46.t), _e69.to_i32(), hit_46.cost.x(), hit_46.cost.y(), hit_46.cost.z(), visible_1[0usize].x(), rt::Scalar(at_99.level), _e89, _e92);
     }
     pub(crate) fn visible_light(
         &self,
-        at_97: Entered,
-        hit_45: Hit,
+        at_100: Entered,
+        hit_47: Hit,
         number_14: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_97, hit_45, rt::into(number_14)))
+        rt::into(self.v_visible_light(at_100, hit_47, rt::into(number_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_visible_light(
         &self,
-        at_97: Entered,
-        hit_45: Hit,
+        at_100: Entered,
+        hit_47: Hit,
         number_14: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_14, at_97.point);
-        let _e5 = self.v_shadow_stage(at_97, hit_45, _e4);
+        let _e4 = self.v_toward_light(number_14, at_100.point);
+        let _e5 = self.v_shadow_stage(at_100, hit_47, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_98: Entered, hit_46: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_98, hit_46))
+    pub(crate) fn visible_lights(&self, at_101: Entered, hit_48: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_101, hit_48))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_98: Entered, hit_46: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_101: Entered, hit_48: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut k_26: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_27: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_46.found).elementwise_eq(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_48.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
             return _e7;
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_26;
+                let _e10 = k_27;
                 let _e13 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e10.elementwise_lt(_e13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_26;
-                    let _e17 = k_26;
-                    let _e18 = self.v_visible_light(at_98, hit_46, _e17);
+                    let _e15 = k_27;
+                    let _e17 = k_27;
+                    let _e18 = self.v_visible_light(at_101, hit_48, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e23 = k_26;
-                    k_26 = (_e23 + rt::Scalar(1u32));
+                    let _e23 = k_27;
+                    k_27 = (_e23 + rt::Scalar(1u32));
                 }
             }
         }
         let _e26 = visible_2;
         return _e26;
     }
-    pub(crate) fn shade_pixel(&self, pixel_74: PixelIn) -> PixelOut {
-        rt::into(self.v_shade_pixel(pixel_74))
+    pub(crate) fn shade_pixel(&self, pixel_80: PixelIn) -> PixelOut {
+        rt::into(self.v_shade_pixel(pixel_80))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shade_pixel(&self, pixel_74: PixelIn) -> PixelOut {
-        let _e1 = self.v_enter_relief(pixel_74);
-        let _e2 = self.v_first_hit(pixel_74, _e1);
-        let _e5 = self.v_place_hit(pixel_74, _e1, rt::Scalar(_e2.segment), _e2.hit);
+    fn v_shade_pixel(&self, pixel_80: PixelIn) -> PixelOut {
+        let _e1 = self.v_enter_relief(pixel_80);
+        let _e2 = self.v_first_hit(pixel_80, _e1);
+        let _e5 = self.v_place_hit(pixel_80, _e1, rt::Scalar(_e2.segment), _e2.hit);
         let _e9 = self.v_visible_lights(_e5, _e2.hit);
-        let _e10 = self.v_shade_hit(pixel_74.origin, _e5, _e2.hit, _e9);
+        let _e10 = self.v_shade_hit(pixel_80.origin, _e5, _e2.hit, _e9);
         return _e10;
     }
     pub(crate) fn weighted_site(
         &self,
-        a_14: BaseSite,
-        b_14: BaseSite,
-        c_9: BaseSite,
+        a_15: BaseSite,
+        b_15: BaseSite,
+        c_10: BaseSite,
         w_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> BaseSite {
-        rt::into(self.v_weighted_site(a_14, b_14, c_9, rt::into(w_2)))
+        rt::into(self.v_weighted_site(a_15, b_15, c_10, rt::into(w_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_weighted_site(
         &self,
-        a_14: BaseSite,
-        b_14: BaseSite,
-        c_9: BaseSite,
+        a_15: BaseSite,
+        b_15: BaseSite,
+        c_10: BaseSite,
         w_2: rt::Vec3<f32>,
     ) -> BaseSite {
-        return <BaseSite>::new((((a_14.position * w_2.x()) + (b_14.position * w_2.y())) + (c_9.position * w_2.z())), (((a_14.direction * w_2.x()) + (b_14.direction * w_2.y())) + (c_9.direction * w_2.z())), (((a_14.seen_uv * w_2.x()) + (b_14.seen_uv * w_2.y())) + (c_9.seen_uv * w_2.z())), (((a_14.uv * w_2.x()) + (b_14.uv * w_2.y())) + (c_9.uv * w_2.z())), (((rt::Scalar(a_14.texels_per_m) * w_2.x()) + (rt::Scalar(b_14.texels_per_m) * w_2.y())) + (rt::Scalar(c_9.texels_per_m) * w_2.z())), (((rt::Scalar(a_14.depth) * w_2.x()) + (rt::Scalar(b_14.depth) * w_2.y())) + (rt::Scalar(c_9.depth) * w_2.z())), (((a_14.normal * w_2.x()) + (b_14.normal * w_2.y())) + (c_9.normal * w_2.z())), (((a_14.tangent * w_2.x()) + (b_14.tangent * w_2.y())) + (c_9.tangent * w_2.z())), (((a_14.bitangent * w_2.x()) + (b_14.bitangent * w_2.y())) + (c_9.bitangent * w_2.z())), (((a_14.turn_u * w_2.x()) + (b_14.turn_u * w_2.y())) + (c_9.turn_u * w_2.z())), (((a_14.turn_v * w_2.x()) + (b_14.turn_v * w_2.y())) + (c_9.turn_v * w_2.z())));
+        return <BaseSite>::new((((a_15.position * w_2.x()) + (b_15.position * w_2.y())) + (c_10.position * w_2.z())), (((a_15.direction * w_2.x()) + (b_15.direction * w_2.y())) + (c_10.direction * w_2.z())), (((a_15.seen_uv * w_2.x()) + (b_15.seen_uv * w_2.y())) + (c_10.seen_uv * w_2.z())), (((a_15.uv * w_2.x()) + (b_15.uv * w_2.y())) + (c_10.uv * w_2.z())), (((rt::Scalar(a_15.texels_per_m) * w_2.x()) + (rt::Scalar(b_15.texels_per_m) * w_2.y())) + (rt::Scalar(c_10.texels_per_m) * w_2.z())), (((rt::Scalar(a_15.depth) * w_2.x()) + (rt::Scalar(b_15.depth) * w_2.y())) + (rt::Scalar(c_10.depth) * w_2.z())), (((a_15.normal * w_2.x()) + (b_15.normal * w_2.y())) + (c_10.normal * w_2.z())), (((a_15.tangent * w_2.x()) + (b_15.tangent * w_2.y())) + (c_10.tangent * w_2.z())), (((a_15.bitangent * w_2.x()) + (b_15.bitangent * w_2.y())) + (c_10.bitangent * w_2.z())), (((a_15.turn_u * w_2.x()) + (b_15.turn_u * w_2.y())) + (c_10.turn_u * w_2.z())), (((a_15.turn_v * w_2.x()) + (b_15.turn_v * w_2.y())) + (c_10.turn_v * w_2.z())));
     }
     pub(crate) fn site_between(
         &self,
-        a_15: BaseSite,
-        b_15: BaseSite,
+        a_16: BaseSite,
+        b_16: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
-        at_99: impl rt::Into<rt::Scalar<u32>>,
+        at_102: impl rt::Into<rt::Scalar<u32>>,
         parts_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_15, b_15, rt::into(shares), rt::into(at_99), rt::into(parts_2)))
+        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_102), rt::into(parts_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_site_between(
         &self,
-        a_15: BaseSite,
-        b_15: BaseSite,
+        a_16: BaseSite,
+        b_16: BaseSite,
         shares: rt::Vec2<f32>,
-        at_99: rt::Scalar<u32>,
+        at_102: rt::Scalar<u32>,
         parts_2: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_2 - at_99).to_f32() * shares.x());
-        let of_b = (at_99.to_f32() * shares.y());
+        let of_a = ((parts_2 - at_102).to_f32() * shares.x());
+        let of_b = (at_102.to_f32() * shares.y());
         let sum_6 = (of_a + of_b);
-        let _e17 = self.v_weighted_site(a_15, b_15, b_15, <rt::Vec3<f32>>::from_scalars((of_a / sum_6), (of_b / sum_6), rt::Scalar(0f32)));
+        let _e17 = self.v_weighted_site(a_16, b_16, b_16, <rt::Vec3<f32>>::from_scalars((of_a / sum_6), (of_b / sum_6), rt::Scalar(0f32)));
         return _e17;
     }
     pub(crate) fn site_inside(
         &self,
-        a_16: BaseSite,
-        b_16: BaseSite,
-        c_10: BaseSite,
+        a_17: BaseSite,
+        b_17: BaseSite,
+        c_11: BaseSite,
         shares_1: impl rt::Into<rt::Vec3<f32>>,
         weights_5: impl rt::Into<rt::Vec3<f32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_inside(a_16, b_16, c_10, rt::into(shares_1), rt::into(weights_5)))
+        rt::into(self.v_site_inside(a_17, b_17, c_11, rt::into(shares_1), rt::into(weights_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_site_inside(
         &self,
-        a_16: BaseSite,
-        b_16: BaseSite,
-        c_10: BaseSite,
+        a_17: BaseSite,
+        b_17: BaseSite,
+        c_11: BaseSite,
         shares_1: rt::Vec3<f32>,
         weights_5: rt::Vec3<f32>,
     ) -> BaseSite {
         let shared_out = (weights_5 * shares_1);
         let sum_7 = ((shared_out.x() + shared_out.y()) + shared_out.z());
-        let _e13 = self.v_weighted_site(a_16, b_16, c_10, (shared_out / rt::Vec3::splat_from_scalar(sum_7)));
+        let _e13 = self.v_weighted_site(a_17, b_17, c_11, (shared_out / rt::Vec3::splat_from_scalar(sum_7)));
         return _e13;
     }
     pub(crate) fn site_of_vertex(&self, vertex: BaseVertex, seen_4: BaseVertex, voxel: Voxel) -> BaseSite {
@@ -12275,11 +12611,11 @@ impl<'g> Resources<'g> {
         let right_3 = (((grid_11.right.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e30) + grid_11.middle.x());
         let _e42 = share;
         let down_3 = (grid_11.middle.y() - ((grid_11.up.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e42));
-        let far_11 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
+        let far_13 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_104 = <rt::Vec3<f32>>::from_scalars(right_3, down_3, _e49).clamp((-far_11), far_11);
+        let at_107 = <rt::Vec3<f32>>::from_scalars(right_3, down_3, _e49).clamp((-far_13), far_13);
         let _e60 = share;
-        return <Voxel>::new((at_104 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
+        return <Voxel>::new((at_107 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
     }
 }
 

@@ -183,12 +183,31 @@ pub const MODULES: &[Module] = &[
 // with
 // `params.y` of 1 the base is smooth.
 "# },
+    Module { path: "surface/slices", head: r#"// Slices: triangles through the space above the base that the relief fills. A ray ends on the first one that
+// the relief reaches, or between that and the slice before it.
+//
+// Kautz and Seidel 2001, section 3. The segment from the slice before to the slice itself is ours: a
+// refinement finds the hit in it.
+"# },
     Module { path: "surface/tetrahedra", head: r#"// Shells of the base triangles in three tetrahedra each: the ray is straight in each of them.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 5.2. The corners of a shell are those of its triangle, moved
 // along their normals. Texture coordinates and heights are linear in a tetrahedron, so that they are
 // continuous over the whole mesh where neighbours cut their common side along the same diagonal: it runs from
 // the lower corner that comes first in the order of both to the upper one of the other.
+"# },
+    Module { path: "slice/at_least", head: r#"// A slice is drawn where the relief is as high or higher: the alpha test of the basic method.
+//
+// Kautz and Seidel 2001, section 3.1, after Dietrich 2000.
+"# },
+    Module { path: "slice/band", head: r#"// A slice is drawn where the relief is within half of the slices' distance of it. Neighbouring heights that
+// differ by more are not joined.
+//
+// Kautz and Seidel 2001, section 3.1, after Schaufler 1998.
+"# },
+    Module { path: "slice/inside", head: r#"// A slice is drawn where the relief is higher. Height 0 is never drawn, so that zeros mask parts out.
+//
+// Kautz and Seidel 2001, section 3.2.
 "# },
     Module { path: "detail/fade", head: r#"// From displacement to bump mapping with distance: as `footprint`, and what is hardly deeper than a pixel is
 // traced flatter.
@@ -983,7 +1002,7 @@ pub const DECLARATIONS: &[Declaration] = &[
         name: "STAGES",
         sampling: None,
         uses: &[],
-        text: r#"const STAGES = 9u;"#,
+        text: r#"const STAGES = 10u;"#,
     },
     Declaration {
         module: "constants",
@@ -1088,17 +1107,59 @@ fn plane_normal(pixel: PixelIn) -> vec3f {
     },
     Declaration {
         module: "shared/base",
-        name: "plane_weights",
+        name: "weights_of",
         sampling: None,
-        uses: &["PixelIn"],
-        text: r#"// The weights of the corners at a point of that plane, of that normal.
-fn plane_weights(pixel: PixelIn, normal: vec3f, point: vec3f) -> vec3f {
-    let a = pixel.a.position;
+        uses: &[],
+        text: r#"// The weights of three points at a point of the plane through them, of that normal.
+fn weights_of(a: vec3f, b: vec3f, c: vec3f, normal: vec3f, point: vec3f) -> vec3f {
     let nn = dot(normal, normal);
     let from_a = point - a;
-    let wb = dot(cross(from_a, pixel.c.position - a), normal) / nn;
-    let wc = dot(cross(pixel.b.position - a, from_a), normal) / nn;
+    let wb = dot(cross(from_a, c - a), normal) / nn;
+    let wc = dot(cross(b - a, from_a), normal) / nn;
     return vec3f(1.0 - wb - wc, wb, wc);
+}"#,
+    },
+    Declaration {
+        module: "shared/base",
+        name: "plane_weights",
+        sampling: None,
+        uses: &["PixelIn", "weights_of"],
+        text: r#"// The weights of the corners at a point of that plane, of that normal.
+fn plane_weights(pixel: PixelIn, normal: vec3f, point: vec3f) -> vec3f {
+    return weights_of(pixel.a.position, pixel.b.position, pixel.c.position, normal, point);
+}"#,
+    },
+    Declaration {
+        module: "shared/base",
+        name: "triangle_weights",
+        sampling: None,
+        uses: &["PixelIn", "plane_weights"],
+        text: r#"// The same at a point of the triangle. By rounding the point may lie beside a small one.
+fn triangle_weights(pixel: PixelIn, normal: vec3f, point: vec3f) -> vec3f {
+    let inside = max(plane_weights(pixel, normal, point), vec3f(0.0, 0.0, 0.0));
+    return inside / (inside.x + inside.y + inside.z);
+}"#,
+    },
+    Declaration {
+        module: "shared/base",
+        name: "triangle_distance",
+        sampling: None,
+        uses: &["PixelIn"],
+        text: r#"// Where on the ray the triangle is, of a plane of that normal. One that is seen from its edge has no place on
+// its plane to speak of: it is between its corners.
+fn triangle_distance(pixel: PixelIn, normal: vec3f) -> f32 {
+    let a = pixel.a.position - pixel.origin;
+    let b = pixel.b.position - pixel.origin;
+    let c = pixel.c.position - pixel.origin;
+    let along = pixel.direction / dot(pixel.direction, pixel.direction);
+    let places = vec3f(dot(a, along), dot(b, along), dot(c, along));
+    let least = min(min(places.x, places.y), places.z);
+    let most = max(max(places.x, places.y), places.z);
+    let across = dot(normal, pixel.direction);
+    if (across == 0.0) {
+        return least;
+    }
+    return clamp(dot(normal, a) / across, least, most);
 }"#,
     },
     Declaration {
@@ -2029,6 +2090,25 @@ fn part_above(height: f32) -> f32 {
         uses: &[],
         text: r#"// A relief flatter than this, in metres, is traced as if it were this deep: its slope in t must stay finite.
 const LEAST_SCALE_M = 1.0e-9;"#,
+    },
+    Declaration {
+        module: "shared/displacement",
+        name: "BESIDE_TILE",
+        sampling: None,
+        uses: &[],
+        text: r#"// How far beside a map that is there once, in tiles, rounding may lay what is at its edge.
+const BESIDE_TILE = 0.000001;"#,
+    },
+    Declaration {
+        module: "shared/displacement",
+        name: "is_on_map",
+        sampling: None,
+        uses: &["BESIDE_TILE", "WRAP_CLAMP", "surface_settings"],
+        text: r#"// Whether the map is at a place.
+fn is_on_map(uv: vec2f) -> bool {
+    let beyond = max(abs(uv.x - 0.5), abs(uv.y - 0.5)) - 0.5;
+    return surface_settings.wrap != WRAP_CLAMP || beyond <= BESIDE_TILE;
+}"#,
     },
     Declaration {
         module: "shared/displacement",
@@ -3839,9 +3919,8 @@ fn first_hit(pixel: PixelIn, at: Entered) -> FirstHit {
     while (k < at.segments) {
         let path = segment_of(pixel, at, k);
         if (path.exit > 0.0) {
-            let hit = trace(path);
-            cost = cost + hit.cost;
-            let here = hit_on_segment(pixel, at, path, hit, k);
+            let here = hit_on_segment(pixel, at, path, trace(path), k);
+            cost = cost + here.hit.cost;
             if (here.hit.found == 1u) {
                 if (first.hit.found == 0u || here.key > first.key) {
                     first = here;
@@ -4174,7 +4253,7 @@ fn quadric_slope(quadric: vec3f, duv: vec2f) -> vec2f {
 // its front; `lift` is 1 where the relief lies on a smooth base.
 fn quadric_of(pixel: PixelIn, point: vec3f, lift: f32) -> vec4f {
     let w = plane_weights(pixel, plane_normal(pixel), point);
-    let quadric = pixel.a.quadric * w.x + pixel.b.quadric * w.y + pixel.c.quadric * w.z;
+    let quadric = pixel.a.of_surface * w.x + pixel.b.of_surface * w.y + pixel.c.of_surface * w.z;
     var height = base_height();
     if (surface_settings.bias_m + surface_settings.scale_m > 0.0) {
         height = select(2.0 * height - 1.0, 1.0, pixel.side > 0.0);
@@ -4252,7 +4331,7 @@ fn bent_exit(h: vec3f) -> f32 {
         text: r#"// The frame at an offset from the point, on the quadric: its tangents, and its normal.
 fn quadric_frame(at: Entered, aside: vec2f) -> Entered {
     var placed = at;
-    let slope = quadric_slope(at.quadric.xyz, aside);
+    let slope = quadric_slope(at.of_surface.xyz, aside);
     if (slope.x == 0.0 && slope.y == 0.0) {
         return placed;
     }
@@ -6115,9 +6194,10 @@ struct Corner {
     tangent: vec3f,
     bitangent: vec3f,
     uv: vec2f,
-    // The quadric that the base follows around the corner, where the surface stage is one of quadrics, zeros
-    // elsewhere: of q(du, dv) = x du² + y du dv + z dv², in metres a tile squared, positive along the normal.
-    quadric: vec3f,
+    // What the surface stage alone knows of it, zeros elsewhere. Of quadrics the one that the base follows
+    // around the corner: of q(du, dv) = x du² + y du dv + z dv², in metres a tile squared, positive along the
+    // normal. Of slices the height that they have there, and how far apart they are, as a height.
+    of_surface: vec3f,
 }"#,
     },
     Declaration {
@@ -6176,9 +6256,9 @@ struct Entered {
     facing: vec3f,
     // Where the ray may be in a shell: metres from the place where it comes nearest to the triangle.
     span: vec2f,
-    // The quadric at the point as in `Corner`, positive toward the ray's side, and the height that the point
-    // has in the relief. Zeros where the surface is none of quadrics.
-    quadric: vec4f,
+    // As in `Corner`, at the point. Of quadrics positive toward the ray's side, and after that the height that
+    // the point has in the relief.
+    of_surface: vec4f,
     // How many texels of the height map's finest level the pixel's footprint is wide; 0 where all is seen in
     // the finest level.
     footprint: f32,
@@ -6353,56 +6433,13 @@ fn path_from(path: Path, t: f32) -> Path {
     },
     Declaration {
         module: "surface/facets",
-        name: "BESIDE_TILE",
-        sampling: None,
-        uses: &[],
-        text: r#"// How far beside a map that is there once, in tiles, rounding may lay what is at its edge.
-const BESIDE_TILE = 0.000001;"#,
-    },
-    Declaration {
-        module: "surface/facets",
-        name: "is_on_map",
-        sampling: None,
-        uses: &["BESIDE_TILE", "WRAP_CLAMP", "surface_settings"],
-        text: r#"// Whether the map is at a place.
-fn is_on_map(uv: vec2f) -> bool {
-    let beyond = max(abs(uv.x - 0.5), abs(uv.y - 0.5)) - 0.5;
-    return surface_settings.wrap != WRAP_CLAMP || beyond <= BESIDE_TILE;
-}"#,
-    },
-    Declaration {
-        module: "surface/facets",
-        name: "facet_distance",
-        sampling: None,
-        uses: &["PixelIn"],
-        text: r#"// Where on the ray its triangle is. A triangle that is seen from its edge has no place on its plane to speak
-// of: it is between its corners.
-fn facet_distance(pixel: PixelIn, normal: vec3f) -> f32 {
-    let a = pixel.a.position - pixel.origin;
-    let b = pixel.b.position - pixel.origin;
-    let c = pixel.c.position - pixel.origin;
-    let along = pixel.direction / dot(pixel.direction, pixel.direction);
-    let places = vec3f(dot(a, along), dot(b, along), dot(c, along));
-    let least = min(min(places.x, places.y), places.z);
-    let most = max(max(places.x, places.y), places.z);
-    let across = dot(normal, pixel.direction);
-    if (across == 0.0) {
-        return least;
-    }
-    return clamp(dot(normal, a) / across, least, most);
-}"#,
-    },
-    Declaration {
-        module: "surface/facets",
         name: "surface_facets_enter",
         sampling: None,
-        uses: &["Entered", "PixelIn", "facet_distance", "is_on_map", "plane_normal", "plane_weights", "surface_settings"],
+        uses: &["Entered", "PixelIn", "is_on_map", "plane_normal", "surface_settings", "triangle_distance", "triangle_weights"],
         text: r#"fn surface_facets_enter(pixel: PixelIn, params: vec4f) -> Entered {
     let n = plane_normal(pixel);
-    let point = pixel.origin + pixel.direction * facet_distance(pixel, n);
-    // By rounding the point may lie beside a small triangle.
-    let inside = max(plane_weights(pixel, n, point), vec3f(0.0, 0.0, 0.0));
-    let w = inside / (inside.x + inside.y + inside.z);
+    let point = pixel.origin + pixel.direction * triangle_distance(pixel, n);
+    let w = triangle_weights(pixel, n, point);
     let uv = pixel.a.uv * w.x + pixel.b.uv * w.y + pixel.c.uv * w.z;
     let tangent = pixel.a.tangent * w.x + pixel.b.tangent * w.y + pixel.c.tangent * w.z;
     let bitangent = pixel.a.bitangent * w.x + pixel.b.bitangent * w.y + pixel.c.bitangent * w.z;
@@ -6432,10 +6469,10 @@ fn facet_distance(pixel: PixelIn, normal: vec3f) -> f32 {
         module: "surface/facets",
         name: "surface_facets_segment",
         sampling: None,
-        uses: &["Entered", "Path", "PixelIn", "RAY_VIEW", "facet_distance", "height_at", "plane_normal"],
+        uses: &["Entered", "Path", "PixelIn", "RAY_VIEW", "height_at", "plane_normal", "triangle_distance"],
         text: r#"// A segment that begins at the triangle, of a length that nobody asks for.
 fn surface_facets_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
-    let start = facet_distance(pixel, plane_normal(pixel)) * length(pixel.direction);
+    let start = triangle_distance(pixel, plane_normal(pixel)) * length(pixel.direction);
     let height = height_at(at.uv, at.level);
     let duv = vec2f(0.0, 0.0);
     return Path(at.uv, duv, vec3f(height, 0.0, 0.0), 1.0, 0.0, at.metric, RAY_VIEW, at.level, start, 1.0);
@@ -6985,7 +7022,7 @@ struct Across {
     let descent = 0.0 - dot(at.normal, direction);
     let aside = at.normal + direction * descent;
     let sine = max(length(aside), LEAST_SINE);
-    let q = at.quadric.xyz;
+    let q = at.of_surface.xyz;
     let beside = climb(at, aside / sine).xy;
     let mixed = dot(quadric_slope(q, duv), beside);
     return Across(duv, descent, quadric_at(q, duv), quadric_at(q, beside), mixed, sine);
@@ -7091,7 +7128,7 @@ fn jumps_below(ray: Across, depth: f32) -> f32 {
 fn across_span(at: Entered, ray: Across, eye: f32) -> vec2f {
     let nowhere = vec2f(1.0, -1.0);
     let scale = traced_scale_m();
-    let height = at.quadric.w;
+    let height = at.of_surface.w;
     let over = (height - 1.0) * scale;
     let begin = min(min(down_across(ray, over), down_along(ray, over)), jumps_below(ray, over));
     if (!(begin < NEVER) || (height >= 1.0 && begin < 0.0)) {
@@ -7147,13 +7184,13 @@ fn across_span(at: Entered, ray: Across, eye: f32) -> vec2f {
     let first = at.span.x + whole * (f32(k) / params.z);
     let last = at.span.x + whole * (f32(k + 1u) / params.z);
     let long = last - first;
-    var begin = at.quadric.w - across_depth(ray, first) / scale;
+    var begin = at.of_surface.w - across_depth(ray, first) / scale;
     // Later it may be above the relief, where the distance has jumped.
     if (k == 0u) {
         begin = min(begin, 1.0);
     }
-    let middle = at.quadric.w - across_depth(ray, 0.5 * (first + last)) / scale;
-    var end = at.quadric.w - across_depth(ray, last) / scale;
+    let middle = at.of_surface.w - across_depth(ray, 0.5 * (first + last)) / scale;
+    var end = at.of_surface.w - across_depth(ray, last) / scale;
     // Rounding must not let a ray end above a floor that it has come to.
     if (k + 1u == u32(params.z) && end < 0.5) {
         end = min(end, 1.0 - BELOW_FLOOR);
@@ -7227,7 +7264,7 @@ fn surface_quadric_perpendicular_place(
         uses: &["Entered", "PixelIn", "quadric_of", "surface_plane_enter"],
         text: r#"fn surface_quadric_vertical_enter(pixel: PixelIn, params: vec4f) -> Entered {
     var at = surface_plane_enter(pixel, params);
-    at.quadric = quadric_of(pixel, at.point, params.y);
+    at.of_surface = quadric_of(pixel, at.point, params.y);
     // Where the interpolated normal is turned away, a ray may still come down into a hollow.
     let area = at.metric.x * at.metric.z - at.metric.y * at.metric.y;
     at.segments = select(0u, 1u, area > 0.0);
@@ -7245,9 +7282,9 @@ fn surface_quadric_perpendicular_place(
     let duv = climb(at, direction).xy;
     let descent = 0.0 - dot(at.normal, direction);
     let scale = traced_scale_m();
-    let height = at.quadric.w;
+    let height = at.of_surface.w;
     let slope = (0.0 - descent) / scale;
-    let bend = quadric_at(at.quadric.xyz, duv);
+    let bend = quadric_at(at.of_surface.xyz, duv);
     let curve = (0.0 - bend) / scale;
 
     // Metres along the ray, counted from the base: entry at height 1 but not behind the eye.
@@ -7314,10 +7351,136 @@ fn surface_quadric_vertical_place(
 ) -> Entered {
     let aside = hit.uv - at.uv;
     let height = surface_settings.bias_m + surface_settings.scale_m * height_at(hit.uv, at.level);
-    let lifted = (base_height() - at.quadric.w) * traced_scale_m() + quadric_at(at.quadric.xyz, aside);
+    let lifted = (base_height() - at.of_surface.w) * traced_scale_m() + quadric_at(at.of_surface.xyz, aside);
     var placed = quadric_frame(at, aside);
     placed.point =
         at.point + at.tangent * aside.x + at.bitangent * aside.y + at.normal * (height + lifted);
+    placed.uv = hit.uv;
+    return placed;
+}"#,
+    },
+    Declaration {
+        module: "surface/slices",
+        name: "SHORTEST",
+        sampling: None,
+        uses: &[],
+        text: r#"// The length of a segment whose beginning is not known, as a part of its distance: there is no other hit on it
+// than its end.
+const SHORTEST = 0.0000005;"#,
+    },
+    Declaration {
+        module: "surface/slices",
+        name: "surface_slices_enter",
+        sampling: None,
+        uses: &["Entered", "PixelIn", "is_on_map", "plane_normal", "surface_settings", "triangle_distance", "triangle_weights"],
+        text: r#"fn surface_slices_enter(pixel: PixelIn, params: vec4f) -> Entered {
+    let n = plane_normal(pixel);
+    let point = pixel.origin + pixel.direction * triangle_distance(pixel, n);
+    let w = triangle_weights(pixel, n, point);
+    let uv = pixel.a.uv * w.x + pixel.b.uv * w.y + pixel.c.uv * w.z;
+    let tangent = pixel.a.tangent * w.x + pixel.b.tangent * w.y + pixel.c.tangent * w.z;
+    let bitangent = pixel.a.bitangent * w.x + pixel.b.bitangent * w.y + pixel.c.bitangent * w.z;
+    let raw = pixel.a.normal * w.x + pixel.b.normal * w.y + pixel.c.normal * w.z;
+    let slice = pixel.a.of_surface * w.x + pixel.b.of_surface * w.y + pixel.c.of_surface * w.z;
+    let tt = dot(tangent, tangent);
+    let tb = dot(tangent, bitangent);
+    let bb = dot(bitangent, bitangent);
+    let area = tt * bb - tb * tb;
+    let height_m = surface_settings.bias_m + surface_settings.scale_m * slice.x;
+    let normal = normalize(raw);
+    return Entered(
+        select(0u, 1u, dot(n, n) > 0.0 && area > 0.0 && is_on_map(uv)),
+        point - raw * height_m,
+        uv,
+        tangent,
+        bitangent,
+        normal,
+        vec4f(tt, tb, bb, surface_settings.scale_m),
+        0u,
+        normal,
+        vec2f(0.0, 0.0),
+        vec4f(slice, 0.0),
+        0.0,
+        0.0,
+        0.0,
+    );
+}"#,
+    },
+    Declaration {
+        module: "surface/slices",
+        name: "slice_before",
+        sampling: None,
+        uses: &["PixelIn", "SHORTEST", "weights_of"],
+        text: r#"// What the texture coordinates change from this slice to the one before, and metres along the ray between both;
+// zeros where these are not known. The slice before is the triangle moved along its normals.
+fn slice_before(pixel: PixelIn, along: f32, far: f32, uv: vec2f, step_m: f32) -> vec3f {
+    let a = pixel.a.position + pixel.a.normal * step_m;
+    let b = pixel.b.position + pixel.b.normal * step_m;
+    let c = pixel.c.position + pixel.c.normal * step_m;
+    let n = cross(b - a, c - a);
+    let t = dot(n, a - pixel.origin) / dot(n, pixel.direction);
+    let lead = far - t * along;
+    if (!(lead > far * SHORTEST && abs(t) <= 1.0e9)) {
+        return vec3f(0.0, 0.0, 0.0);
+    }
+    let w = weights_of(a, b, c, n, pixel.origin + pixel.direction * t);
+    return vec3f(pixel.a.uv * w.x + pixel.b.uv * w.y + pixel.c.uv * w.z - uv, lead);
+}"#,
+    },
+    Declaration {
+        module: "surface/slices",
+        name: "surface_slices_segment",
+        sampling: None,
+        uses: &["Entered", "Path", "PixelIn", "RAY_VIEW", "SHORTEST", "height_at", "plane_normal", "slice_before", "slices_stage", "surface_settings", "triangle_distance"],
+        text: r#"// From the slice before to this one, where the ray ends. Where it passes, there is no segment.
+fn surface_slices_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
+    let along = length(pixel.direction);
+    let far = triangle_distance(pixel, plane_normal(pixel)) * along;
+    let height = at.of_surface.x;
+    let spacing = at.of_surface.y;
+    let passes = slices_stage(height_at(at.uv, at.level), height, spacing);
+    let upward = select(-1.0, 1.0, dot(pixel.direction, at.normal) < 0.0) * spacing;
+    let before = slice_before(pixel, along, far, at.uv, upward * surface_settings.scale_m);
+    // Nothing is seen before the eye.
+    let known = before.z > 0.0;
+    let lead = select(far * SHORTEST, min(before.z, far), known);
+    let back = vec3f(before.xy, select(0.0, upward, known)) / select(1.0, before.z, known);
+    return Path(
+        at.uv + back.xy * lead,
+        vec2f(0.0, 0.0) - back.xy,
+        vec3f(height + back.z * lead, 0.0 - back.z, 0.0),
+        select(0.0, lead, passes),
+        lead,
+        at.metric,
+        RAY_VIEW,
+        at.level,
+        far - lead,
+        1.0,
+    );
+}"#,
+    },
+    Declaration {
+        module: "surface/slices",
+        name: "surface_slices_polish",
+        sampling: None,
+        uses: &["Entered", "HEIGHTS_READ", "Hit", "Path", "PixelIn"],
+        text: r#"fn surface_slices_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Hit {
+    var counted = hit;
+    counted.cost = hit.cost + HEIGHTS_READ;
+    return counted;
+}"#,
+    },
+    Declaration {
+        module: "surface/slices",
+        name: "surface_slices_place",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn", "height_at", "surface_settings"],
+        text: r#"// On the surface above the hit, in the frame of the point of the base under the slice.
+fn surface_slices_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
+    let aside = hit.uv - at.uv;
+    let height = surface_settings.bias_m + surface_settings.scale_m * height_at(hit.uv, at.level);
+    var placed = at;
+    placed.point = at.point + at.tangent * aside.x + at.bitangent * aside.y + at.normal * height;
     placed.uv = hit.uv;
     return placed;
 }"#,
@@ -7551,6 +7714,33 @@ fn surface_tetrahedra_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, p
     let weights = nearest.weights + nearest.change * t;
     let point = pixel.origin + along * (path.start + hit.t);
     return placed_at(pixel, at, weights.xyz, point, hit.uv);
+}"#,
+    },
+    Declaration {
+        module: "slice/at_least",
+        name: "slice_at_least",
+        sampling: None,
+        uses: &[],
+        text: r#"fn slice_at_least(map: f32, slice: f32, spacing: f32, params: vec4f) -> bool {
+    return map >= slice;
+}"#,
+    },
+    Declaration {
+        module: "slice/band",
+        name: "slice_band",
+        sampling: None,
+        uses: &[],
+        text: r#"fn slice_band(map: f32, slice: f32, spacing: f32, params: vec4f) -> bool {
+    return abs(map - slice) <= 0.5 * spacing;
+}"#,
+    },
+    Declaration {
+        module: "slice/inside",
+        name: "slice_inside",
+        sampling: None,
+        uses: &[],
+        text: r#"fn slice_inside(map: f32, slice: f32, spacing: f32, params: vec4f) -> bool {
+    return map > slice;
 }"#,
     },
     Declaration {

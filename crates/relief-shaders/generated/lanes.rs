@@ -1181,45 +1181,45 @@ lanes! { fn refine_half_texel(r: &Resources<'_>, within: M, path_a0: &Path, foun
 lanes! { fn refine_stage(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
-    match r.surface_settings.choices[4].number {
+    match r.surface_settings.choices[5].number {
         0u32 => {
-            let e_12 = refine_none(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            let e_12 = refine_none(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
             return e_12;
         }
         1u32 => {
-            let e_18 = refine_offset(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            let e_18 = refine_offset(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
             return e_18;
         }
         2u32 => {
-            let e_24 = refine_offset_limited(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            let e_24 = refine_offset_limited(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
             return e_24;
         }
         3u32 => {
-            let e_30 = refine_slope(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            let e_30 = refine_slope(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
             return e_30;
         }
         4u32 => {
-            let e_36 = refine_slope_iterative(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            let e_36 = refine_slope_iterative(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
             return e_36;
         }
         5u32 => {
-            let e_42 = refine_binary(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            let e_42 = refine_binary(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
             return e_42;
         }
         6u32 => {
-            let e_48 = refine_secant(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            let e_48 = refine_secant(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
             return e_48;
         }
         7u32 => {
-            let e_54 = refine_true_secant(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            let e_54 = refine_true_secant(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
             return e_54;
         }
         8u32 => {
-            let e_60 = refine_patch(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            let e_60 = refine_patch(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
             return e_60;
         }
         _ => {
-            let e_66 = refine_half_texel(r, ex, path_a0, found_a1, r.surface_settings.choices[4].params);
+            let e_66 = refine_half_texel(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
             return e_66;
         }
     }
@@ -3006,53 +3006,53 @@ stage! { fn search_relaxed_cone_resting(r: &Resources<'_>, within: M, path_a0: &
 lanes! { fn search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> Found {
     let mut ex = within;
     let mut ret: Found = zero_found();
-    match r.surface_settings.choices[3].number {
+    match r.surface_settings.choices[4].number {
         0u32 => {
-            let e_11 = search_none(r, path_a0, r.surface_settings.choices[3].params);
+            let e_11 = search_none(r, path_a0, r.surface_settings.choices[4].params);
             return e_11;
         }
         1u32 => {
-            let e_17 = search_linear(r, ex, path_a0, r.surface_settings.choices[3].params);
+            let e_17 = search_linear(r, ex, path_a0, r.surface_settings.choices[4].params);
             return e_17;
         }
         2u32 => {
-            let e_23 = search_cells(r, ex, path_a0, r.surface_settings.choices[3].params);
+            let e_23 = search_cells(r, ex, path_a0, r.surface_settings.choices[4].params);
             return e_23;
         }
         3u32 => {
-            let e_29 = search_frustum(r, ex, path_a0, r.surface_settings.choices[3].params);
+            let e_29 = search_frustum(r, ex, path_a0, r.surface_settings.choices[4].params);
             return e_29;
         }
         4u32 => {
-            let e_35 = search_cone(r, ex, path_a0, r.surface_settings.choices[3].params);
+            let e_35 = search_cone(r, ex, path_a0, r.surface_settings.choices[4].params);
             return e_35;
         }
         5u32 => {
-            let e_41 = search_pyramid(r, ex, path_a0, r.surface_settings.choices[3].params);
+            let e_41 = search_pyramid(r, ex, path_a0, r.surface_settings.choices[4].params);
             return e_41;
         }
         6u32 => {
-            let e_47 = search_pyramid_texels(r, ex, path_a0, r.surface_settings.choices[3].params);
+            let e_47 = search_pyramid_texels(r, ex, path_a0, r.surface_settings.choices[4].params);
             return e_47;
         }
         7u32 => {
-            let e_53 = search_dilation_erosion(r, ex, path_a0, r.surface_settings.choices[3].params);
+            let e_53 = search_dilation_erosion(r, ex, path_a0, r.surface_settings.choices[4].params);
             return e_53;
         }
         8u32 => {
-            let e_59 = search_sphere(r, ex, path_a0, r.surface_settings.choices[3].params);
+            let e_59 = search_sphere(r, ex, path_a0, r.surface_settings.choices[4].params);
             return e_59;
         }
         9u32 => {
-            let e_65 = search_cone_moved(r, ex, path_a0, r.surface_settings.choices[3].params);
+            let e_65 = search_cone_moved(r, ex, path_a0, r.surface_settings.choices[4].params);
             return e_65;
         }
         10u32 => {
-            let e_71 = search_relaxed_cone(r, ex, path_a0, r.surface_settings.choices[3].params);
+            let e_71 = search_relaxed_cone(r, ex, path_a0, r.surface_settings.choices[4].params);
             return e_71;
         }
         _ => {
-            let e_77 = search_relaxed_cone_resting(r, ex, path_a0, r.surface_settings.choices[3].params);
+            let e_77 = search_relaxed_cone_resting(r, ex, path_a0, r.surface_settings.choices[4].params);
             return e_77;
         }
     }
@@ -3067,53 +3067,53 @@ stage! { pub(super) fn trace(r: &Resources<'_>, within: M, path_a0: &Path) -> Hi
 stage! { pub(super) fn shadow_search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> Found {
     let mut ex = within;
     let mut ret: Found = zero_found();
-    match r.surface_settings.choices[7].number {
+    match r.surface_settings.choices[8].number {
         0u32 => {
-            let e_11 = search_none(r, path_a0, r.surface_settings.choices[7].params);
+            let e_11 = search_none(r, path_a0, r.surface_settings.choices[8].params);
             return e_11;
         }
         1u32 => {
-            let e_17 = search_linear(r, ex, path_a0, r.surface_settings.choices[7].params);
+            let e_17 = search_linear(r, ex, path_a0, r.surface_settings.choices[8].params);
             return e_17;
         }
         2u32 => {
-            let e_23 = search_cells(r, ex, path_a0, r.surface_settings.choices[7].params);
+            let e_23 = search_cells(r, ex, path_a0, r.surface_settings.choices[8].params);
             return e_23;
         }
         3u32 => {
-            let e_29 = search_frustum(r, ex, path_a0, r.surface_settings.choices[7].params);
+            let e_29 = search_frustum(r, ex, path_a0, r.surface_settings.choices[8].params);
             return e_29;
         }
         4u32 => {
-            let e_35 = search_cone(r, ex, path_a0, r.surface_settings.choices[7].params);
+            let e_35 = search_cone(r, ex, path_a0, r.surface_settings.choices[8].params);
             return e_35;
         }
         5u32 => {
-            let e_41 = search_pyramid(r, ex, path_a0, r.surface_settings.choices[7].params);
+            let e_41 = search_pyramid(r, ex, path_a0, r.surface_settings.choices[8].params);
             return e_41;
         }
         6u32 => {
-            let e_47 = search_pyramid_texels(r, ex, path_a0, r.surface_settings.choices[7].params);
+            let e_47 = search_pyramid_texels(r, ex, path_a0, r.surface_settings.choices[8].params);
             return e_47;
         }
         7u32 => {
-            let e_53 = search_dilation_erosion(r, ex, path_a0, r.surface_settings.choices[7].params);
+            let e_53 = search_dilation_erosion(r, ex, path_a0, r.surface_settings.choices[8].params);
             return e_53;
         }
         8u32 => {
-            let e_59 = search_sphere(r, ex, path_a0, r.surface_settings.choices[7].params);
+            let e_59 = search_sphere(r, ex, path_a0, r.surface_settings.choices[8].params);
             return e_59;
         }
         9u32 => {
-            let e_65 = search_cone_moved(r, ex, path_a0, r.surface_settings.choices[7].params);
+            let e_65 = search_cone_moved(r, ex, path_a0, r.surface_settings.choices[8].params);
             return e_65;
         }
         10u32 => {
-            let e_71 = search_relaxed_cone(r, ex, path_a0, r.surface_settings.choices[7].params);
+            let e_71 = search_relaxed_cone(r, ex, path_a0, r.surface_settings.choices[8].params);
             return e_71;
         }
         _ => {
-            let e_77 = search_relaxed_cone_resting(r, ex, path_a0, r.surface_settings.choices[7].params);
+            let e_77 = search_relaxed_cone_resting(r, ex, path_a0, r.surface_settings.choices[8].params);
             return e_77;
         }
     }

@@ -111,7 +111,7 @@ impl Shared for Corner {
         self.tangent.write(&mut bytes[32..]);
         self.bitangent.write(&mut bytes[48..]);
         self.uv.write(&mut bytes[64..]);
-        self.quadric.write(&mut bytes[80..]);
+        self.of_surface.write(&mut bytes[80..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -121,7 +121,7 @@ impl Shared for Corner {
             tangent: Shared::read(&bytes[32..]),
             bitangent: Shared::read(&bytes[48..]),
             uv: Shared::read(&bytes[64..]),
-            quadric: Shared::read(&bytes[80..]),
+            of_surface: Shared::read(&bytes[80..]),
         }
     }
 }
@@ -253,73 +253,73 @@ impl Shared for MapSettings {
 }
 
 impl Shared for SurfaceSettings {
-    const SIZE: usize = 896;
+    const SIZE: usize = 928;
 
     fn write(&self, bytes: &mut [u8]) {
         self.choices.write(&mut bytes[0..]);
-        self.maps.write(&mut bytes[288..]);
-        self.diffuse.write(&mut bytes[736..]);
-        self.specular.write(&mut bytes[752..]);
-        self.height_size.write(&mut bytes[768..]);
-        self.color_size.write(&mut bytes[776..]);
-        self.normal_size.write(&mut bytes[784..]);
-        self.height_levels.write(&mut bytes[792..]);
-        self.color_levels.write(&mut bytes[796..]);
-        self.normal_levels.write(&mut bytes[800..]);
-        self.color_texels.write(&mut bytes[804..]);
-        self.normal_texels.write(&mut bytes[808..]);
-        self.normal_tile_m.write(&mut bytes[816..]);
-        self.wrap.write(&mut bytes[824..]);
-        self.shininess.write(&mut bytes[828..]);
-        self.has_color.write(&mut bytes[832..]);
-        self.has_normal.write(&mut bytes[836..]);
-        self.has_holes.write(&mut bytes[840..]);
-        self.has_creases.write(&mut bytes[844..]);
-        self.has_vertex_normals.write(&mut bytes[848..]);
-        self.has_shadows.write(&mut bytes[852..]);
-        self.scale_m.write(&mut bytes[856..]);
-        self.bias_m.write(&mut bytes[860..]);
-        self.shell_m.write(&mut bytes[864..]);
-        self.mean_height.write(&mut bytes[872..]);
-        self.transmission.write(&mut bytes[876..]);
-        self.ior.write(&mut bytes[880..]);
-        self.number.write(&mut bytes[884..]);
-        self.environment_side.write(&mut bytes[888..]);
-        self.environment_levels.write(&mut bytes[892..]);
+        self.maps.write(&mut bytes[320..]);
+        self.diffuse.write(&mut bytes[768..]);
+        self.specular.write(&mut bytes[784..]);
+        self.height_size.write(&mut bytes[800..]);
+        self.color_size.write(&mut bytes[808..]);
+        self.normal_size.write(&mut bytes[816..]);
+        self.height_levels.write(&mut bytes[824..]);
+        self.color_levels.write(&mut bytes[828..]);
+        self.normal_levels.write(&mut bytes[832..]);
+        self.color_texels.write(&mut bytes[836..]);
+        self.normal_texels.write(&mut bytes[840..]);
+        self.normal_tile_m.write(&mut bytes[848..]);
+        self.wrap.write(&mut bytes[856..]);
+        self.shininess.write(&mut bytes[860..]);
+        self.has_color.write(&mut bytes[864..]);
+        self.has_normal.write(&mut bytes[868..]);
+        self.has_holes.write(&mut bytes[872..]);
+        self.has_creases.write(&mut bytes[876..]);
+        self.has_vertex_normals.write(&mut bytes[880..]);
+        self.has_shadows.write(&mut bytes[884..]);
+        self.scale_m.write(&mut bytes[888..]);
+        self.bias_m.write(&mut bytes[892..]);
+        self.shell_m.write(&mut bytes[896..]);
+        self.mean_height.write(&mut bytes[904..]);
+        self.transmission.write(&mut bytes[908..]);
+        self.ior.write(&mut bytes[912..]);
+        self.number.write(&mut bytes[916..]);
+        self.environment_side.write(&mut bytes[920..]);
+        self.environment_levels.write(&mut bytes[924..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
             choices: Shared::read(&bytes[0..]),
-            maps: Shared::read(&bytes[288..]),
-            diffuse: Shared::read(&bytes[736..]),
-            specular: Shared::read(&bytes[752..]),
-            height_size: Shared::read(&bytes[768..]),
-            color_size: Shared::read(&bytes[776..]),
-            normal_size: Shared::read(&bytes[784..]),
-            height_levels: Shared::read(&bytes[792..]),
-            color_levels: Shared::read(&bytes[796..]),
-            normal_levels: Shared::read(&bytes[800..]),
-            color_texels: Shared::read(&bytes[804..]),
-            normal_texels: Shared::read(&bytes[808..]),
-            normal_tile_m: Shared::read(&bytes[816..]),
-            wrap: Shared::read(&bytes[824..]),
-            shininess: Shared::read(&bytes[828..]),
-            has_color: Shared::read(&bytes[832..]),
-            has_normal: Shared::read(&bytes[836..]),
-            has_holes: Shared::read(&bytes[840..]),
-            has_creases: Shared::read(&bytes[844..]),
-            has_vertex_normals: Shared::read(&bytes[848..]),
-            has_shadows: Shared::read(&bytes[852..]),
-            scale_m: Shared::read(&bytes[856..]),
-            bias_m: Shared::read(&bytes[860..]),
-            shell_m: Shared::read(&bytes[864..]),
-            mean_height: Shared::read(&bytes[872..]),
-            transmission: Shared::read(&bytes[876..]),
-            ior: Shared::read(&bytes[880..]),
-            number: Shared::read(&bytes[884..]),
-            environment_side: Shared::read(&bytes[888..]),
-            environment_levels: Shared::read(&bytes[892..]),
+            maps: Shared::read(&bytes[320..]),
+            diffuse: Shared::read(&bytes[768..]),
+            specular: Shared::read(&bytes[784..]),
+            height_size: Shared::read(&bytes[800..]),
+            color_size: Shared::read(&bytes[808..]),
+            normal_size: Shared::read(&bytes[816..]),
+            height_levels: Shared::read(&bytes[824..]),
+            color_levels: Shared::read(&bytes[828..]),
+            normal_levels: Shared::read(&bytes[832..]),
+            color_texels: Shared::read(&bytes[836..]),
+            normal_texels: Shared::read(&bytes[840..]),
+            normal_tile_m: Shared::read(&bytes[848..]),
+            wrap: Shared::read(&bytes[856..]),
+            shininess: Shared::read(&bytes[860..]),
+            has_color: Shared::read(&bytes[864..]),
+            has_normal: Shared::read(&bytes[868..]),
+            has_holes: Shared::read(&bytes[872..]),
+            has_creases: Shared::read(&bytes[876..]),
+            has_vertex_normals: Shared::read(&bytes[880..]),
+            has_shadows: Shared::read(&bytes[884..]),
+            scale_m: Shared::read(&bytes[888..]),
+            bias_m: Shared::read(&bytes[892..]),
+            shell_m: Shared::read(&bytes[896..]),
+            mean_height: Shared::read(&bytes[904..]),
+            transmission: Shared::read(&bytes[908..]),
+            ior: Shared::read(&bytes[912..]),
+            number: Shared::read(&bytes[916..]),
+            environment_side: Shared::read(&bytes[920..]),
+            environment_levels: Shared::read(&bytes[924..]),
         }
     }
 }

@@ -60,7 +60,7 @@ pub struct Corner {
     pub tangent: Vec3<F>,
     pub bitangent: Vec3<F>,
     pub uv: Vec2<F>,
-    pub quadric: Vec3<F>,
+    pub of_surface: Vec3<F>,
 }
 lanes! { fn sel_corner(m: M, a: &Corner, b: &Corner) -> Corner {
     Corner {
@@ -69,7 +69,7 @@ lanes! { fn sel_corner(m: M, a: &Corner, b: &Corner) -> Corner {
         tangent: Vec3 { x: sel(m, a.tangent.x, b.tangent.x), y: sel(m, a.tangent.y, b.tangent.y), z: sel(m, a.tangent.z, b.tangent.z) },
         bitangent: Vec3 { x: sel(m, a.bitangent.x, b.bitangent.x), y: sel(m, a.bitangent.y, b.bitangent.y), z: sel(m, a.bitangent.z, b.bitangent.z) },
         uv: Vec2 { x: sel(m, a.uv.x, b.uv.x), y: sel(m, a.uv.y, b.uv.y) },
-        quadric: Vec3 { x: sel(m, a.quadric.x, b.quadric.x), y: sel(m, a.quadric.y, b.quadric.y), z: sel(m, a.quadric.z, b.quadric.z) },
+        of_surface: Vec3 { x: sel(m, a.of_surface.x, b.of_surface.x), y: sel(m, a.of_surface.y, b.of_surface.y), z: sel(m, a.of_surface.z, b.of_surface.z) },
     }
 } }
 lanes! { fn zero_corner() -> Corner {
@@ -79,7 +79,7 @@ lanes! { fn zero_corner() -> Corner {
         tangent: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
         bitangent: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
         uv: Vec2 { x: splat(0f32), y: splat(0f32) },
-        quadric: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        of_surface: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
     }
 } }
 
@@ -116,7 +116,7 @@ pub struct Entered {
     pub level: U,
     pub facing: Vec3<F>,
     pub span: Vec2<F>,
-    pub quadric: Vec4<F>,
+    pub of_surface: Vec4<F>,
     pub footprint: F,
     pub fade: F,
     pub depth: F,
@@ -133,7 +133,7 @@ lanes! { fn sel_entered(m: M, a: &Entered, b: &Entered) -> Entered {
         level: sel_u(m, a.level, b.level),
         facing: Vec3 { x: sel(m, a.facing.x, b.facing.x), y: sel(m, a.facing.y, b.facing.y), z: sel(m, a.facing.z, b.facing.z) },
         span: Vec2 { x: sel(m, a.span.x, b.span.x), y: sel(m, a.span.y, b.span.y) },
-        quadric: Vec4 { x: sel(m, a.quadric.x, b.quadric.x), y: sel(m, a.quadric.y, b.quadric.y), z: sel(m, a.quadric.z, b.quadric.z), w: sel(m, a.quadric.w, b.quadric.w) },
+        of_surface: Vec4 { x: sel(m, a.of_surface.x, b.of_surface.x), y: sel(m, a.of_surface.y, b.of_surface.y), z: sel(m, a.of_surface.z, b.of_surface.z), w: sel(m, a.of_surface.w, b.of_surface.w) },
         footprint: sel(m, a.footprint, b.footprint),
         fade: sel(m, a.fade, b.fade),
         depth: sel(m, a.depth, b.depth),
@@ -151,7 +151,7 @@ lanes! { fn zero_entered() -> Entered {
         level: splat_u(0u32),
         facing: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
         span: Vec2 { x: splat(0f32), y: splat(0f32) },
-        quadric: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        of_surface: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
         footprint: splat(0f32),
         fade: splat(0f32),
         depth: splat(0f32),
@@ -573,8 +573,8 @@ lanes! { fn singles_corner(value: &Corner) -> [single::Corner; LANES] {
     let tangent = { let rows = (row(value.tangent.x), row(value.tangent.y), row(value.tangent.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
     let bitangent = { let rows = (row(value.bitangent.x), row(value.bitangent.y), row(value.bitangent.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
     let uv = { let rows = (row(value.uv.x), row(value.uv.y)); std::array::from_fn::<_, LANES, _>(|lane| Vec2 { x: rows.0[lane], y: rows.1[lane] }) };
-    let quadric = { let rows = (row(value.quadric.x), row(value.quadric.y), row(value.quadric.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
-    std::array::from_fn(|lane| single::Corner { position: position[lane], normal: normal[lane], tangent: tangent[lane], bitangent: bitangent[lane], uv: uv[lane], quadric: quadric[lane], })
+    let of_surface = { let rows = (row(value.of_surface.x), row(value.of_surface.y), row(value.of_surface.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
+    std::array::from_fn(|lane| single::Corner { position: position[lane], normal: normal[lane], tangent: tangent[lane], bitangent: bitangent[lane], uv: uv[lane], of_surface: of_surface[lane], })
 } }
 lanes! { fn lanes_of_corner(values: &[single::Corner; LANES]) -> Corner {
     let position = std::array::from_fn::<_, LANES, _>(|lane| values[lane].position);
@@ -587,9 +587,9 @@ lanes! { fn lanes_of_corner(values: &[single::Corner; LANES]) -> Corner {
     let bitangent_of_all = Vec3 { x: load(&std::array::from_fn(|lane| bitangent[lane].x)), y: load(&std::array::from_fn(|lane| bitangent[lane].y)), z: load(&std::array::from_fn(|lane| bitangent[lane].z)) };
     let uv = std::array::from_fn::<_, LANES, _>(|lane| values[lane].uv);
     let uv_of_all = Vec2 { x: load(&std::array::from_fn(|lane| uv[lane].x)), y: load(&std::array::from_fn(|lane| uv[lane].y)) };
-    let quadric = std::array::from_fn::<_, LANES, _>(|lane| values[lane].quadric);
-    let quadric_of_all = Vec3 { x: load(&std::array::from_fn(|lane| quadric[lane].x)), y: load(&std::array::from_fn(|lane| quadric[lane].y)), z: load(&std::array::from_fn(|lane| quadric[lane].z)) };
-    Corner { position: position_of_all, normal: normal_of_all, tangent: tangent_of_all, bitangent: bitangent_of_all, uv: uv_of_all, quadric: quadric_of_all }
+    let of_surface = std::array::from_fn::<_, LANES, _>(|lane| values[lane].of_surface);
+    let of_surface_of_all = Vec3 { x: load(&std::array::from_fn(|lane| of_surface[lane].x)), y: load(&std::array::from_fn(|lane| of_surface[lane].y)), z: load(&std::array::from_fn(|lane| of_surface[lane].z)) };
+    Corner { position: position_of_all, normal: normal_of_all, tangent: tangent_of_all, bitangent: bitangent_of_all, uv: uv_of_all, of_surface: of_surface_of_all }
 } }
 
 lanes! { fn singles_entered(value: &Entered) -> [single::Entered; LANES] {
@@ -603,11 +603,11 @@ lanes! { fn singles_entered(value: &Entered) -> [single::Entered; LANES] {
     let level = row_u(value.level);
     let facing = { let rows = (row(value.facing.x), row(value.facing.y), row(value.facing.z)); std::array::from_fn::<_, LANES, _>(|lane| Vec3 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane] }) };
     let span = { let rows = (row(value.span.x), row(value.span.y)); std::array::from_fn::<_, LANES, _>(|lane| Vec2 { x: rows.0[lane], y: rows.1[lane] }) };
-    let quadric = { let rows = (row(value.quadric.x), row(value.quadric.y), row(value.quadric.z), row(value.quadric.w)); std::array::from_fn::<_, LANES, _>(|lane| Vec4 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane], w: rows.3[lane] }) };
+    let of_surface = { let rows = (row(value.of_surface.x), row(value.of_surface.y), row(value.of_surface.z), row(value.of_surface.w)); std::array::from_fn::<_, LANES, _>(|lane| Vec4 { x: rows.0[lane], y: rows.1[lane], z: rows.2[lane], w: rows.3[lane] }) };
     let footprint = row(value.footprint);
     let fade = row(value.fade);
     let depth = row(value.depth);
-    std::array::from_fn(|lane| single::Entered { segments: segments[lane], point: point[lane], uv: uv[lane], tangent: tangent[lane], bitangent: bitangent[lane], normal: normal[lane], metric: metric[lane], level: level[lane], facing: facing[lane], span: span[lane], quadric: quadric[lane], footprint: footprint[lane], fade: fade[lane], depth: depth[lane], })
+    std::array::from_fn(|lane| single::Entered { segments: segments[lane], point: point[lane], uv: uv[lane], tangent: tangent[lane], bitangent: bitangent[lane], normal: normal[lane], metric: metric[lane], level: level[lane], facing: facing[lane], span: span[lane], of_surface: of_surface[lane], footprint: footprint[lane], fade: fade[lane], depth: depth[lane], })
 } }
 lanes! { fn lanes_of_entered(values: &[single::Entered; LANES]) -> Entered {
     let segments = std::array::from_fn::<_, LANES, _>(|lane| values[lane].segments);
@@ -630,15 +630,15 @@ lanes! { fn lanes_of_entered(values: &[single::Entered; LANES]) -> Entered {
     let facing_of_all = Vec3 { x: load(&std::array::from_fn(|lane| facing[lane].x)), y: load(&std::array::from_fn(|lane| facing[lane].y)), z: load(&std::array::from_fn(|lane| facing[lane].z)) };
     let span = std::array::from_fn::<_, LANES, _>(|lane| values[lane].span);
     let span_of_all = Vec2 { x: load(&std::array::from_fn(|lane| span[lane].x)), y: load(&std::array::from_fn(|lane| span[lane].y)) };
-    let quadric = std::array::from_fn::<_, LANES, _>(|lane| values[lane].quadric);
-    let quadric_of_all = Vec4 { x: load(&std::array::from_fn(|lane| quadric[lane].x)), y: load(&std::array::from_fn(|lane| quadric[lane].y)), z: load(&std::array::from_fn(|lane| quadric[lane].z)), w: load(&std::array::from_fn(|lane| quadric[lane].w)) };
+    let of_surface = std::array::from_fn::<_, LANES, _>(|lane| values[lane].of_surface);
+    let of_surface_of_all = Vec4 { x: load(&std::array::from_fn(|lane| of_surface[lane].x)), y: load(&std::array::from_fn(|lane| of_surface[lane].y)), z: load(&std::array::from_fn(|lane| of_surface[lane].z)), w: load(&std::array::from_fn(|lane| of_surface[lane].w)) };
     let footprint = std::array::from_fn::<_, LANES, _>(|lane| values[lane].footprint);
     let footprint_of_all = load(&std::array::from_fn(|lane| footprint[lane]));
     let fade = std::array::from_fn::<_, LANES, _>(|lane| values[lane].fade);
     let fade_of_all = load(&std::array::from_fn(|lane| fade[lane]));
     let depth = std::array::from_fn::<_, LANES, _>(|lane| values[lane].depth);
     let depth_of_all = load(&std::array::from_fn(|lane| depth[lane]));
-    Entered { segments: segments_of_all, point: point_of_all, uv: uv_of_all, tangent: tangent_of_all, bitangent: bitangent_of_all, normal: normal_of_all, metric: metric_of_all, level: level_of_all, facing: facing_of_all, span: span_of_all, quadric: quadric_of_all, footprint: footprint_of_all, fade: fade_of_all, depth: depth_of_all }
+    Entered { segments: segments_of_all, point: point_of_all, uv: uv_of_all, tangent: tangent_of_all, bitangent: bitangent_of_all, normal: normal_of_all, metric: metric_of_all, level: level_of_all, facing: facing_of_all, span: span_of_all, of_surface: of_surface_of_all, footprint: footprint_of_all, fade: fade_of_all, depth: depth_of_all }
 } }
 
 lanes! { fn singles_hit(value: &Hit) -> [single::Hit; LANES] {
@@ -822,7 +822,7 @@ lanes! { pub fn load_entered(block: &EnteredBlock, part: usize) -> Entered {
         level: load_u(&block.level.as_chunks().0[part]),
         facing: Vec3 { x: load(&block.facing[0].as_chunks().0[part]), y: load(&block.facing[1].as_chunks().0[part]), z: load(&block.facing[2].as_chunks().0[part]) },
         span: Vec2 { x: load(&block.span[0].as_chunks().0[part]), y: load(&block.span[1].as_chunks().0[part]) },
-        quadric: Vec4 { x: load(&block.quadric[0].as_chunks().0[part]), y: load(&block.quadric[1].as_chunks().0[part]), z: load(&block.quadric[2].as_chunks().0[part]), w: load(&block.quadric[3].as_chunks().0[part]) },
+        of_surface: Vec4 { x: load(&block.of_surface[0].as_chunks().0[part]), y: load(&block.of_surface[1].as_chunks().0[part]), z: load(&block.of_surface[2].as_chunks().0[part]), w: load(&block.of_surface[3].as_chunks().0[part]) },
         footprint: load(&block.footprint.as_chunks().0[part]),
         fade: load(&block.fade.as_chunks().0[part]),
         depth: load(&block.depth.as_chunks().0[part]),
@@ -854,10 +854,10 @@ lanes! { pub fn store_entered(block: &mut EnteredBlock, part: usize, which: M, v
     store(&mut block.facing[2].as_chunks_mut().0[part], which, value.facing.z);
     store(&mut block.span[0].as_chunks_mut().0[part], which, value.span.x);
     store(&mut block.span[1].as_chunks_mut().0[part], which, value.span.y);
-    store(&mut block.quadric[0].as_chunks_mut().0[part], which, value.quadric.x);
-    store(&mut block.quadric[1].as_chunks_mut().0[part], which, value.quadric.y);
-    store(&mut block.quadric[2].as_chunks_mut().0[part], which, value.quadric.z);
-    store(&mut block.quadric[3].as_chunks_mut().0[part], which, value.quadric.w);
+    store(&mut block.of_surface[0].as_chunks_mut().0[part], which, value.of_surface.x);
+    store(&mut block.of_surface[1].as_chunks_mut().0[part], which, value.of_surface.y);
+    store(&mut block.of_surface[2].as_chunks_mut().0[part], which, value.of_surface.z);
+    store(&mut block.of_surface[3].as_chunks_mut().0[part], which, value.of_surface.w);
     store(&mut block.footprint.as_chunks_mut().0[part], which, value.footprint);
     store(&mut block.fade.as_chunks_mut().0[part], which, value.fade);
     store(&mut block.depth.as_chunks_mut().0[part], which, value.depth);
@@ -962,10 +962,10 @@ lanes! { fn across_of(r: &Resources<'_>, at_a0: &Entered, direction_a1: Vec3<F>)
     let aside_10 = Vec3 { x: add(at_a0.normal.x, mul(direction_a1.x, descent_7)), y: add(at_a0.normal.y, mul(direction_a1.y, descent_7)), z: add(at_a0.normal.z, mul(direction_a1.z, descent_7)) };
     let sine_13 = max_with(sqrt(add(add(mul(aside_10.x, aside_10.x), mul(aside_10.y, aside_10.y)), mul(aside_10.z, aside_10.z))), splat(0.0009765625f32));
     let e_18 = climb(r, at_a0, Vec3 { x: div(aside_10.x, sine_13), y: div(aside_10.y, sine_13), z: div(aside_10.z, sine_13) });
-    let e_20 = quadric_slope(r, Vec3 { x: at_a0.quadric.x, y: at_a0.quadric.y, z: at_a0.quadric.z }, Vec2 { x: e_2.x, y: e_2.y });
+    let e_20 = quadric_slope(r, Vec3 { x: at_a0.of_surface.x, y: at_a0.of_surface.y, z: at_a0.of_surface.z }, Vec2 { x: e_2.x, y: e_2.y });
     let mixed_21 = add(add(mul(e_20.x, e_18.x), mul(e_20.y, e_18.y)), splat(0.0f32));
-    let e_22 = quadric_at(r, Vec3 { x: at_a0.quadric.x, y: at_a0.quadric.y, z: at_a0.quadric.z }, Vec2 { x: e_2.x, y: e_2.y });
-    let e_23 = quadric_at(r, Vec3 { x: at_a0.quadric.x, y: at_a0.quadric.y, z: at_a0.quadric.z }, Vec2 { x: e_18.x, y: e_18.y });
+    let e_22 = quadric_at(r, Vec3 { x: at_a0.of_surface.x, y: at_a0.of_surface.y, z: at_a0.of_surface.z }, Vec2 { x: e_2.x, y: e_2.y });
+    let e_23 = quadric_at(r, Vec3 { x: at_a0.of_surface.x, y: at_a0.of_surface.y, z: at_a0.of_surface.z }, Vec2 { x: e_18.x, y: e_18.y });
     return Across { duv: Vec2 { x: e_2.x, y: e_2.y }, descent: descent_7, along: e_22, across: e_23, mixed: mixed_21, sine: sine_13, };
 } }
 lanes! { fn reached(r: &Resources<'_>, within: M, ray_a0: &Across, depth_a1: F, t_a2: F) -> F {
@@ -1090,12 +1090,12 @@ lanes! { fn across_span(r: &Resources<'_>, within: M, at_a0: &Entered, ray_a1: &
     let mut leave_v2: F = splat(0f32);
     let nowhere_5 = Vec2 { x: 1.0f32, y: (-1.0f32) };
     let scale_6 = r.traced_scale_m();
-    let over_11 = mul(sub(at_a0.quadric.w, splat(1.0f32)), splat(scale_6));
+    let over_11 = mul(sub(at_a0.of_surface.w, splat(1.0f32)), splat(scale_6));
     let e_12 = down_across(r, ex, ray_a1, over_11);
     let e_13 = down_along(r, ex, ray_a1, over_11);
     let e_15 = jumps_below(r, ex, ray_a1, over_11);
     let begin_16 = min(min(e_12, e_13), e_15);
-    both_v1 = and(ge(at_a0.quadric.w, splat(1.0f32)), lt(begin_16, splat(0.0f32)));
+    both_v1 = and(ge(at_a0.of_surface.w, splat(1.0f32)), lt(begin_16, splat(0.0f32)));
     let e_30 = both_v1;
     both_v0 = or(not(lt(begin_16, splat(3e38f32))), e_30);
     let e_32 = both_v0;
@@ -1103,7 +1103,7 @@ lanes! { fn across_span(r: &Resources<'_>, within: M, at_a0: &Entered, ray_a1: &
     ret = Vec2 { x: splat(nowhere_5.x), y: splat(nowhere_5.y) };
     ex = and_not(ex, c1);
     let enter_33 = max(begin_16, eye_a2);
-    let floor_34 = mul(at_a0.quadric.w, splat(scale_6));
+    let floor_34 = mul(at_a0.of_surface.w, splat(scale_6));
     if none(ex) { return ret; }
     let by_across_35 = down_across(r, ex, ray_a1, floor_34);
     let by_along_36 = down_along(r, ex, ray_a1, floor_34);
@@ -1431,25 +1431,25 @@ lanes! { fn ambient_occlusion(r: &Resources<'_>, within: M, at_a0: &Entered, hit
 lanes! { fn ambient_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    match r.surface_settings.choices[8].number {
+    match r.surface_settings.choices[9].number {
         0u32 => {
-            let e_15 = ambient_constant(r, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[8].params);
+            let e_15 = ambient_constant(r, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[9].params);
             return e_15;
         }
         1u32 => {
-            let e_21 = ambient_occlusion(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[8].params);
+            let e_21 = ambient_occlusion(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[9].params);
             return e_21;
         }
         2u32 => {
-            let e_27 = ambient_bent_normal(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[8].params);
+            let e_27 = ambient_bent_normal(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[9].params);
             return e_27;
         }
         3u32 => {
-            let e_33 = ambient_bounce(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[8].params);
+            let e_33 = ambient_bounce(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[9].params);
             return e_33;
         }
         _ => {
-            let e_39 = ambient_environment(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[8].params);
+            let e_39 = ambient_environment(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[9].params);
             return e_39;
         }
     }
@@ -1731,17 +1731,17 @@ lanes! { fn detail_none(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, 
 lanes! { fn detail_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered) -> Detail {
     let mut ex = within;
     let mut ret: Detail = zero_detail();
-    match r.surface_settings.choices[2].number {
+    match r.surface_settings.choices[3].number {
         0u32 => {
-            let e_12 = detail_none(r, pixel_a0, at_a1, r.surface_settings.choices[2].params);
+            let e_12 = detail_none(r, pixel_a0, at_a1, r.surface_settings.choices[3].params);
             return e_12;
         }
         1u32 => {
-            let e_18 = detail_footprint(r, ex, pixel_a0, at_a1, r.surface_settings.choices[2].params);
+            let e_18 = detail_footprint(r, ex, pixel_a0, at_a1, r.surface_settings.choices[3].params);
             return e_18;
         }
         _ => {
-            let e_24 = detail_fade(r, ex, pixel_a0, at_a1, r.surface_settings.choices[2].params);
+            let e_24 = detail_fade(r, ex, pixel_a0, at_a1, r.surface_settings.choices[3].params);
             return e_24;
         }
     }
@@ -1776,14 +1776,18 @@ lanes! { fn plane_normal(r: &Resources<'_>, pixel_a0: &PixelIn) -> Vec3<F> {
     let e_8 = Vec3 { x: (pixel_a0.c.position.x - pixel_a0.a.position.x), y: (pixel_a0.c.position.y - pixel_a0.a.position.y), z: (pixel_a0.c.position.z - pixel_a0.a.position.z) };
     return Vec3 { x: splat((e_5.y * e_8.z - e_5.z * e_8.y)), y: splat((e_5.z * e_8.x - e_5.x * e_8.z)), z: splat((e_5.x * e_8.y - e_5.y * e_8.x)) };
 } }
+lanes! { fn weights_of(r: &Resources<'_>, a_a0: Vec3<F>, b_a1: Vec3<F>, c_a2: Vec3<F>, normal_a3: Vec3<F>, point_a4: Vec3<F>) -> Vec3<F> {
+    let nn_5 = add(add(add(mul(normal_a3.x, normal_a3.x), mul(normal_a3.y, normal_a3.y)), mul(normal_a3.z, normal_a3.z)), splat(0.0f32));
+    let from_a_6 = Vec3 { x: sub(point_a4.x, a_a0.x), y: sub(point_a4.y, a_a0.y), z: sub(point_a4.z, a_a0.z) };
+    let e_7 = Vec3 { x: sub(c_a2.x, a_a0.x), y: sub(c_a2.y, a_a0.y), z: sub(c_a2.z, a_a0.z) };
+    let wb_10 = div(add(add(add(mul(sub(mul(from_a_6.y, e_7.z), mul(from_a_6.z, e_7.y)), normal_a3.x), mul(sub(mul(from_a_6.z, e_7.x), mul(from_a_6.x, e_7.z)), normal_a3.y)), mul(sub(mul(from_a_6.x, e_7.y), mul(from_a_6.y, e_7.x)), normal_a3.z)), splat(0.0f32)), nn_5);
+    let e_11 = Vec3 { x: sub(b_a1.x, a_a0.x), y: sub(b_a1.y, a_a0.y), z: sub(b_a1.z, a_a0.z) };
+    let wc_14 = div(add(add(add(mul(sub(mul(e_11.y, from_a_6.z), mul(e_11.z, from_a_6.y)), normal_a3.x), mul(sub(mul(e_11.z, from_a_6.x), mul(e_11.x, from_a_6.z)), normal_a3.y)), mul(sub(mul(e_11.x, from_a_6.y), mul(e_11.y, from_a_6.x)), normal_a3.z)), splat(0.0f32)), nn_5);
+    return Vec3 { x: sub(sub(splat(1.0f32), wb_10), wc_14), y: wb_10, z: wc_14 };
+} }
 lanes! { fn plane_weights(r: &Resources<'_>, pixel_a0: &PixelIn, normal_a1: Vec3<F>, point_a2: Vec3<F>) -> Vec3<F> {
-    let nn_5 = add(add(add(mul(normal_a1.x, normal_a1.x), mul(normal_a1.y, normal_a1.y)), mul(normal_a1.z, normal_a1.z)), splat(0.0f32));
-    let from_a_6 = Vec3 { x: sub(point_a2.x, splat(pixel_a0.a.position.x)), y: sub(point_a2.y, splat(pixel_a0.a.position.y)), z: sub(point_a2.z, splat(pixel_a0.a.position.z)) };
-    let e_9 = Vec3 { x: (pixel_a0.c.position.x - pixel_a0.a.position.x), y: (pixel_a0.c.position.y - pixel_a0.a.position.y), z: (pixel_a0.c.position.z - pixel_a0.a.position.z) };
-    let wb_12 = div(add(add(add(mul(sub(mul(from_a_6.y, splat(e_9.z)), mul(from_a_6.z, splat(e_9.y))), normal_a1.x), mul(sub(mul(from_a_6.z, splat(e_9.x)), mul(from_a_6.x, splat(e_9.z))), normal_a1.y)), mul(sub(mul(from_a_6.x, splat(e_9.y)), mul(from_a_6.y, splat(e_9.x))), normal_a1.z)), splat(0.0f32)), nn_5);
-    let e_15 = Vec3 { x: (pixel_a0.b.position.x - pixel_a0.a.position.x), y: (pixel_a0.b.position.y - pixel_a0.a.position.y), z: (pixel_a0.b.position.z - pixel_a0.a.position.z) };
-    let wc_18 = div(add(add(add(mul(sub(mul(splat(e_15.y), from_a_6.z), mul(splat(e_15.z), from_a_6.y)), normal_a1.x), mul(sub(mul(splat(e_15.z), from_a_6.x), mul(splat(e_15.x), from_a_6.z)), normal_a1.y)), mul(sub(mul(splat(e_15.x), from_a_6.y), mul(splat(e_15.y), from_a_6.x)), normal_a1.z)), splat(0.0f32)), nn_5);
-    return Vec3 { x: sub(sub(splat(1.0f32), wb_12), wc_18), y: wb_12, z: wc_18 };
+    let e_9 = weights_of(r, Vec3 { x: splat(pixel_a0.a.position.x), y: splat(pixel_a0.a.position.y), z: splat(pixel_a0.a.position.z) }, Vec3 { x: splat(pixel_a0.b.position.x), y: splat(pixel_a0.b.position.y), z: splat(pixel_a0.b.position.z) }, Vec3 { x: splat(pixel_a0.c.position.x), y: splat(pixel_a0.c.position.y), z: splat(pixel_a0.c.position.z) }, normal_a1, point_a2);
+    return e_9;
 } }
 lanes! { fn surface_plane_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
     let mut ex = within;
@@ -1810,7 +1814,7 @@ lanes! { fn surface_plane_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn
     both_v0 = and(gt(area_64, splat(0.0f32)), gt(descent_76, splat(0.0f32)));
     let e_86 = both_v0;
     let segments_87 = sel_u(e_86, splat_u(1u32), splat_u(0u32));
-    return Entered { segments: segments_87, point: point_7, uv: uv_22, tangent: tangent_33, bitangent: bitangent_44, normal: normal_58, metric: metric_68, level: splat_u(0u32), facing: n_2, span: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, quadric: Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) }, footprint: splat(0.0f32), fade: splat(0.0f32), depth: splat(0.0f32), };
+    return Entered { segments: segments_87, point: point_7, uv: uv_22, tangent: tangent_33, bitangent: bitangent_44, normal: normal_58, metric: metric_68, level: splat_u(0u32), facing: n_2, span: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, of_surface: Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) }, footprint: splat(0.0f32), fade: splat(0.0f32), depth: splat(0.0f32), };
 } }
 stage! { fn surface_prism_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
     if none(within) { return zero_entered(); }
@@ -1840,7 +1844,7 @@ lanes! { fn quadric_of(r: &Resources<'_>, pixel_a0: &PixelIn, point_a1: Vec3<F>,
     let mut height_v0: f32 = 0f32;
     let e_3 = plane_normal(r, pixel_a0);
     let w_4 = plane_weights(r, pixel_a0, e_3, point_a1);
-    let quadric_18 = Vec3 { x: add(add(mul(splat(pixel_a0.a.quadric.x), w_4.x), mul(splat(pixel_a0.b.quadric.x), w_4.y)), mul(splat(pixel_a0.c.quadric.x), w_4.z)), y: add(add(mul(splat(pixel_a0.a.quadric.y), w_4.x), mul(splat(pixel_a0.b.quadric.y), w_4.y)), mul(splat(pixel_a0.c.quadric.y), w_4.z)), z: add(add(mul(splat(pixel_a0.a.quadric.z), w_4.x), mul(splat(pixel_a0.b.quadric.z), w_4.y)), mul(splat(pixel_a0.c.quadric.z), w_4.z)) };
+    let quadric_18 = Vec3 { x: add(add(mul(splat(pixel_a0.a.of_surface.x), w_4.x), mul(splat(pixel_a0.b.of_surface.x), w_4.y)), mul(splat(pixel_a0.c.of_surface.x), w_4.z)), y: add(add(mul(splat(pixel_a0.a.of_surface.y), w_4.x), mul(splat(pixel_a0.b.of_surface.y), w_4.y)), mul(splat(pixel_a0.c.of_surface.y), w_4.z)), z: add(add(mul(splat(pixel_a0.a.of_surface.z), w_4.x), mul(splat(pixel_a0.b.of_surface.z), w_4.y)), mul(splat(pixel_a0.c.of_surface.z), w_4.z)) };
     let e_19 = r.base_height();
     height_v0 = e_19;
     if ((r.surface_settings.bias_m + r.surface_settings.scale_m) > 0.0f32) {
@@ -1862,7 +1866,7 @@ lanes! { fn surface_quadric_vertical_enter(r: &Resources<'_>, within: M, pixel_a
     at_v0 = e_2;
     let e_6 = at_v0.point;
     let e_8 = quadric_of(r, pixel_a0, e_6, params_a1.y);
-    at_v0.quadric = e_8;
+    at_v0.of_surface = e_8;
     let e_11 = at_v0.metric.x;
     let e_14 = at_v0.metric.z;
     let e_18 = at_v0.metric.y;
@@ -1908,7 +1912,7 @@ stage! { fn surface_tetrahedra_enter(r: &Resources<'_>, within: M, pixel_a0: &Pi
     }
     lanes_of_entered(&results)
 } }
-lanes! { fn facet_distance(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, normal_a1: Vec3<F>) -> F {
+lanes! { fn triangle_distance(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, normal_a1: Vec3<F>) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
     let a_5 = Vec3 { x: sub(splat(pixel_a0.a.position.x), pixel_a0.origin.x), y: sub(splat(pixel_a0.a.position.y), pixel_a0.origin.y), z: sub(splat(pixel_a0.a.position.z), pixel_a0.origin.z) };
@@ -1924,6 +1928,12 @@ lanes! { fn facet_distance(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, nor
     ret = least_28;
     ex = and_not(ex, c1);
     return sel(ex, min(max(div(add(add(add(mul(normal_a1.x, a_5.x), mul(normal_a1.y, a_5.y)), mul(normal_a1.z, a_5.z)), splat(0.0f32)), across_35), least_28), most_33), ret);
+} }
+lanes! { fn triangle_weights(r: &Resources<'_>, pixel_a0: &PixelIn, normal_a1: Vec3<F>, point_a2: Vec3<F>) -> Vec3<F> {
+    let e_3 = plane_weights(r, pixel_a0, normal_a1, point_a2);
+    let inside_8 = Vec3 { x: max_with(e_3.x, splat(0.0f32)), y: max_with(e_3.y, splat(0.0f32)), z: max_with(e_3.z, splat(0.0f32)) };
+    let e_13 = add(add(inside_8.x, inside_8.y), inside_8.z);
+    return Vec3 { x: div(inside_8.x, e_13), y: div(inside_8.y, e_13), z: div(inside_8.z, e_13) };
 } }
 lanes! { fn is_on_map(r: &Resources<'_>, uv_a0: Vec2<F>) -> M {
     let mut both_v0: M = splat_m(false);
@@ -1941,34 +1951,68 @@ lanes! { fn surface_facets_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelI
     let mut ret: Entered = zero_entered();
     let mut both_v0: M = splat_m(false);
     let n_2 = plane_normal(r, pixel_a0);
-    let e_5 = facet_distance(r, ex, pixel_a0, n_2);
+    let e_5 = triangle_distance(r, ex, pixel_a0, n_2);
     let point_7 = Vec3 { x: add(pixel_a0.origin.x, mul(pixel_a0.direction.x, e_5)), y: add(pixel_a0.origin.y, mul(pixel_a0.direction.y, e_5)), z: add(pixel_a0.origin.z, mul(pixel_a0.direction.z, e_5)) };
-    let e_8 = plane_weights(r, pixel_a0, n_2, point_7);
-    let inside_13 = Vec3 { x: max_with(e_8.x, splat(0.0f32)), y: max_with(e_8.y, splat(0.0f32)), z: max_with(e_8.z, splat(0.0f32)) };
-    let e_18 = add(add(inside_13.x, inside_13.y), inside_13.z);
-    let w_20 = Vec3 { x: div(inside_13.x, e_18), y: div(inside_13.y, e_18), z: div(inside_13.z, e_18) };
-    let uv_34 = Vec2 { x: add(add(mul(splat(pixel_a0.a.uv.x), w_20.x), mul(splat(pixel_a0.b.uv.x), w_20.y)), mul(splat(pixel_a0.c.uv.x), w_20.z)), y: add(add(mul(splat(pixel_a0.a.uv.y), w_20.x), mul(splat(pixel_a0.b.uv.y), w_20.y)), mul(splat(pixel_a0.c.uv.y), w_20.z)) };
-    let tangent_48 = Vec3 { x: add(add(mul(splat(pixel_a0.a.tangent.x), w_20.x), mul(splat(pixel_a0.b.tangent.x), w_20.y)), mul(splat(pixel_a0.c.tangent.x), w_20.z)), y: add(add(mul(splat(pixel_a0.a.tangent.y), w_20.x), mul(splat(pixel_a0.b.tangent.y), w_20.y)), mul(splat(pixel_a0.c.tangent.y), w_20.z)), z: add(add(mul(splat(pixel_a0.a.tangent.z), w_20.x), mul(splat(pixel_a0.b.tangent.z), w_20.y)), mul(splat(pixel_a0.c.tangent.z), w_20.z)) };
-    let bitangent_62 = Vec3 { x: add(add(mul(splat(pixel_a0.a.bitangent.x), w_20.x), mul(splat(pixel_a0.b.bitangent.x), w_20.y)), mul(splat(pixel_a0.c.bitangent.x), w_20.z)), y: add(add(mul(splat(pixel_a0.a.bitangent.y), w_20.x), mul(splat(pixel_a0.b.bitangent.y), w_20.y)), mul(splat(pixel_a0.c.bitangent.y), w_20.z)), z: add(add(mul(splat(pixel_a0.a.bitangent.z), w_20.x), mul(splat(pixel_a0.b.bitangent.z), w_20.y)), mul(splat(pixel_a0.c.bitangent.z), w_20.z)) };
-    let sum_78 = Vec3 { x: mul(add(add(mul(splat(pixel_a0.a.normal.x), w_20.x), mul(splat(pixel_a0.b.normal.x), w_20.y)), mul(splat(pixel_a0.c.normal.x), w_20.z)), splat(pixel_a0.side)), y: mul(add(add(mul(splat(pixel_a0.a.normal.y), w_20.x), mul(splat(pixel_a0.b.normal.y), w_20.y)), mul(splat(pixel_a0.c.normal.y), w_20.z)), splat(pixel_a0.side)), z: mul(add(add(mul(splat(pixel_a0.a.normal.z), w_20.x), mul(splat(pixel_a0.b.normal.z), w_20.y)), mul(splat(pixel_a0.c.normal.z), w_20.z)), splat(pixel_a0.side)) };
-    let tt_79 = add(add(add(mul(tangent_48.x, tangent_48.x), mul(tangent_48.y, tangent_48.y)), mul(tangent_48.z, tangent_48.z)), splat(0.0f32));
-    let tb_80 = add(add(add(mul(tangent_48.x, bitangent_62.x), mul(tangent_48.y, bitangent_62.y)), mul(tangent_48.z, bitangent_62.z)), splat(0.0f32));
-    let bb_81 = add(add(add(mul(bitangent_62.x, bitangent_62.x), mul(bitangent_62.y, bitangent_62.y)), mul(bitangent_62.z, bitangent_62.z)), splat(0.0f32));
+    let w_8 = triangle_weights(r, pixel_a0, n_2, point_7);
+    let uv_22 = Vec2 { x: add(add(mul(splat(pixel_a0.a.uv.x), w_8.x), mul(splat(pixel_a0.b.uv.x), w_8.y)), mul(splat(pixel_a0.c.uv.x), w_8.z)), y: add(add(mul(splat(pixel_a0.a.uv.y), w_8.x), mul(splat(pixel_a0.b.uv.y), w_8.y)), mul(splat(pixel_a0.c.uv.y), w_8.z)) };
+    let tangent_36 = Vec3 { x: add(add(mul(splat(pixel_a0.a.tangent.x), w_8.x), mul(splat(pixel_a0.b.tangent.x), w_8.y)), mul(splat(pixel_a0.c.tangent.x), w_8.z)), y: add(add(mul(splat(pixel_a0.a.tangent.y), w_8.x), mul(splat(pixel_a0.b.tangent.y), w_8.y)), mul(splat(pixel_a0.c.tangent.y), w_8.z)), z: add(add(mul(splat(pixel_a0.a.tangent.z), w_8.x), mul(splat(pixel_a0.b.tangent.z), w_8.y)), mul(splat(pixel_a0.c.tangent.z), w_8.z)) };
+    let bitangent_50 = Vec3 { x: add(add(mul(splat(pixel_a0.a.bitangent.x), w_8.x), mul(splat(pixel_a0.b.bitangent.x), w_8.y)), mul(splat(pixel_a0.c.bitangent.x), w_8.z)), y: add(add(mul(splat(pixel_a0.a.bitangent.y), w_8.x), mul(splat(pixel_a0.b.bitangent.y), w_8.y)), mul(splat(pixel_a0.c.bitangent.y), w_8.z)), z: add(add(mul(splat(pixel_a0.a.bitangent.z), w_8.x), mul(splat(pixel_a0.b.bitangent.z), w_8.y)), mul(splat(pixel_a0.c.bitangent.z), w_8.z)) };
+    let sum_66 = Vec3 { x: mul(add(add(mul(splat(pixel_a0.a.normal.x), w_8.x), mul(splat(pixel_a0.b.normal.x), w_8.y)), mul(splat(pixel_a0.c.normal.x), w_8.z)), splat(pixel_a0.side)), y: mul(add(add(mul(splat(pixel_a0.a.normal.y), w_8.x), mul(splat(pixel_a0.b.normal.y), w_8.y)), mul(splat(pixel_a0.c.normal.y), w_8.z)), splat(pixel_a0.side)), z: mul(add(add(mul(splat(pixel_a0.a.normal.z), w_8.x), mul(splat(pixel_a0.b.normal.z), w_8.y)), mul(splat(pixel_a0.c.normal.z), w_8.z)), splat(pixel_a0.side)) };
+    let tt_67 = add(add(add(mul(tangent_36.x, tangent_36.x), mul(tangent_36.y, tangent_36.y)), mul(tangent_36.z, tangent_36.z)), splat(0.0f32));
+    let tb_68 = add(add(add(mul(tangent_36.x, bitangent_50.x), mul(tangent_36.y, bitangent_50.y)), mul(tangent_36.z, bitangent_50.z)), splat(0.0f32));
+    let bb_69 = add(add(add(mul(bitangent_50.x, bitangent_50.x), mul(bitangent_50.y, bitangent_50.y)), mul(bitangent_50.z, bitangent_50.z)), splat(0.0f32));
     let (b1, c2) = (ex, gt(add(add(add(mul(n_2.x, n_2.x), mul(n_2.y, n_2.y)), mul(n_2.z, n_2.z)), splat(0.0f32)), splat(0.0f32)));
     ex = and(b1, c2);
     if any(ex) {
-        let e_89 = is_on_map(r, uv_34);
-        both_v0 = sel_m(ex, e_89, both_v0);
+        let e_77 = is_on_map(r, uv_22);
+        both_v0 = sel_m(ex, e_77, both_v0);
     }
     ex = and_not(b1, c2);
     if any(ex) {
         both_v0 = sel_m(ex, splat_m(false), both_v0);
     }
     ex = b1;
-    let e_91 = both_v0;
-    let length3 = sqrt(add(add(mul(sum_78.x, sum_78.x), mul(sum_78.y, sum_78.y)), mul(sum_78.z, sum_78.z)));
-    let e_93 = Vec3 { x: div(sum_78.x, length3), y: div(sum_78.y, length3), z: div(sum_78.z, length3) };
-    return Entered { segments: sel_u(e_91, splat_u(1u32), splat_u(0u32)), point: point_7, uv: uv_34, tangent: tangent_48, bitangent: bitangent_62, normal: e_93, metric: Vec4 { x: tt_79, y: tb_80, z: bb_81, w: splat(r.surface_settings.scale_m) }, level: splat_u(0u32), facing: n_2, span: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, quadric: Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) }, footprint: splat(0.0f32), fade: splat(0.0f32), depth: splat(0.0f32), };
+    let e_79 = both_v0;
+    let length3 = sqrt(add(add(mul(sum_66.x, sum_66.x), mul(sum_66.y, sum_66.y)), mul(sum_66.z, sum_66.z)));
+    let e_81 = Vec3 { x: div(sum_66.x, length3), y: div(sum_66.y, length3), z: div(sum_66.z, length3) };
+    return Entered { segments: sel_u(e_79, splat_u(1u32), splat_u(0u32)), point: point_7, uv: uv_22, tangent: tangent_36, bitangent: bitangent_50, normal: e_81, metric: Vec4 { x: tt_67, y: tb_68, z: bb_69, w: splat(r.surface_settings.scale_m) }, level: splat_u(0u32), facing: n_2, span: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, of_surface: Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) }, footprint: splat(0.0f32), fade: splat(0.0f32), depth: splat(0.0f32), };
+} }
+lanes! { fn surface_slices_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut both_v0: M = splat_m(false);
+    let mut both_v1: M = splat_m(false);
+    let n_2 = plane_normal(r, pixel_a0);
+    let e_5 = triangle_distance(r, ex, pixel_a0, n_2);
+    let point_7 = Vec3 { x: add(pixel_a0.origin.x, mul(pixel_a0.direction.x, e_5)), y: add(pixel_a0.origin.y, mul(pixel_a0.direction.y, e_5)), z: add(pixel_a0.origin.z, mul(pixel_a0.direction.z, e_5)) };
+    let w_8 = triangle_weights(r, pixel_a0, n_2, point_7);
+    let uv_22 = Vec2 { x: add(add(mul(splat(pixel_a0.a.uv.x), w_8.x), mul(splat(pixel_a0.b.uv.x), w_8.y)), mul(splat(pixel_a0.c.uv.x), w_8.z)), y: add(add(mul(splat(pixel_a0.a.uv.y), w_8.x), mul(splat(pixel_a0.b.uv.y), w_8.y)), mul(splat(pixel_a0.c.uv.y), w_8.z)) };
+    let tangent_36 = Vec3 { x: add(add(mul(splat(pixel_a0.a.tangent.x), w_8.x), mul(splat(pixel_a0.b.tangent.x), w_8.y)), mul(splat(pixel_a0.c.tangent.x), w_8.z)), y: add(add(mul(splat(pixel_a0.a.tangent.y), w_8.x), mul(splat(pixel_a0.b.tangent.y), w_8.y)), mul(splat(pixel_a0.c.tangent.y), w_8.z)), z: add(add(mul(splat(pixel_a0.a.tangent.z), w_8.x), mul(splat(pixel_a0.b.tangent.z), w_8.y)), mul(splat(pixel_a0.c.tangent.z), w_8.z)) };
+    let bitangent_50 = Vec3 { x: add(add(mul(splat(pixel_a0.a.bitangent.x), w_8.x), mul(splat(pixel_a0.b.bitangent.x), w_8.y)), mul(splat(pixel_a0.c.bitangent.x), w_8.z)), y: add(add(mul(splat(pixel_a0.a.bitangent.y), w_8.x), mul(splat(pixel_a0.b.bitangent.y), w_8.y)), mul(splat(pixel_a0.c.bitangent.y), w_8.z)), z: add(add(mul(splat(pixel_a0.a.bitangent.z), w_8.x), mul(splat(pixel_a0.b.bitangent.z), w_8.y)), mul(splat(pixel_a0.c.bitangent.z), w_8.z)) };
+    let raw_64 = Vec3 { x: add(add(mul(splat(pixel_a0.a.normal.x), w_8.x), mul(splat(pixel_a0.b.normal.x), w_8.y)), mul(splat(pixel_a0.c.normal.x), w_8.z)), y: add(add(mul(splat(pixel_a0.a.normal.y), w_8.x), mul(splat(pixel_a0.b.normal.y), w_8.y)), mul(splat(pixel_a0.c.normal.y), w_8.z)), z: add(add(mul(splat(pixel_a0.a.normal.z), w_8.x), mul(splat(pixel_a0.b.normal.z), w_8.y)), mul(splat(pixel_a0.c.normal.z), w_8.z)) };
+    let slice_78 = Vec3 { x: add(add(mul(splat(pixel_a0.a.of_surface.x), w_8.x), mul(splat(pixel_a0.b.of_surface.x), w_8.y)), mul(splat(pixel_a0.c.of_surface.x), w_8.z)), y: add(add(mul(splat(pixel_a0.a.of_surface.y), w_8.x), mul(splat(pixel_a0.b.of_surface.y), w_8.y)), mul(splat(pixel_a0.c.of_surface.y), w_8.z)), z: add(add(mul(splat(pixel_a0.a.of_surface.z), w_8.x), mul(splat(pixel_a0.b.of_surface.z), w_8.y)), mul(splat(pixel_a0.c.of_surface.z), w_8.z)) };
+    let tt_79 = add(add(add(mul(tangent_36.x, tangent_36.x), mul(tangent_36.y, tangent_36.y)), mul(tangent_36.z, tangent_36.z)), splat(0.0f32));
+    let tb_80 = add(add(add(mul(tangent_36.x, bitangent_50.x), mul(tangent_36.y, bitangent_50.y)), mul(tangent_36.z, bitangent_50.z)), splat(0.0f32));
+    let bb_81 = add(add(add(mul(bitangent_50.x, bitangent_50.x), mul(bitangent_50.y, bitangent_50.y)), mul(bitangent_50.z, bitangent_50.z)), splat(0.0f32));
+    let area_84 = sub(mul(tt_79, bb_81), mul(tb_80, tb_80));
+    let height_m_93 = add(splat(r.surface_settings.bias_m), mul(splat(r.surface_settings.scale_m), slice_78.x));
+    let length1 = sqrt(add(add(mul(raw_64.x, raw_64.x), mul(raw_64.y, raw_64.y)), mul(raw_64.z, raw_64.z)));
+    let normal_94 = Vec3 { x: div(raw_64.x, length1), y: div(raw_64.y, length1), z: div(raw_64.z, length1) };
+    both_v0 = and(gt(add(add(add(mul(n_2.x, n_2.x), mul(n_2.y, n_2.y)), mul(n_2.z, n_2.z)), splat(0.0f32)), splat(0.0f32)), gt(area_84, splat(0.0f32)));
+    let e_105 = both_v0;
+    let (b2, c3) = (ex, e_105);
+    ex = and(b2, c3);
+    if any(ex) {
+        let e_108 = is_on_map(r, uv_22);
+        both_v1 = sel_m(ex, e_108, both_v1);
+    }
+    ex = and_not(b2, c3);
+    if any(ex) {
+        both_v1 = sel_m(ex, splat_m(false), both_v1);
+    }
+    ex = b2;
+    let e_110 = both_v1;
+    return Entered { segments: sel_u(e_110, splat_u(1u32), splat_u(0u32)), point: Vec3 { x: sub(point_7.x, mul(raw_64.x, height_m_93)), y: sub(point_7.y, mul(raw_64.y, height_m_93)), z: sub(point_7.z, mul(raw_64.z, height_m_93)) }, uv: uv_22, tangent: tangent_36, bitangent: bitangent_50, normal: normal_94, metric: Vec4 { x: tt_79, y: tb_80, z: bb_81, w: splat(r.surface_settings.scale_m) }, level: splat_u(0u32), facing: normal_94, span: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, of_surface: Vec4 { x: slice_78.x, y: slice_78.y, z: slice_78.z, w: splat(0.0f32) }, footprint: splat(0.0f32), fade: splat(0.0f32), depth: splat(0.0f32), };
 } }
 lanes! { fn surface_enter_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn) -> Entered {
     let mut ex = within;
@@ -1994,9 +2038,13 @@ lanes! { fn surface_enter_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn
             let e_35 = surface_tetrahedra_enter(r, ex, pixel_a0, r.surface_settings.choices[1].params);
             return e_35;
         }
-        _ => {
+        5u32 => {
             let e_41 = surface_facets_enter(r, ex, pixel_a0, r.surface_settings.choices[1].params);
             return e_41;
+        }
+        _ => {
+            let e_47 = surface_slices_enter(r, ex, pixel_a0, r.surface_settings.choices[1].params);
+            return e_47;
         }
     }
 } }
@@ -2225,15 +2273,15 @@ lanes! { fn surface_quadric_perpendicular_segment(r: &Resources<'_>, within: M, 
     let last_34 = add(at_a1.span.x, mul(whole_18, splat(((k_a2.wrapping_add(1u32) as f32) / params_a3.z))));
     let long_35 = sub(last_34, first_25);
     let e_38 = across_depth(r, ex, &ray_9, first_25);
-    begin_v0 = sub(at_a1.quadric.w, div(e_38, splat(scale_10)));
+    begin_v0 = sub(at_a1.of_surface.w, div(e_38, splat(scale_10)));
     if (k_a2 == 0u32) {
         let e_44 = begin_v0;
         begin_v0 = min_with(e_44, splat(1.0f32));
     }
     let e_52 = across_depth(r, ex, &ray_9, mul(splat(0.5f32), add(first_25, last_34)));
-    let middle_54 = sub(at_a1.quadric.w, div(e_52, splat(scale_10)));
+    let middle_54 = sub(at_a1.of_surface.w, div(e_52, splat(scale_10)));
     let e_57 = across_depth(r, ex, &ray_9, last_34);
-    end_v1 = sub(at_a1.quadric.w, div(e_57, splat(scale_10)));
+    end_v1 = sub(at_a1.of_surface.w, div(e_57, splat(scale_10)));
     if (k_a2.wrapping_add(1u32) == (params_a3.z as u32)) {
         let e_68 = end_v1;
         both_v2 = lt(e_68, splat(0.5f32));
@@ -2292,14 +2340,14 @@ lanes! { fn surface_quadric_vertical_segment(r: &Resources<'_>, within: M, pixel
     let descent_14 = sub(splat(0.0f32), add(add(add(mul(at_a1.normal.x, direction_8.x), mul(at_a1.normal.y, direction_8.y)), mul(at_a1.normal.z, direction_8.z)), splat(0.0f32)));
     let scale_15 = r.traced_scale_m();
     let slope_20 = div(sub(splat(0.0f32), descent_14), splat(scale_15));
-    let bend_23 = quadric_at(r, Vec3 { x: at_a1.quadric.x, y: at_a1.quadric.y, z: at_a1.quadric.z }, Vec2 { x: e_9.x, y: e_9.y });
+    let bend_23 = quadric_at(r, Vec3 { x: at_a1.of_surface.x, y: at_a1.of_surface.y, z: at_a1.of_surface.z }, Vec2 { x: e_9.x, y: e_9.y });
     let curve_26 = div(sub(splat(0.0f32), bend_23), splat(scale_15));
     let e_27 = plane_normal(r, pixel_a0);
     let e_28 = plane_distance(r, pixel_a0, e_27);
     let distance_29 = mul(e_28, along_5);
     let eye_31 = sub(splat(0.0f32), distance_29);
-    let top_35 = bent_descent(r, ex, mul(sub(at_a1.quadric.w, splat(1.0f32)), splat(scale_15)), descent_14, bend_23);
-    both_v1 = or(lt(at_a1.quadric.w, splat(1.0f32)), ge(top_35, splat(0.0f32)));
+    let top_35 = bent_descent(r, ex, mul(sub(at_a1.of_surface.w, splat(1.0f32)), splat(scale_15)), descent_14, bend_23);
+    both_v1 = or(lt(at_a1.of_surface.w, splat(1.0f32)), ge(top_35, splat(0.0f32)));
     let e_48 = both_v1;
     both_v0 = and(lt(top_35, splat(3e38f32)), e_48);
     let comes_down_50 = both_v0;
@@ -2307,13 +2355,13 @@ lanes! { fn surface_quadric_vertical_segment(r: &Resources<'_>, within: M, pixel
     let e_53 = enter_v2;
     let e_54 = enter_v2;
     let e_59 = enter_v2;
-    let begin_62 = sel(eq(e_59, top_35), splat(1.0f32), add(at_a1.quadric.w, mul(e_53, add(slope_20, mul(curve_26, e_54)))));
+    let begin_62 = sel(eq(e_59, top_35), splat(1.0f32), add(at_a1.of_surface.w, mul(e_53, add(slope_20, mul(curve_26, e_54)))));
     let e_63 = enter_v2;
     let e_66 = enter_v2;
     let e_70 = bent_exit(r, ex, Vec3 { x: begin_62, y: add(slope_20, mul(mul(splat(2.0f32), curve_26), e_66)), z: curve_26 });
     leave_v3 = add(e_63, e_70);
     let c1 = eq(bend_23, splat(0.0f32));
-    leave_v3 = sel(c1, div(mul(at_a1.quadric.w, splat(scale_15)), descent_14), leave_v3);
+    leave_v3 = sel(c1, div(mul(at_a1.of_surface.w, splat(scale_15)), descent_14), leave_v3);
     let e_77 = leave_v3;
     let e_78 = leave_v3;
     leave_v3 = sel(c1, add(e_77, mul(sub(e_78, top_35), splat(1e-6f32))), leave_v3);
@@ -2333,7 +2381,7 @@ lanes! { fn surface_quadric_vertical_segment(r: &Resources<'_>, within: M, pixel
     let e_105 = enter_v2;
     let e_106 = enter_v2;
     let e_111 = enter_v2;
-    let entry_height_114 = sel(eq(e_111, top_35), splat(1.0f32), add(at_a1.quadric.w, mul(e_105, add(slope_20, mul(curve_26, e_106)))));
+    let entry_height_114 = sel(eq(e_111, top_35), splat(1.0f32), add(at_a1.of_surface.w, mul(e_105, add(slope_20, mul(curve_26, e_106)))));
     let e_115 = enter_v2;
     let base_120 = min_with(max_with(sub(splat(0.0f32), e_115), splat((-3e38f32))), splat(3e38f32));
     let e_122 = enter_v2;
@@ -2369,11 +2417,75 @@ lanes! { fn surface_facets_segment(r: &Resources<'_>, within: M, pixel_a0: &Pixe
     let mut ex = within;
     let mut ret: Path = zero_path();
     let e_4 = plane_normal(r, pixel_a0);
-    let e_5 = facet_distance(r, ex, pixel_a0, e_4);
+    let e_5 = triangle_distance(r, ex, pixel_a0, e_4);
     let start_8 = mul(e_5, sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z))));
     let height_11 = height_at_ll(r, ex, Vec2 { x: at_a1.uv.x, y: at_a1.uv.y }, at_a1.level);
     let duv_14 = Vec2 { x: 0.0f32, y: 0.0f32 };
     return Path { uv: Vec2 { x: at_a1.uv.x, y: at_a1.uv.y }, duv: Vec2 { x: splat(duv_14.x), y: splat(duv_14.y) }, h: Vec3 { x: height_11, y: splat(0.0f32), z: splat(0.0f32) }, exit: splat(1.0f32), base: splat(0.0f32), metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: start_8, share: splat(1.0f32), };
+} }
+lanes! { fn slice_inside(r: &Resources<'_>, map_a0: F, slice_a1: F, spacing_a2: F, params_a3: Vec4<f32>) -> M {
+    return gt(map_a0, slice_a1);
+} }
+lanes! { fn slice_at_least(r: &Resources<'_>, map_a0: F, slice_a1: F, spacing_a2: F, params_a3: Vec4<f32>) -> M {
+    return ge(map_a0, slice_a1);
+} }
+lanes! { fn slice_band(r: &Resources<'_>, map_a0: F, slice_a1: F, spacing_a2: F, params_a3: Vec4<f32>) -> M {
+    return le(abs(sub(map_a0, slice_a1)), mul(splat(0.5f32), spacing_a2));
+} }
+lanes! { fn slices_stage(r: &Resources<'_>, map_a0: F, slice_a1: F, spacing_a2: F) -> M {
+    match r.surface_settings.choices[2].number {
+        0u32 => {
+            let e_13 = slice_inside(r, map_a0, slice_a1, spacing_a2, r.surface_settings.choices[2].params);
+            return e_13;
+        }
+        1u32 => {
+            let e_19 = slice_at_least(r, map_a0, slice_a1, spacing_a2, r.surface_settings.choices[2].params);
+            return e_19;
+        }
+        _ => {
+            let e_25 = slice_band(r, map_a0, slice_a1, spacing_a2, r.surface_settings.choices[2].params);
+            return e_25;
+        }
+    }
+} }
+lanes! { fn slice_before(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, along_a1: F, far_a2: F, uv_a3: Vec2<F>, step_m_a4: F) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut both_v0: M = splat_m(false);
+    let a_10 = Vec3 { x: add(splat(pixel_a0.a.position.x), mul(splat(pixel_a0.a.normal.x), step_m_a4)), y: add(splat(pixel_a0.a.position.y), mul(splat(pixel_a0.a.normal.y), step_m_a4)), z: add(splat(pixel_a0.a.position.z), mul(splat(pixel_a0.a.normal.z), step_m_a4)) };
+    let b_16 = Vec3 { x: add(splat(pixel_a0.b.position.x), mul(splat(pixel_a0.b.normal.x), step_m_a4)), y: add(splat(pixel_a0.b.position.y), mul(splat(pixel_a0.b.normal.y), step_m_a4)), z: add(splat(pixel_a0.b.position.z), mul(splat(pixel_a0.b.normal.z), step_m_a4)) };
+    let c_22 = Vec3 { x: add(splat(pixel_a0.c.position.x), mul(splat(pixel_a0.c.normal.x), step_m_a4)), y: add(splat(pixel_a0.c.position.y), mul(splat(pixel_a0.c.normal.y), step_m_a4)), z: add(splat(pixel_a0.c.position.z), mul(splat(pixel_a0.c.normal.z), step_m_a4)) };
+    let e_23 = Vec3 { x: sub(b_16.x, a_10.x), y: sub(b_16.y, a_10.y), z: sub(b_16.z, a_10.z) };
+    let e_24 = Vec3 { x: sub(c_22.x, a_10.x), y: sub(c_22.y, a_10.y), z: sub(c_22.z, a_10.z) };
+    let n_25 = Vec3 { x: sub(mul(e_23.y, e_24.z), mul(e_23.z, e_24.y)), y: sub(mul(e_23.z, e_24.x), mul(e_23.x, e_24.z)), z: sub(mul(e_23.x, e_24.y), mul(e_23.y, e_24.x)) };
+    let t_31 = div(add(add(add(mul(n_25.x, sub(a_10.x, pixel_a0.origin.x)), mul(n_25.y, sub(a_10.y, pixel_a0.origin.y))), mul(n_25.z, sub(a_10.z, pixel_a0.origin.z))), splat(0.0f32)), add(add(add(mul(n_25.x, pixel_a0.direction.x), mul(n_25.y, pixel_a0.direction.y)), mul(n_25.z, pixel_a0.direction.z)), splat(0.0f32)));
+    let lead_33 = sub(far_a2, mul(t_31, along_a1));
+    both_v0 = and(gt(lead_33, mul(far_a2, splat(5e-7f32))), le(abs(t_31), splat(1000000000.0f32)));
+    let e_43 = both_v0;
+    let c1 = not(e_43);
+    ret = Vec3 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32) };
+    ex = and_not(ex, c1);
+    if none(ex) { return ret; }
+    let w_53 = weights_of(r, a_10, b_16, c_22, n_25, Vec3 { x: add(pixel_a0.origin.x, mul(pixel_a0.direction.x, t_31)), y: add(pixel_a0.origin.y, mul(pixel_a0.direction.y, t_31)), z: add(pixel_a0.origin.z, mul(pixel_a0.direction.z, t_31)) });
+    let y2 = Vec3 { x: sub(add(add(mul(splat(pixel_a0.a.uv.x), w_53.x), mul(splat(pixel_a0.b.uv.x), w_53.y)), mul(splat(pixel_a0.c.uv.x), w_53.z)), uv_a3.x), y: sub(add(add(mul(splat(pixel_a0.a.uv.y), w_53.x), mul(splat(pixel_a0.b.uv.y), w_53.y)), mul(splat(pixel_a0.c.uv.y), w_53.z)), uv_a3.y), z: lead_33 };
+    return Vec3 { x: sel(ex, y2.x, ret.x), y: sel(ex, y2.y, ret.y), z: sel(ex, y2.z, ret.z) };
+} }
+lanes! { fn surface_slices_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let along_5 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let e_6 = plane_normal(r, pixel_a0);
+    let e_7 = triangle_distance(r, ex, pixel_a0, e_6);
+    let far_8 = mul(e_7, along_5);
+    let e_15 = height_at_ll(r, ex, Vec2 { x: at_a1.uv.x, y: at_a1.uv.y }, at_a1.level);
+    let passes_16 = slices_stage(r, e_15, at_a1.of_surface.x, at_a1.of_surface.y);
+    let upward_25 = mul(sel(lt(add(add(add(mul(pixel_a0.direction.x, at_a1.normal.x), mul(pixel_a0.direction.y, at_a1.normal.y)), mul(pixel_a0.direction.z, at_a1.normal.z)), splat(0.0f32)), splat(0.0f32)), splat(1.0f32), splat((-1.0f32))), at_a1.of_surface.y);
+    let before_31 = slice_before(r, ex, pixel_a0, along_5, far_8, Vec2 { x: at_a1.uv.x, y: at_a1.uv.y }, mul(upward_25, splat(r.surface_settings.scale_m)));
+    let known_34 = gt(before_31.z, splat(0.0f32));
+    let lead_39 = sel(known_34, min(before_31.z, far_8), mul(far_8, splat(5e-7f32)));
+    let e_46 = sel(known_34, before_31.z, splat(1.0f32));
+    let back_48 = Vec3 { x: div(before_31.x, e_46), y: div(before_31.y, e_46), z: div(sel(known_34, upward_25, splat(0.0f32)), e_46) };
+    return Path { uv: Vec2 { x: add(at_a1.uv.x, mul(back_48.x, lead_39)), y: add(at_a1.uv.y, mul(back_48.y, lead_39)) }, duv: Vec2 { x: sub(splat(0.0f32), back_48.x), y: sub(splat(0.0f32), back_48.y) }, h: Vec3 { x: add(at_a1.of_surface.x, mul(back_48.z, lead_39)), y: sub(splat(0.0f32), back_48.z), z: splat(0.0f32) }, exit: sel(passes_16, lead_39, splat(0.0f32)), base: lead_39, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: sub(far_8, lead_39), share: splat(1.0f32), };
 } }
 lanes! { fn surface_segment_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32) -> Path {
     let mut ex = within;
@@ -2399,9 +2511,13 @@ lanes! { fn surface_segment_stage(r: &Resources<'_>, within: M, pixel_a0: &Pixel
             let e_37 = surface_tetrahedra_segment(r, ex, pixel_a0, at_a1, k_a2, r.surface_settings.choices[1].params);
             return e_37;
         }
-        _ => {
+        5u32 => {
             let e_43 = surface_facets_segment(r, ex, pixel_a0, at_a1, k_a2, r.surface_settings.choices[1].params);
             return e_43;
+        }
+        _ => {
+            let e_49 = surface_slices_segment(r, ex, pixel_a0, at_a1, k_a2, r.surface_settings.choices[1].params);
+            return e_49;
         }
     }
 } }
@@ -2504,6 +2620,13 @@ stage! { fn surface_tetrahedra_polish(r: &Resources<'_>, within: M, pixel_a0: &P
 lanes! { fn surface_facets_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
     return *hit_a3;
 } }
+lanes! { fn surface_slices_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
+    let mut counted_v0: Hit = zero_hit();
+    counted_v0 = *hit_a3;
+    counted_v0.cost = Vec3 { x: add_u(hit_a3.cost.x, splat_u(1u32)), y: add_u(hit_a3.cost.y, splat_u(0u32)), z: add_u(hit_a3.cost.z, splat_u(16u32)) };
+    let e_10 = counted_v0;
+    return e_10;
+} }
 lanes! { fn surface_polish_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
@@ -2528,9 +2651,13 @@ lanes! { fn surface_polish_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelI
             let e_38 = surface_tetrahedra_polish(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
             return e_38;
         }
-        _ => {
+        5u32 => {
             let e_44 = surface_facets_polish(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
             return e_44;
+        }
+        _ => {
+            let e_50 = surface_slices_polish(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_50;
         }
     }
 } }
@@ -3227,41 +3354,41 @@ lanes! { fn shadow_scene(r: &Resources<'_>, at_a0: &Entered, hit_a1: &Hit, light
 lanes! { fn shadow_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
-    match r.surface_settings.choices[6].number {
+    match r.surface_settings.choices[7].number {
         0u32 => {
-            let e_13 = shadow_ray(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[6].params);
+            let e_13 = shadow_ray(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[7].params);
             return e_13;
         }
         1u32 => {
-            let e_19 = shadow_none(r, at_a0, hit_a1, light_a2, r.surface_settings.choices[6].params);
+            let e_19 = shadow_none(r, at_a0, hit_a1, light_a2, r.surface_settings.choices[7].params);
             return e_19;
         }
         2u32 => {
-            let e_25 = shadow_entry(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[6].params);
+            let e_25 = shadow_entry(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[7].params);
             return e_25;
         }
         3u32 => {
-            let e_31 = shadow_soft(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[6].params);
+            let e_31 = shadow_soft(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[7].params);
             return e_31;
         }
         4u32 => {
-            let e_37 = shadow_heuristic(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[6].params);
+            let e_37 = shadow_heuristic(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[7].params);
             return e_37;
         }
         5u32 => {
-            let e_43 = shadow_horizon(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[6].params);
+            let e_43 = shadow_horizon(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[7].params);
             return e_43;
         }
         6u32 => {
-            let e_49 = shadow_visibility(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[6].params);
+            let e_49 = shadow_visibility(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[7].params);
             return e_49;
         }
         7u32 => {
-            let e_55 = shadow_map(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[6].params);
+            let e_55 = shadow_map(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[7].params);
             return e_55;
         }
         _ => {
-            let e_61 = shadow_scene(r, at_a0, hit_a1, light_a2, r.surface_settings.choices[6].params);
+            let e_61 = shadow_scene(r, at_a0, hit_a1, light_a2, r.surface_settings.choices[7].params);
             return e_61;
         }
     }
@@ -3308,7 +3435,7 @@ lanes! { fn quadric_frame(r: &Resources<'_>, within: M, at_a0: &Entered, aside_a
     let mut placed_v0: Entered = zero_entered();
     let mut both_v1: M = splat_m(false);
     placed_v0 = *at_a0;
-    let slope_5 = quadric_slope(r, Vec3 { x: at_a0.quadric.x, y: at_a0.quadric.y, z: at_a0.quadric.z }, aside_a1);
+    let slope_5 = quadric_slope(r, Vec3 { x: at_a0.of_surface.x, y: at_a0.of_surface.y, z: at_a0.of_surface.z }, aside_a1);
     both_v1 = and(eq(slope_5.x, splat(0.0f32)), eq(slope_5.y, splat(0.0f32)));
     let e_15 = both_v1;
     let (b1, c2) = (ex, e_15);
@@ -3364,8 +3491,8 @@ lanes! { fn surface_quadric_vertical_place(r: &Resources<'_>, within: M, pixel_a
     let height_18 = add(splat(r.surface_settings.bias_m), mul(splat(r.surface_settings.scale_m), e_16));
     let e_19 = r.base_height();
     let e_23 = r.traced_scale_m();
-    let e_27 = quadric_at(r, Vec3 { x: at_a1.quadric.x, y: at_a1.quadric.y, z: at_a1.quadric.z }, aside_7);
-    let lifted_28 = add(mul(sub(splat(e_19), at_a1.quadric.w), splat(e_23)), e_27);
+    let e_27 = quadric_at(r, Vec3 { x: at_a1.of_surface.x, y: at_a1.of_surface.y, z: at_a1.of_surface.z }, aside_7);
+    let lifted_28 = add(mul(sub(splat(e_19), at_a1.of_surface.w), splat(e_23)), e_27);
     let e_29 = quadric_frame(r, ex, at_a1, aside_7);
     placed_v0 = e_29;
     let e_42 = add(height_18, lifted_28);
@@ -3394,6 +3521,19 @@ stage! { fn surface_tetrahedra_place(r: &Resources<'_>, within: M, pixel_a0: &Pi
 lanes! { fn surface_facets_place(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
     return *at_a1;
 } }
+lanes! { fn surface_slices_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut placed_v0: Entered = zero_entered();
+    let aside_7 = Vec2 { x: sub(hit_a3.uv.x, at_a1.uv.x), y: sub(hit_a3.uv.y, at_a1.uv.y) };
+    let e_16 = height_at_ll(r, ex, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y }, at_a1.level);
+    let height_18 = add(splat(r.surface_settings.bias_m), mul(splat(r.surface_settings.scale_m), e_16));
+    placed_v0 = *at_a1;
+    placed_v0.point = Vec3 { x: add(add(add(at_a1.point.x, mul(at_a1.tangent.x, aside_7.x)), mul(at_a1.bitangent.x, aside_7.y)), mul(at_a1.normal.x, height_18)), y: add(add(add(at_a1.point.y, mul(at_a1.tangent.y, aside_7.x)), mul(at_a1.bitangent.y, aside_7.y)), mul(at_a1.normal.y, height_18)), z: add(add(add(at_a1.point.z, mul(at_a1.tangent.z, aside_7.x)), mul(at_a1.bitangent.z, aside_7.y)), mul(at_a1.normal.z, height_18)) };
+    placed_v0.uv = Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y };
+    let e_35 = placed_v0;
+    return e_35;
+} }
 lanes! { fn surface_place_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Entered {
     let mut ex = within;
     let mut ret: Entered = zero_entered();
@@ -3418,9 +3558,13 @@ lanes! { fn surface_place_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn
             let e_38 = surface_tetrahedra_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
             return e_38;
         }
-        _ => {
+        5u32 => {
             let e_44 = surface_facets_place(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
             return e_44;
+        }
+        _ => {
+            let e_50 = surface_slices_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_50;
         }
     }
 } }
@@ -3578,9 +3722,9 @@ lanes! { fn shade_blinn_phong(r: &Resources<'_>, within: M, normal_a0: Vec3<F>, 
 lanes! { fn shade_stage(r: &Resources<'_>, within: M, normal_a0: Vec3<F>, mean_a1: F, cosine_a2: F, view_a3: Vec3<F>, toward_a4: Vec3<F>, color_a5: Vec3<F>) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    match r.surface_settings.choices[5].number {
+    match r.surface_settings.choices[6].number {
         _ => {
-            let e_16 = shade_blinn_phong(r, ex, normal_a0, mean_a1, cosine_a2, view_a3, toward_a4, color_a5, r.surface_settings.choices[5].params);
+            let e_16 = shade_blinn_phong(r, ex, normal_a0, mean_a1, cosine_a2, view_a3, toward_a4, color_a5, r.surface_settings.choices[6].params);
             return e_16;
         }
     }

@@ -26,6 +26,7 @@ pub mod search;
 mod selection;
 pub mod shade;
 pub mod shadow;
+pub mod slice;
 mod slots;
 mod stages;
 pub mod surface;
@@ -33,11 +34,12 @@ pub mod wgsl;
 
 pub use light_ray::LightRayState;
 pub use maps::{MapError, MapNeed, MapProblem, SlotMaps};
-pub use methods::{METHODS, Method, method};
+pub use methods::{Family, METHODS, Method, method};
 pub use selection::{Choice, Selection, SelectionError};
 pub use slots::MapSlot;
 pub use stages::{
-    AMBIENT, Call, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, SURFACE, Stage, stage,
+    AMBIENT, Call, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, Stage,
+    stage, stage_of_setting,
 };
 
 /// The most lights of a picture: the length of the shaders' array of lights.
@@ -51,6 +53,10 @@ pub const MAX_LIGHT_VIEWS: usize = LIGHT_FACES * MAX_LIGHTS;
 
 /// The survey that classifies every per-pixel method by its search and its refinement.
 const SURVEY: &str = "Szirmay-Kalos and Umenhoffer 2008, Displacement Mapping on the GPU - State of the Art";
+
+/// The paper on slices, and on objects of images with depth.
+const DEPTH_OBJECTS: &str =
+    "Kautz and Seidel 2001, Hardware Accelerated Displacement Mapping for Image Based Rendering";
 
 #[cfg(test)]
 mod tests {

@@ -2,9 +2,10 @@
 
 use relief_core::registry::{Publication, UnknownName};
 
-use crate::{SURVEY, geometry};
+use crate::{DEPTH_OBJECTS, SURVEY, geometry, slice};
 
-/// A published pair of search and refinement, or displaced triangles, of which nothing is searched.
+/// A published pair of search and refinement, or triangles of their own, of which nothing is searched: displaced
+/// ones, or slices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Method {
     /// The name on the command line and in scenes.
@@ -21,6 +22,32 @@ pub struct Method {
     pub settings: &'static [(&'static str, f32)],
     /// Where it was published.
     pub publication: Publication,
+}
+
+/// What a method makes its pictures of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Family {
+    /// Rays into the relief of a base, or displaced triangles.
+    Ray,
+    /// Slices through the relief.
+    Slices,
+}
+
+impl Family {
+    /// The word used in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Family::Ray => "ray",
+            Family::Slices => "slices",
+        }
+    }
+}
+
+impl Method {
+    /// The family that it belongs to.
+    pub fn family(&self) -> Family {
+        if self.geometry == geometry::SLICES { Family::Slices } else { Family::Ray }
+    }
 }
 
 /// The settings of a method that has none of its own.
@@ -216,6 +243,15 @@ pub const METHODS: &[Method] = &[
             paper: "Gumhold and Hüttner 1999, Multiresolution Rendering With Displacement Mapping",
             section: "3.1",
         },
+    },
+    Method {
+        name: "slices-surface",
+        summary: "slices along the base, drawn where the relief is at least as high",
+        geometry: geometry::SLICES,
+        search: "none",
+        refine: "none",
+        settings: &[("slices.test", slice::AT_LEAST)],
+        publication: Publication { paper: DEPTH_OBJECTS, section: "3.1" },
     },
 ];
 

@@ -11,6 +11,7 @@ pub const AZIMUTHS: Param = Param {
     max: 256.0,
     default: 16.0,
     integer: true,
+    names: &[],
 };
 
 /// In how many elevations of each azimuth is looked.

@@ -5,17 +5,17 @@ mod error;
 use relief_core::HeightMap;
 use relief_core::mesh::QuadricCoefficients;
 use relief_core::registry::{
-    self, Entry, Guarantee, Guarantees, MAX_PARAMS, MapLevels, MapSetting, Param, RayClass,
+    self, Entry, Guarantee, Guarantees, MAX_PARAMS, MapLevels, MapSetting, Param, RayClass, UnknownName,
 };
 
 pub use self::error::SelectionError;
 use crate::Method;
 use crate::geometry::{self, Geometry};
 use crate::stages::{
-    AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, SURFACE, Stage, entry_place,
-    stage,
+    AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, Stage,
+    entry_place, stage, stage_of_setting,
 };
-use crate::surface::{PATHS, Paths};
+use crate::surface::{PATHS, Paths, Shown};
 
 /// A stage's variant, and its parameters.
 #[derive(Clone, Copy, Debug)]
@@ -91,26 +91,50 @@ impl Selection {
 
     /// The same with a surface, a search and a shadow that go with the geometry.
     fn with_stages_for_geometry(mut self) -> Self {
-        if self.geometry().is_none() {
-            if self.choices[SURFACE].number as usize == FACETS {
+        let shown = self.shown_by_geometry();
+        if shown == Shown::Relief {
+            if self.paths().shown != shown {
                 self.choices[SURFACE] = Choice::new(&STAGES[SURFACE], 0);
             }
             return self;
         }
-        let chosen = [(SURFACE, FACETS), (SEARCH, NO_SEARCH), (REFINE, NO_REFINEMENT), (SHADOW, LIGHT_MAP)];
+        let (surface, shadow) = if shown == Shown::Slices { (SLICED, RAY) } else { (FACETS, LIGHT_MAP) };
+        let chosen = [(SURFACE, surface), (SEARCH, NO_SEARCH), (REFINE, NO_REFINEMENT), (SHADOW, shadow)];
         for (stage, number) in chosen {
             self.choices[stage] = Choice::new(&STAGES[stage], number);
         }
         self.with_search_for_shadows()
     }
 
-    /// Which displaced triangles are shown; none where the relief is found pixel by pixel on the base.
+    /// The same with the refinement that the slices ask for.
+    fn with_refinement_of_slices(mut self) -> Self {
+        let Choice { entry, params, .. } = &self.choices[SLICES];
+        let steps = entry.param("refine").map_or(0.0, |(place, _)| params[place]);
+        let number = if steps > 0.0 { SECANT } else { NO_REFINEMENT };
+        self.choices[REFINE] = Choice::new(&STAGES[REFINE], number);
+        if let Some((place, _)) = self.choices[REFINE].entry.param("steps") {
+            self.choices[REFINE].params[place] = steps;
+        }
+        self
+    }
+
+    /// What the triangles of the geometry show.
+    fn shown_by_geometry(&self) -> Shown {
+        match self.geometry() {
+            None => Shown::Relief,
+            Some(Geometry::Slices(_)) => Shown::Slices,
+            Some(_) => Shown::Triangles,
+        }
+    }
+
+    /// Which triangles are shown in place of the base's; none where the relief is found pixel by pixel on it.
     pub fn geometry(&self) -> Option<Geometry> {
         let Choice { entry, params, .. } = &self.choices[GEOMETRY];
         match entry.name {
             geometry::VERTEX => Some(Geometry::Texels(params[0] as u32)),
             geometry::REMESH => Some(Geometry::Pixels(params[0])),
             geometry::TESSELLATE => Some(Geometry::Tessellated(params[0])),
+            geometry::SLICES => Some(Geometry::Slices(self.choices[SLICES].params[0] as u32)),
             _ => None,
         }
     }
@@ -144,7 +168,8 @@ impl Selection {
     /// parameters. With a search or a shadow the search for shadows is chosen, too: that of the view, or
     /// `cells` where that is of no use for shadows. Another `shadow-search` is chosen after these. With a
     /// geometry of displaced triangles the surface `facets` is chosen, no search, and the shadow `map`, which
-    /// sees triangles; with the geometry `none` another surface than `facets`.
+    /// sees triangles; with that of slices the surface `slices` and no search; with the geometry `none` a
+    /// surface that relief lies on.
     ///
     /// # Errors
     ///
@@ -169,8 +194,16 @@ impl Selection {
     ///
     /// When the key names no parameter of the chosen variants, or the value is out of range.
     pub fn set(&mut self, key: &str, value: f64) -> Result<(), SelectionError> {
-        let parts = key.split_once('.').and_then(|(of, name)| Some((stage(of)?, name)));
-        let ((place, stage), name) = parts.ok_or_else(|| SelectionError::Key(key.to_owned()))?;
+        let (place, stage, name) =
+            stage_of_setting(key).ok_or_else(|| SelectionError::Key(key.to_owned()))?;
+        if stage.chosen_as == Some(name) {
+            let greatest = (stage.entries.len() - 1) as f32;
+            let number = checked(key, &whole_to(greatest), value)? as usize;
+            // Its variants have the same parameters.
+            let chosen = Choice::new(stage, number);
+            self.choices[place] = Choice { params: self.choices[place].params, ..chosen };
+            return Ok(());
+        }
         let [view, shadow] = [SEARCH, SHADOW_SEARCH].map(|stage| &self.choices[stage]);
         let follows = place == SEARCH && (view.number, view.params) == (shadow.number, shadow.params);
         let Choice { entry, params, .. } = &mut self.choices[place];
@@ -183,7 +216,34 @@ impl Selection {
         if follows {
             *self = self.with_search_for_shadows();
         }
+        if (place, name) == (SLICES, "refine") && self.shown_by_geometry() == Shown::Slices {
+            *self = self.with_refinement_of_slices();
+        }
         Ok(())
+    }
+
+    /// The number that a setting's value is, which may be said by a name, as in `slices.test=band`.
+    ///
+    /// # Errors
+    ///
+    /// When the text is neither a number nor a name of that setting's.
+    pub fn value_of(key: &str, text: &str) -> Result<f64, SelectionError> {
+        if let Ok(number) = text.parse() {
+            return Ok(number);
+        }
+        let (key, text) = (key.to_owned(), text.to_owned());
+        let names = stage_of_setting(&key).map_or(Vec::new(), |(_, stage, name)| stage.names_of(name));
+        match names.iter().position(|name| *name == text) {
+            Some(place) => Ok(place as f64),
+            None if names.is_empty() => Err(SelectionError::NoNumber { key, text }),
+            None => Err(UnknownName::new("value", &text, names).into()),
+        }
+    }
+
+    /// The name of a setting's value where its values have names.
+    pub fn name_of(key: &str, value: f64) -> Option<&'static str> {
+        let (_, stage, name) = stage_of_setting(key)?;
+        stage.names_of(name).into_iter().enumerate().find_map(|(k, name)| (k as f64 == value).then_some(name))
     }
 
     /// Whether every chosen variant can be used for the rays that its stage is given, and with the others.
@@ -243,14 +303,16 @@ impl Selection {
     ///
     /// When one does not.
     fn check_surface(&self) -> Result<(), SelectionError> {
-        let Paths { rays, has_relief, refused, .. } = self.paths();
+        let Paths { rays, shown, refused, .. } = self.paths();
         let surface = self.choices[SURFACE].entry.name;
         let error = |place: usize, reason| {
             let (Stage { title: stage, key, .. }, entry) = (&STAGES[place], self.choices[place].entry.name);
             Err(SelectionError::Surface { stage, key, entry, surface, reason })
         };
-        if self.geometry().is_some() && *has_relief {
-            return error(GEOMETRY, geometry::DISPLACED.to_owned());
+        // Triangles may be displaced already where no geometry displaces them.
+        let of_geometry = self.shown_by_geometry();
+        if *shown != of_geometry && (*shown, of_geometry) != (Shown::Triangles, Shown::Relief) {
+            return error(GEOMETRY, of_geometry.needs().to_owned());
         }
         for (place, (stage, choice)) in STAGES.iter().zip(&self.choices).enumerate() {
             let of_stage = refused.iter().filter(|refused| refused.stage == stage.key);
@@ -312,9 +374,14 @@ impl Selection {
         self.check_taken(SEARCH, REFINE)
     }
 
-    /// Whether a stage is asked for anything: the search for shadows is not, where no shadow sends rays.
+    /// Whether a stage is asked for anything: the search for shadows is not where no shadow sends rays, and the
+    /// test of slices where there are none.
     pub fn uses(&self, stage: usize) -> bool {
-        stage != SHADOW_SEARCH || !self.choices[SHADOW].entry.states.is_empty()
+        match stage {
+            SHADOW_SEARCH => !self.choices[SHADOW].entry.states.is_empty(),
+            SLICES => self.shown_by_geometry() == Shown::Slices,
+            _ => true,
+        }
     }
 
     /// Whether the variant of the stage `taker` makes something of what the search of the stage `giver`
@@ -364,7 +431,7 @@ impl Selection {
     /// relief neither is.
     pub fn is_traced(&self) -> bool {
         let chosen = |stage: usize| self.choices[stage].entry.name != "none";
-        self.paths().has_relief && (chosen(SEARCH) || chosen(REFINE))
+        self.paths().has_relief() && (chosen(SEARCH) || chosen(REFINE))
     }
 
     /// Whether shadows are those of rays from the hit to the light, or to points of its disc, through the
@@ -409,11 +476,17 @@ const CELLS: usize = entry_place(STAGES[SEARCH].entries, "cells");
 /// The number of the surface `facets`.
 const FACETS: usize = entry_place(STAGES[SURFACE].entries, "facets");
 
+/// The number of the surface `slices`.
+const SLICED: usize = entry_place(STAGES[SURFACE].entries, "slices");
+
 /// The number of the search `none`.
 const NO_SEARCH: usize = entry_place(STAGES[SEARCH].entries, "none");
 
 /// The number of the refinement `none`.
 const NO_REFINEMENT: usize = entry_place(STAGES[REFINE].entries, "none");
+
+/// The number of the refinement `secant`.
+const SECANT: usize = entry_place(STAGES[REFINE].entries, "secant");
 
 /// The number of the shadow `none`.
 const NO_SHADOW: usize = entry_place(STAGES[SHADOW].entries, "none");
@@ -435,6 +508,11 @@ const SCENE: usize = entry_place(STAGES[SHADOW].entries, "scene");
 
 /// The number of the refinement `patch`.
 const PATCH: usize = entry_place(STAGES[REFINE].entries, "patch");
+
+/// A number from 0 to that one.
+const fn whole_to(max: f32) -> Param {
+    Param { name: "", summary: "", unit: "", min: 0.0, max, default: 0.0, integer: true, names: &[] }
+}
 
 fn checked(key: &str, param: &Param, value: f64) -> Result<f32, SelectionError> {
     let (min, max) = (f64::from(param.min), f64::from(param.max));

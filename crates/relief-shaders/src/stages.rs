@@ -4,7 +4,7 @@
 use relief_core::registry::{Entry, RayClass};
 
 use crate::slots::MapSlot;
-use crate::{ambient, detail, geometry, refine, search, shade, shadow, surface};
+use crate::{ambient, detail, geometry, refine, search, shade, shadow, slice, surface};
 
 /// A stage: a list of variants that do the same task, each in a way of its own.
 ///
@@ -25,6 +25,8 @@ pub struct Stage {
     pub plural: &'static str,
     /// The variants; the place of each is its number in the shaders.
     pub entries: &'static [Entry],
+    /// The setting that chooses the variant, as in `slices.test`; none where the stage's key itself does.
+    pub chosen_as: Option<&'static str>,
     /// The functions that each variant has; none where no shader runs it.
     pub calls: &'static [Call],
     /// Where its variants read baked maps, if they may read any.
@@ -51,13 +53,14 @@ const fn only(inputs: &'static [(&'static str, &'static str)], returns: &'static
 }
 
 /// All stages, in the order in which a pixel goes through them.
-pub const STAGES: [Stage; 9] = [
+pub const STAGES: [Stage; 10] = [
     Stage {
         key: "geometry",
         folder: "geometry",
         title: "geometry",
         plural: "geometries",
         entries: geometry::ENTRIES,
+        chosen_as: None,
         calls: &[],
         slot: None,
         rays: &[],
@@ -68,6 +71,7 @@ pub const STAGES: [Stage; 9] = [
         title: "surface",
         plural: "surfaces",
         entries: surface::ENTRIES,
+        chosen_as: None,
         calls: &[
             Call { name: "enter", inputs: &[("pixel", "PixelIn")], returns: "Entered" },
             Call {
@@ -90,11 +94,23 @@ pub const STAGES: [Stage; 9] = [
         rays: &[RayClass::View],
     },
     Stage {
+        key: "slices",
+        folder: "slice",
+        title: "slice test",
+        plural: "slice tests",
+        entries: slice::ENTRIES,
+        chosen_as: Some("test"),
+        calls: &[only(&[("map", "f32"), ("slice", "f32"), ("spacing", "f32")], "bool")],
+        slot: None,
+        rays: &[],
+    },
+    Stage {
         key: "detail",
         folder: "detail",
         title: "detail",
         plural: "levels of detail",
         entries: detail::ENTRIES,
+        chosen_as: None,
         calls: &[only(&[("pixel", "PixelIn"), ("at", "Entered")], "Detail")],
         slot: Some(MapSlot::Detail),
         rays: &[],
@@ -105,6 +121,7 @@ pub const STAGES: [Stage; 9] = [
         title: "search",
         plural: "searches",
         entries: search::ENTRIES,
+        chosen_as: None,
         calls: &[only(&[("path", "Path")], "Found")],
         slot: Some(MapSlot::Search),
         rays: &[RayClass::View],
@@ -115,6 +132,7 @@ pub const STAGES: [Stage; 9] = [
         title: "refinement",
         plural: "refinements",
         entries: refine::ENTRIES,
+        chosen_as: None,
         calls: &[only(&[("path", "Path"), ("found", "Found")], "Hit")],
         slot: None,
         rays: &[RayClass::View],
@@ -125,6 +143,7 @@ pub const STAGES: [Stage; 9] = [
         title: "shading",
         plural: "shadings",
         entries: shade::ENTRIES,
+        chosen_as: None,
         calls: &[only(
             &[
                 ("normal", "vec3f"),
@@ -145,6 +164,7 @@ pub const STAGES: [Stage; 9] = [
         title: "shadow",
         plural: "shadows",
         entries: shadow::ENTRIES,
+        chosen_as: None,
         calls: &[only(&[("at", "Entered"), ("hit", "Hit"), ("light", "Toward")], "f32")],
         slot: Some(MapSlot::Shadow),
         rays: &[],
@@ -155,6 +175,7 @@ pub const STAGES: [Stage; 9] = [
         title: "shadow search",
         plural: "shadow searches",
         entries: search::ENTRIES,
+        chosen_as: None,
         calls: &[only(&[("path", "Path")], "Found")],
         slot: Some(MapSlot::ShadowSearch),
         rays: &[RayClass::Shadow],
@@ -165,6 +186,7 @@ pub const STAGES: [Stage; 9] = [
         title: "ambient light",
         plural: "ambient lights",
         entries: ambient::ENTRIES,
+        chosen_as: None,
         calls: &[only(
             &[("at", "Entered"), ("hit", "Hit"), ("normal", "vec3f"), ("view", "vec3f"), ("color", "vec3f")],
             "vec3f",
@@ -179,6 +201,9 @@ pub const GEOMETRY: usize = place("geometry");
 
 /// Place of the stage `surface` in [`STAGES`].
 pub const SURFACE: usize = place("surface");
+
+/// Place of the stage `slices` in [`STAGES`].
+pub const SLICES: usize = place("slices");
 
 /// Place of the stage `detail` in [`STAGES`].
 pub const DETAIL: usize = place("detail");
@@ -199,6 +224,16 @@ pub const SHADOW_SEARCH: usize = place("shadow-search");
 pub const AMBIENT: usize = place("ambient");
 
 impl Stage {
+    /// The names of a setting's values, from 0 on: of variants where it chooses one, else of a parameter's. None
+    /// where its values are plain numbers.
+    pub fn names_of(&self, setting: &str) -> Vec<&'static str> {
+        if self.chosen_as == Some(setting) {
+            return self.entries.iter().map(|entry| entry.name).collect();
+        }
+        let param = self.entries.iter().find_map(|entry| entry.param(setting));
+        param.map_or(Vec::new(), |(_, param)| param.names.to_vec())
+    }
+
     /// The functions through which the shaders call it.
     pub fn functions(&self) -> impl Iterator<Item = String> {
         self.calls.iter().map(|call| self.function(call))
@@ -220,6 +255,13 @@ impl Call {
     fn ending(&self) -> String {
         if self.name.is_empty() { String::new() } else { format!("_{}", self.name) }
     }
+}
+
+/// The stage that a setting such as `search.steps` is of, its place in [`STAGES`], and the setting's own name.
+pub fn stage_of_setting(key: &str) -> Option<(usize, &'static Stage, &str)> {
+    let (of, name) = key.split_once('.')?;
+    let (place, stage) = stage(of)?;
+    Some((place, stage, name))
 }
 
 /// The stage of that key and its place in [`STAGES`].

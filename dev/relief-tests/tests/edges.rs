@@ -87,7 +87,11 @@ fn wrong_pixel(map: &HeightMap, without: &[PixelOut], with: &[PixelOut]) -> Opti
 
 /// The surfaces on which a relief lies.
 fn under_relief() -> impl Iterator<Item = &'static Entry> {
-    surface::ENTRIES.iter().zip(surface::PATHS).filter(|(_, paths)| paths.has_relief).map(|(entry, _)| entry)
+    surface::ENTRIES
+        .iter()
+        .zip(surface::PATHS)
+        .filter(|(_, paths)| paths.has_relief())
+        .map(|(entry, _)| entry)
 }
 
 #[test]

@@ -49,7 +49,7 @@ fn selections() -> Vec<Selection> {
         })
     });
     // The method that every surface under a relief can be used with.
-    let under_relief = surface::ENTRIES.iter().zip(surface::PATHS).filter(|(_, paths)| paths.has_relief);
+    let under_relief = surface::ENTRIES.iter().zip(surface::PATHS).filter(|(_, paths)| paths.has_relief());
     let surfaces = under_relief.map(|(entry, _)| {
         let mut selection = Selection::method("relief").expect("a method");
         selection.choose("surface", entry.name).expect("a listed name");

@@ -59,7 +59,7 @@ impl Bent {
         let weights = [weight(b, c), weight(c, a), weight(a, b)];
         let side = f64::from(pixel.side);
         let quadric = [0, 1, 2].map(|place| {
-            let number = |corner: &Corner| of(corner.quadric)[place];
+            let number = |corner: &Corner| of(corner.of_surface)[place];
             corners.iter().zip(weights).map(|(corner, weight)| number(corner) * weight).sum::<f64>() * side
         });
         let normal = of(pixel.a.normal).normalize() * side;

@@ -57,6 +57,7 @@ const SCALED: Param = Param {
     max: 1.0,
     default: 0.0,
     integer: true,
+    names: &[],
 };
 
 /// The bent normal of every texel as three planes, row by row from the top: along `+u`, along `-v`, up.

@@ -54,6 +54,7 @@ const ALBEDO: Param = Param {
     max: 1.0,
     default: 0.5,
     integer: false,
+    names: &[],
 };
 
 const BOUNCES: Param = Param {
@@ -64,6 +65,7 @@ const BOUNCES: Param = Param {
     max: 256.0,
     default: 4.0,
     integer: true,
+    names: &[],
 };
 
 /// What every texel receives, row by row from the top, of a sky of radiance 1 after so many bounces off

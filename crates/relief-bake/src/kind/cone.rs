@@ -47,6 +47,7 @@ const APEX: Param = Param {
     max: 2.0,
     default: 0.0,
     integer: true,
+    names: &[],
 };
 
 /// The kind `cone`.

@@ -60,6 +60,7 @@ const PARAMS: &[Param] = &[
         max: MAX_SIDE as f32,
         default: 8.0,
         integer: true,
+        names: &[],
     },
     BITS_OF_HEIGHTS,
 ];

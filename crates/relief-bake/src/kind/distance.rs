@@ -87,6 +87,7 @@ const SLICES: Param = Param {
     max: 2048.0,
     default: 64.0,
     integer: true,
+    names: &[],
 };
 
 /// Lines that a thread transposes together: one cache line of `f32` from each column.

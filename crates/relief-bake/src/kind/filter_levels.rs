@@ -89,6 +89,7 @@ const FILTER: Param = Param {
     max: 4.0,
     default: 4.0,
     integer: true,
+    names: &[],
 };
 
 /// How a level is made.

@@ -109,6 +109,7 @@ pub const BITS: Param = Param {
     max: 16.0,
     default: 0.0,
     integer: true,
+    names: &[],
 };
 
 /// The same for kinds whose promise has no side: heights are not quantised first, so that an 8-bit normal

@@ -70,7 +70,7 @@ pub const KIND: Kind = Kind {
 
 /// A parameter that is off, 0, or on, 1.
 const fn switch(name: &'static str, summary: &'static str, default: f32) -> Param {
-    Param { name, summary, unit: "", min: 0.0, max: 1.0, default, integer: true }
+    Param { name, summary, unit: "", min: 0.0, max: 1.0, default, integer: true, names: &[] }
 }
 
 const PATCHES: Param =

@@ -78,6 +78,7 @@ const OVER: Param = Param {
     max: 2.0,
     default: 0.0,
     integer: true,
+    names: &[],
 };
 
 /// Both pyramids of a map, 8/3 of its size in all.

@@ -44,6 +44,7 @@ const APEX: Param = Param {
     max: 1.0,
     default: 1.0,
     integer: true,
+    names: &[],
 };
 
 /// The kind `relaxed-cone`.

@@ -53,6 +53,7 @@ pub(super) const ELEVATIONS: Param = Param {
     max: 64.0,
     default: 4.0,
     integer: true,
+    names: &[],
 };
 
 pub(super) const TILES: Param =

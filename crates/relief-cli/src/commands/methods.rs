@@ -33,7 +33,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     writeln!(
         out,
-        "Methods: pairs of a search and a refinement, or displaced triangles, for --method\n{}\n",
+        "Methods: pairs of a search and a refinement, displaced triangles, or slices, for --method\n{}\n",
         methods_table()
     )?;
     for stage in &STAGES {
@@ -54,7 +54,10 @@ fn heading(stage: &Stage) -> String {
     let Stage { key, plural, entries, .. } = stage;
     let mut flags = Vec::new();
     if entries.len() > 1 {
-        flags.push(format!("--{key}"));
+        flags.push(match stage.chosen_as {
+            None => format!("--{key}"),
+            Some(setting) => format!("--set {key}.{setting}=NAME"),
+        });
     }
     if entries.iter().any(|entry| !entry.params.is_empty()) {
         flags.push(format!("--set {key}.NAME=VALUE"));
@@ -73,10 +76,11 @@ fn table(header: &[&str]) -> Table {
 }
 
 fn methods_table() -> Table {
-    let mut table = table(&["method", "geometry", "search", "refinement", "section", "what it is"]);
+    let mut table = table(&["method", "family", "geometry", "search", "refinement", "section", "what it is"]);
     for method in METHODS {
         table.add_row([
             method.name,
+            method.family().name(),
             method.geometry,
             method.search,
             method.refine,
@@ -167,8 +171,11 @@ fn summary(entry: &Entry) -> String {
 }
 
 fn param_text(param: &Param) -> String {
-    let Param { name, summary, min, max, default, .. } = param;
-    format!("{name} = {default} ({min} to {max}): {summary}")
+    let Param { name, summary, min, max, default, names, .. } = param;
+    match names.get(*default as usize) {
+        Some(default) => format!("{name} = {default} ({}): {summary}", names.join(", ")),
+        None => format!("{name} = {default} ({min} to {max}): {summary}"),
+    }
 }
 
 fn guarantees(entry: &Entry) -> [&'static str; 3] {
@@ -183,7 +190,7 @@ fn as_json() -> Value {
             let settings: serde_json::Map<String, Value> =
                 method.settings.iter().map(|&(key, value)| (key.to_owned(), json!(value))).collect();
             json!({
-                "name": method.name, "geometry": method.geometry, "search": method.search,
+                "name": method.name, "family": method.family().name(), "geometry": method.geometry, "search": method.search,
                 "refine": method.refine,
                 "settings": settings, "summary": method.summary, "source": source(&method.publication),
             })
@@ -208,6 +215,7 @@ fn as_json() -> Value {
                         json!({
                             "name": param.name, "summary": param.summary, "unit": param.unit, "min": param.min,
                             "max": param.max, "default": param.default, "integer": param.integer,
+                            "names": param.names,
                         })
                     })
                     .collect();

@@ -12,9 +12,9 @@ use crate::values;
 #[derive(Clone, Debug, Default)]
 pub struct StageArguments(BTreeMap<String, String>);
 
-/// The stages with a choice, and their places.
+/// The stages whose choice has a flag of its own, and their places.
 fn choosable() -> impl Iterator<Item = (usize, &'static Stage)> {
-    STAGES.iter().enumerate().filter(|(_, stage)| stage.entries.len() > 1)
+    STAGES.iter().enumerate().filter(|(_, stage)| stage.entries.len() > 1 && stage.chosen_as.is_none())
 }
 
 fn help(place: usize, stage: &Stage) -> String {
@@ -39,7 +39,7 @@ fn help(place: usize, stage: &Stage) -> String {
                 DETAIL => "footprint with several samples where the search can, else none",
                 AMBIENT => "constant; environment with --environment or --transmission",
                 GEOMETRY => "that of the method, else none",
-                SHADOW => "ray; map with a geometry",
+                SHADOW => "ray; map with displaced triangles",
                 _ => names[0],
             };
             let or_color = match place {

@@ -116,24 +116,34 @@ impl<'a> TileCaster<'a> {
     /// What a ray of a tile that was cast meets, in the order of `(t, triangle)`. `point` is its number in the
     /// tile, row by row.
     pub fn hits<'b>(&'b self, hits: &'b TileHits, point: usize) -> impl Iterator<Item = TileHit> + 'b {
-        let mut last = None;
+        let known = if hits.one_by_one { 0 } else { (hits.count[point] as usize).min(KEPT) };
+        let are_all = !hits.one_by_one && hits.count[point] <= KEPT as f64;
         let mut number = 0;
+        let mut last = None;
+        let mut others = None;
         std::iter::from_fn(move || {
-            last = if hits.one_by_one || number >= KEPT && hits.count[point] > KEPT as f64 {
-                self.next_hit(hits, point, last)
-            } else {
-                hits.kept(point, number)
-            };
-            number += 1;
-            last
+            if number < known {
+                last = hits.kept(point, number);
+                number += 1;
+                return last;
+            }
+            if are_all {
+                return None;
+            }
+            others.get_or_insert_with(|| self.others(hits, point, last)).next().map(TileHit::from)
         })
     }
 
-    fn next_hit(&self, hits: &TileHits, point: usize, last: Option<TileHit>) -> Option<TileHit> {
+    /// What a ray meets after a hit, or from its beginning.
+    fn others(
+        &self,
+        hits: &TileHits,
+        point: usize,
+        last: Option<TileHit>,
+    ) -> impl Iterator<Item = SurfaceHit> + use<'_, 'a> {
         let pixel = [hits.first[0] + (point % TILE) as u32, hits.first[1] + (point / TILE) as u32];
         let ray = self.rays.ray(PictureRays::point(pixel, hits.offset));
-        let after = last.map(|hit| (hit.t, hit.triangle));
-        self.caster.next_after(&ray, self.sides, after).map(TileHit::from)
+        self.caster.hits_after(ray, self.sides, last.map(|hit| (hit.t, hit.triangle)))
     }
 }
 

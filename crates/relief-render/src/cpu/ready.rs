@@ -121,7 +121,7 @@ impl<'a> Ready<'a> {
             points_of_lights: surface.selection.points_of_lights(),
             rays_through_scene: surface.selection.rays_through_scene(),
             lights: frame.light_count,
-            is_carved: !surface.selection.paths().has_relief
+            is_carved: !surface.selection.paths().has_relief()
                 || surface.settings.bias_m + surface.settings.scale_m <= 0.0,
             near: frame.near.into(),
             shorter_m: SHORTER_BY_SCALE * surface.settings.scale_m
@@ -231,8 +231,8 @@ impl<'a> Ready<'a> {
                     None => self.program.trace(path),
                     Some(tracers) => Hit::from(&tracers[at.level as usize].trace(&(&path).into()).hit),
                 };
-                cost = cost + found.cost;
                 let here = self.program.hit_on_segment(pixel, at, path, found, number);
+                cost = cost + here.hit.cost;
                 if here.hit.found == 1 {
                     if first.as_ref().is_none_or(|met| here.key > met.first.key) {
                         first = Some(Met { at, path, first: here });

@@ -256,7 +256,7 @@ impl SceneBuilder {
             (colour("ambient-color", self.ambient)?, colour("background", self.background)?);
         for surface in &self.surfaces {
             surface.selection().check().map_err(of_selection)?;
-            if !surface.selection().paths().has_relief {
+            if !surface.selection().paths().has_normals_of_relief() {
                 if surface.normal_map().is_some() {
                     return Err(ValueProblem::VertexNormals.of("normal"));
                 }

@@ -9,7 +9,7 @@ use super::{BackendChoice, ProjectionChoice, Sampling, SceneSpec, SurfaceSpec, U
 use crate::depth_buffer::Clip;
 use crate::mesh::Builtin;
 use crate::tone::Tone;
-use relief_shaders::{METHODS, STAGES};
+use relief_shaders::{METHODS, STAGES, Selection};
 
 /// What a key holds.
 #[derive(Clone, Debug, PartialEq)]
@@ -243,7 +243,10 @@ fn surface_value(spec: &SurfaceSpec, key: &str) -> Option<String> {
         "rotation" => spec.rotation.map(|rotation| list(&rotation)),
         "method" => spec.method.as_deref().map(quoted),
         "set" if !spec.set.is_empty() => {
-            let settings = spec.set.iter().map(|(name, value)| format!("{name} = {value:?}"));
+            let settings = spec.set.iter().map(|(key, value)| match Selection::name_of(key, *value) {
+                Some(name) => format!("{key} = {name:?}"),
+                None => format!("{key} = {value:?}"),
+            });
             Some(format!("{{ {} }}", settings.collect::<Vec<_>>().join(", ")))
         }
         "material" => spec.material.as_ref().map(|material| {

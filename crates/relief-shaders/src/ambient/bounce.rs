@@ -32,6 +32,7 @@ pub const ENTRY: Entry = Entry {
             max: 1.0,
             default: 0.5,
             integer: false,
+            names: &[],
         },
         Param {
             name: "bounces",
@@ -41,6 +42,7 @@ pub const ENTRY: Entry = Entry {
             max: 256.0,
             default: 4.0,
             integer: true,
+            names: &[],
         },
     ],
     states: &[],

@@ -16,6 +16,7 @@ pub const ENTRY: Entry = Entry {
         max: 1e6,
         default: 1.0,
         integer: false,
+        names: &[],
     }],
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),

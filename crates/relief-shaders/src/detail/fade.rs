@@ -38,6 +38,7 @@ pub const ENTRY: Entry = Entry {
             max: 1024.0,
             default: 1.0,
             integer: false,
+            names: &[],
         },
         Param {
             name: "begin",
@@ -47,6 +48,7 @@ pub const ENTRY: Entry = Entry {
             max: 1024.0,
             default: 4.0,
             integer: false,
+            names: &[],
         },
     ],
     states: &[],

@@ -22,6 +22,7 @@ const ANISOTROPY: Param = Param {
     max: 64.0,
     default: 8.0,
     integer: false,
+    names: &[],
 };
 
 /// How fine a level is traced.
@@ -33,4 +34,5 @@ const TEXELS: Param = Param {
     max: 64.0,
     default: 2.0,
     integer: false,
+    names: &[],
 };

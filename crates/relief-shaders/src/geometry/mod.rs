@@ -6,11 +6,12 @@ use relief_core::registry::{Entry, Param};
 
 mod none;
 mod remesh;
+mod slices;
 mod tessellate;
 mod vertex;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[none::ENTRY, vertex::ENTRY, remesh::ENTRY, tessellate::ENTRY];
+pub const ENTRIES: &[Entry] = &[none::ENTRY, vertex::ENTRY, remesh::ENTRY, tessellate::ENTRY, slices::ENTRY];
 
 /// The one that shows the base.
 pub const NONE: &str = none::ENTRY.name;
@@ -24,11 +25,10 @@ pub(crate) const REMESH: &str = remesh::ENTRY.name;
 /// The one that is cut by a pattern.
 pub(crate) const TESSELLATE: &str = tessellate::ENTRY.name;
 
-/// Why another surface than `facets` cannot show it.
-pub(crate) const DISPLACED: &str =
-    "its triangles are displaced already, and only the surface 'facets' shows them as they are";
+/// The one that is cut through the relief.
+pub(crate) const SLICES: &str = slices::ENTRY.name;
 
-/// Which displaced triangles a selection shows.
+/// Which triangles a selection shows in place of the base's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Geometry {
     /// The base with a vertex every so many texels of the height map.
@@ -37,9 +37,11 @@ pub enum Geometry {
     Pixels(f32),
     /// The same, cut by a pattern, each point and triangle by itself.
     Tessellated(f32),
+    /// Slices through the relief, so many over its displacement.
+    Slices(u32),
 }
 
 /// How many texels or pixels lie between vertices.
 const fn spacing(name: &'static str, summary: &'static str, least: f32, integer: bool) -> Param {
-    Param { name, summary, unit: name, min: least, max: 4_096.0, default: 1.0, integer }
+    Param { name, summary, unit: name, min: least, max: 4_096.0, default: 1.0, integer, names: &[] }
 }

@@ -16,6 +16,7 @@ pub const ENTRY: Entry = Entry {
         max: 64.0,
         default: 8.0,
         integer: true,
+        names: &[],
     }],
     states: super::ANY_INTERVAL,
     guarantee: Guarantees::all(Guarantee::Approximate),

@@ -16,6 +16,7 @@ pub const ENTRY: Entry = Entry {
         max: 1.0,
         default: 0.0,
         integer: true,
+        names: &[],
     }],
     states: super::ANY_INTERVAL,
     guarantee: Guarantees::all(Guarantee::Approximate),

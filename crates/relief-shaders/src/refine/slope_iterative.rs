@@ -17,6 +17,7 @@ pub const ENTRY: Entry = Entry {
             max: 64.0,
             default: 4.0,
             integer: true,
+            names: &[],
         },
         Param {
             name: "divide",
@@ -26,6 +27,7 @@ pub const ENTRY: Entry = Entry {
             max: 1.0,
             default: 0.0,
             integer: true,
+            names: &[],
         },
     ],
     states: super::ANY_INTERVAL,

@@ -17,6 +17,7 @@ pub const ENTRY: Entry = Entry {
         max: 16_777_216.0,
         default: 1_048_576.0,
         integer: true,
+        names: &[],
     }],
     states: &[FoundState::Bracket],
     guarantee: Guarantees::all(Guarantee::Exact),

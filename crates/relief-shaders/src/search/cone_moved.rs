@@ -20,6 +20,7 @@ pub const ENTRY: Entry = Entry {
             max: 4096.0,
             default: 32.0,
             integer: true,
+            names: &[],
         },
         Param {
             name: "apex",
@@ -29,6 +30,7 @@ pub const ENTRY: Entry = Entry {
             max: 2.0,
             default: 2.0,
             integer: true,
+            names: &[],
         },
     ],
     states: &[FoundState::Above, FoundState::Bracket],

@@ -22,6 +22,7 @@ pub const ENTRY: Entry = Entry {
             max: 16_384.0,
             default: 8.0,
             integer: true,
+            names: &[],
         },
     ],
     states: &[FoundState::Bracket],

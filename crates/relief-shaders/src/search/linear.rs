@@ -18,6 +18,7 @@ pub const ENTRY: Entry = Entry {
             max: 4096.0,
             default: 32.0,
             integer: true,
+            names: &[],
         },
         Param {
             name: "grazing",
@@ -27,6 +28,7 @@ pub const ENTRY: Entry = Entry {
             max: 64.0,
             default: 1.0,
             integer: false,
+            names: &[],
         },
     ],
     states: &[FoundState::Bracket],

@@ -43,6 +43,7 @@ const LIMIT: Param = Param {
     max: 16_777_216.0,
     default: 1_048_576.0,
     integer: true,
+    names: &[],
 };
 
 /// The parameter of searches that were published without a look at the surface's patches.
@@ -54,4 +55,5 @@ const PATCHES: Param = Param {
     max: 1.0,
     default: 1.0,
     integer: true,
+    names: &[],
 };

@@ -28,6 +28,7 @@ pub const ENTRY: Entry = Entry {
             max: 20.0,
             default: 0.0,
             integer: true,
+            names: &[],
         },
     ],
     states: &[FoundState::Below],

@@ -22,6 +22,7 @@ pub const ENTRY: Entry = Entry {
             max: 256.0,
             default: 64.0,
             integer: true,
+            names: &[],
         },
     ],
     states: &[FoundState::Bracket, FoundState::Above],

@@ -32,6 +32,14 @@ pub enum SelectionError {
         /// What there is.
         entries: Vec<&'static str>,
     },
+    /// The value is a text.
+    #[error("{key} is '{text}': it must be a number")]
+    NoNumber {
+        /// The setting.
+        key: String,
+        /// What was given.
+        text: String,
+    },
     /// The value is not accepted.
     #[error(
         "{key} is {value}: it must be {} from {min} to {max}",

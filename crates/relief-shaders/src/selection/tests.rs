@@ -57,13 +57,13 @@ fn a_shadow_takes_the_search_of_the_view_where_that_can_and_cells_else() {
 fn displaced_triangles_are_shown_by_one_surface_and_searched_by_nothing() {
     let vertex = Selection::method("vertex").expect("a method");
     assert_eq!((vertex.check(), vertex.geometry()), (Ok(()), Some(Geometry::Texels(1))));
-    assert_eq!((vertex.paths().has_relief, vertex.light_views()), (false, Some([2048, 1])));
+    assert_eq!((vertex.paths().has_relief(), vertex.light_views()), (false, Some([2048, 1])));
     let mut remesh = Selection::exact();
     remesh.choose("geometry", "remesh").expect("a geometry");
     remesh.set("geometry.pixels", 2.5).expect("a parameter");
     assert_eq!((remesh.check(), remesh.geometry()), (Ok(()), Some(Geometry::Pixels(2.5))));
     remesh.choose("geometry", "none").expect("a geometry");
-    assert_eq!((remesh.geometry(), remesh.paths().has_relief), (None, true));
+    assert_eq!((remesh.geometry(), remesh.paths().has_relief()), (None, true));
     let refused = [
         ("surface", "prism", "geometry"),
         ("search", "linear", "search"),

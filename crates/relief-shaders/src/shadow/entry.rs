@@ -19,6 +19,7 @@ pub const ENTRY: Entry = Entry {
         max: 16.0,
         default: 0.05,
         integer: false,
+        names: &[],
     }],
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),

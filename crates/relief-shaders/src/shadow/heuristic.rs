@@ -20,6 +20,7 @@ pub const ENTRY: Entry = Entry {
             max: 256.0,
             default: 16.0,
             integer: true,
+            names: &[],
         },
         Param {
             name: "strength",
@@ -29,6 +30,7 @@ pub const ENTRY: Entry = Entry {
             max: 1024.0,
             default: 16.0,
             integer: false,
+            names: &[],
         },
     ],
     states: &[],

@@ -20,6 +20,7 @@ pub const ENTRY: Entry = Entry {
             max: 16_384.0,
             default: 2_048.0,
             integer: true,
+            names: &[],
         },
         Param {
             name: "cascades",
@@ -29,6 +30,7 @@ pub const ENTRY: Entry = Entry {
             max: super::MAX_CASCADES as f32,
             default: 1.0,
             integer: true,
+            names: &[],
         },
         Param {
             name: "filter",
@@ -38,6 +40,7 @@ pub const ENTRY: Entry = Entry {
             max: 16.0,
             default: 1.0,
             integer: false,
+            names: &[],
         },
         Param {
             name: "bias",
@@ -47,6 +50,7 @@ pub const ENTRY: Entry = Entry {
             max: 64.0,
             default: 0.5,
             integer: false,
+            names: &[],
         },
     ],
     states: &[],

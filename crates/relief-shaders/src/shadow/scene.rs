@@ -16,6 +16,7 @@ pub const ENTRY: Entry = Entry {
         max: 4_096.0,
         default: 1.0,
         integer: true,
+        names: &[],
     }],
     states: &[],
     guarantee: Guarantees::all(Guarantee::Exact),

@@ -17,6 +17,7 @@ pub const ENTRY: Entry = Entry {
         max: 256.0,
         default: 16.0,
         integer: true,
+        names: &[],
     }],
     states: &[FoundState::Above, FoundState::Below, FoundState::Bracket],
     guarantee: Guarantees::all(Guarantee::Approximate),

@@ -31,6 +31,7 @@ pub const ENTRY: Entry = Entry {
             max: 3.0,
             default: 3.0,
             integer: true,
+            names: &[],
         },
     ],
     states: &[],

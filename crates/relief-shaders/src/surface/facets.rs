@@ -2,7 +2,7 @@
 
 use relief_core::registry::{Entry, Guarantee, Guarantees, Publication, RayClass};
 
-use super::{Names, Paths, Proposal, Refused};
+use super::{Names, Paths, Proposal, Refused, Shown};
 
 /// Triangles without relief, shaded by the normals of their vertices.
 pub const ENTRY: Entry = Entry {
@@ -22,7 +22,7 @@ pub const ENTRY: Entry = Entry {
 pub const PATHS: Paths = Paths {
     rays: &[RayClass::View],
     proposal: Proposal::Polygons,
-    has_relief: false,
+    shown: Shown::Triangles,
     refused: &[
         Refused { stage: "search", names: Names::AllBut(&["none"]), reason: FOUND },
         Refused { stage: "refine", names: Names::AllBut(&["none"]), reason: FOUND },

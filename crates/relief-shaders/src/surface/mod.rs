@@ -10,6 +10,7 @@ mod plane;
 mod prism;
 mod quadric_perpendicular;
 mod quadric_vertical;
+mod slices;
 mod tetrahedra;
 
 /// All of them.
@@ -20,6 +21,7 @@ pub const ENTRIES: &[Entry] = &[
     quadric_vertical::ENTRY,
     tetrahedra::ENTRY,
     facets::ENTRY,
+    slices::ENTRY,
 ];
 
 /// What each of them makes of rays, in the same order.
@@ -30,6 +32,7 @@ pub const PATHS: &[Paths] = &[
     quadric_vertical::PATHS,
     tetrahedra::PATHS,
     facets::PATHS,
+    slices::PATHS,
 ];
 
 /// What is added to the order of a shell's corners where the shell overlaps itself.
@@ -42,10 +45,46 @@ pub struct Paths {
     pub rays: &'static [RayClass],
     /// Where its relief may be seen.
     pub proposal: Proposal,
-    /// Whether the height map's relief lies on the triangles; else they are all that there is to see.
-    pub has_relief: bool,
+    /// What the triangles show.
+    pub shown: Shown,
     /// The variants of other stages that make nothing of its segments.
     pub refused: &'static [Refused],
+}
+
+/// What triangles show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shown {
+    /// The height map's relief, which lies on them.
+    Relief,
+    /// Where they run through it.
+    Slices,
+    /// Themselves: they are all that there is to see.
+    Triangles,
+}
+
+impl Shown {
+    /// Which surfaces show such triangles, as the end of a sentence.
+    pub(crate) const fn needs(self) -> &'static str {
+        match self {
+            Shown::Relief => "only the surface 'slices' goes with the geometry 'slices'",
+            Shown::Slices => "its triangles run through the relief, which the surface 'slices' alone shows",
+            Shown::Triangles => {
+                "its triangles are displaced already, and only the surface 'facets' shows them as they are"
+            }
+        }
+    }
+}
+
+impl Paths {
+    /// Whether the height map's relief lies on the triangles.
+    pub const fn has_relief(&self) -> bool {
+        matches!(self.shown, Shown::Relief)
+    }
+
+    /// Whether normals are those of the relief, not of the triangles.
+    pub const fn has_normals_of_relief(&self) -> bool {
+        !matches!(self.shown, Shown::Triangles)
+    }
 }
 
 /// Where a triangle's relief may be seen.
@@ -90,6 +129,7 @@ const QUADRIC_PARAMS: &[Param] = &[
         max: 3.0,
         default: 3.0,
         integer: true,
+        names: &[],
     },
     LIFT,
 ];
@@ -103,6 +143,7 @@ const LIFT: Param = Param {
     max: 1.0,
     default: 0.0,
     integer: true,
+    names: &[],
 };
 
 /// Variants that a surface cannot be used with.

@@ -2,7 +2,7 @@
 
 use relief_core::registry::{Entry, Guarantee, Guarantees, Publication, RayClass};
 
-use super::{Paths, Proposal};
+use super::{Paths, Proposal, Shown};
 
 /// The flat base surface.
 pub const ENTRY: Entry = Entry {
@@ -21,4 +21,4 @@ pub const ENTRY: Entry = Entry {
 
 /// What it makes of rays.
 pub const PATHS: Paths =
-    Paths { rays: &[RayClass::View], proposal: Proposal::Polygons, has_relief: true, refused: &[] };
+    Paths { rays: &[RayClass::View], proposal: Proposal::Polygons, shown: Shown::Relief, refused: &[] };

@@ -2,7 +2,7 @@
 
 use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication, RayClass};
 
-use super::{LIFT, Paths, Proposal, SEGMENTS_REFUSE};
+use super::{LIFT, Paths, Proposal, SEGMENTS_REFUSE, Shown};
 
 /// Shells with normals interpolated over the triangle.
 pub const ENTRY: Entry = Entry {
@@ -22,6 +22,7 @@ pub const ENTRY: Entry = Entry {
             max: 1.0,
             default: 0.0625,
             integer: false,
+            names: &[],
         },
         LIFT,
     ],
@@ -43,6 +44,6 @@ pub const ENTRY: Entry = Entry {
 pub const PATHS: Paths = Paths {
     rays: &[RayClass::View, RayClass::Bent, RayClass::Shadow],
     proposal: Proposal::Shells,
-    has_relief: true,
+    shown: Shown::Relief,
     refused: SEGMENTS_REFUSE,
 };

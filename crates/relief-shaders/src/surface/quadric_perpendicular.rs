@@ -2,7 +2,7 @@
 
 use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication, RayClass};
 
-use super::{NO_ENTRY_OF_LIGHT, Names, Paths, Proposal, QUADRIC_PARAMS, Refused};
+use super::{NO_ENTRY_OF_LIGHT, Names, Paths, Proposal, QUADRIC_PARAMS, Refused, Shown};
 
 /// Quadrics, with distances at right angles to the ray.
 pub const ENTRY: Entry = Entry {
@@ -24,6 +24,7 @@ pub const ENTRY: Entry = Entry {
             max: 64.0,
             default: 16.0,
             integer: true,
+            names: &[],
         },
     ],
     states: &[],
@@ -44,7 +45,7 @@ pub const ENTRY: Entry = Entry {
 pub const PATHS: Paths = Paths {
     rays: &[RayClass::Bent],
     proposal: Proposal::Polygons,
-    has_relief: true,
+    shown: Shown::Relief,
     refused: &[
         Refused {
             stage: "search",

@@ -2,7 +2,7 @@
 
 use relief_core::registry::{Entry, Guarantee, Guarantees, Publication, RayClass};
 
-use super::{NO_ENTRY_OF_LIGHT, Paths, Proposal, QUADRIC_PARAMS};
+use super::{NO_ENTRY_OF_LIGHT, Paths, Proposal, QUADRIC_PARAMS, Shown};
 
 /// Quadrics, with heights along the normal of the base point.
 pub const ENTRY: Entry = Entry {
@@ -30,6 +30,6 @@ pub const ENTRY: Entry = Entry {
 pub const PATHS: Paths = Paths {
     rays: &[RayClass::View, RayClass::Bent],
     proposal: Proposal::Polygons,
-    has_relief: true,
+    shown: Shown::Relief,
     refused: &[NO_ENTRY_OF_LIGHT],
 };

@@ -2,7 +2,7 @@
 
 use relief_core::registry::{Entry, Guarantee, Guarantees, Publication, RayClass};
 
-use super::{Paths, Proposal, SEGMENTS_REFUSE};
+use super::{Paths, Proposal, SEGMENTS_REFUSE, Shown};
 
 /// Shells in tetrahedra.
 pub const ENTRY: Entry = Entry {
@@ -26,6 +26,6 @@ pub const ENTRY: Entry = Entry {
 pub const PATHS: Paths = Paths {
     rays: &[RayClass::View, RayClass::Shadow],
     proposal: Proposal::Shells,
-    has_relief: true,
+    shown: Shown::Relief,
     refused: SEGMENTS_REFUSE,
 };

@@ -91,7 +91,7 @@ structs! {
         view_projection, eye, eye_right, eye_down, forward, corner, right, down, ambient, sample_width, near,
         clip, background, lights, light_count, light_views,
     }
-    Corner { position, normal, tangent, bitangent, uv, quadric }
+    Corner { position, normal, tangent, bitangent, uv, of_surface }
     Shell { heights, order, lift }
     Face { corners, shell }
 }

@@ -55,7 +55,7 @@ pub fn bent_pixels(map: &HeightMap, count: usize, seed: u64) -> Vec<PixelIn> {
         let factor = amount * descent.powi(2) / scale_m / value.abs().max(0.1 * all + 1e-9) * value.signum();
         for corner in [&mut pixel.a, &mut pixel.b, &mut pixel.c] {
             let own = factor * rng.between(0.8, 1.2) * f64::from(pixel.side);
-            corner.quadric = form.map(|number| (number * own).clamp(-1e6, 1e6) as f32).into();
+            corner.of_surface = form.map(|number| (number * own).clamp(-1e6, 1e6) as f32).into();
         }
     }
     pixels

@@ -1,0 +1,17 @@
+//! Registry entry of the geometry `slices`.
+
+use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+
+/// Polygons through the space that the relief fills.
+pub const ENTRY: Entry = Entry {
+    name: "slices",
+    summary: "slices: polygons through the space above the base that the relief fills",
+    publication: Publication { paper: crate::DEPTH_OBJECTS, section: "3" },
+    maps: &[],
+    params: &[],
+    states: &[],
+    guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
+    argument: "A slice is drawn where the relief is as high as it is. Between two slices there is nothing, so \
+        that a ray sees the relief as far behind it as slices are apart, and past what is thinner.",
+};

@@ -1,0 +1,16 @@
+//! Registry entry of the slice test `inside`.
+
+use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+
+/// What lies below the relief.
+pub const ENTRY: Entry = Entry {
+    name: "inside",
+    summary: "what the relief is higher than: nothing where its height is 0",
+    publication: Publication { paper: crate::DEPTH_OBJECTS, section: "3.2" },
+    maps: &[],
+    params: super::PARAMS,
+    states: &[],
+    guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
+    argument: "A point of the slice is drawn exactly where it lies under the relief, to the rounding of f32.",
+};
