@@ -25,6 +25,7 @@ mod path;
 mod pyramid;
 pub mod raycast;
 pub mod registry;
+mod slice_axis;
 mod tangent_frame;
 mod texel_mask;
 mod wrap;
@@ -45,6 +46,7 @@ pub use path::{Path, PathMetric, RayUse};
 /// The vectors that [`Lanes::run`] runs something in.
 pub use pulp;
 pub use pyramid::{MaxPyramid, MinPyramid};
+pub use slice_axis::SliceAxis;
 pub use tangent_frame::{TangentFrame, TangentFrameError};
 pub use texel_mask::TexelMask;
 pub use wrap::Wrap;

@@ -6,8 +6,8 @@ use std::sync::atomic::AtomicBool;
 use relief_core::HeightMap;
 use relief_core::mesh::{Mesh, Vertex};
 use relief_mesh::{
-    Cull, MeshSettings, Mesher, MesherError, Outside, SliceError, SliceSettings, Slicer, Stream, StreamError,
-    View, Watch,
+    Cull, MeshSettings, Mesher, MesherError, Outside, SliceError, SliceSettings, Stream, StreamError, View,
+    Watch,
 };
 use relief_shaders::Selection;
 use relief_shaders::cpu::{Corner, Shell};
@@ -18,15 +18,16 @@ use crate::light_views;
 use crate::raycast::RayCaster;
 use crate::renderer::RenderError;
 use crate::scene::{Scene, Surface};
+use crate::sliced;
 use crate::tessellation::{Room, TessellatedBase, Tessellation};
 use crate::triangles::Triangles;
 
 /// Memory that a vertex takes: as the shaders have it, on its way to a GPU, and as what lights see is laid
 /// around it.
-const BYTES_PER_VERTEX: u64 = 2 * size_of::<Corner>() as u64 + 24;
+pub const BYTES_PER_VERTEX: u64 = 2 * size_of::<Corner>() as u64 + 24;
 
 /// Memory that a triangle takes: as the shaders have it, and in the hierarchy for rays.
-const BYTES_PER_TRIANGLE: u64 = 48 + RayCaster::BYTES_PER_TRIANGLE;
+pub const BYTES_PER_TRIANGLE: u64 = 48 + RayCaster::BYTES_PER_TRIANGLE;
 
 /// The least distance of vertices that a view asks for, in texels: between those of a patch of four texels
 /// there is nothing to be found but a smooth bend.
@@ -97,7 +98,7 @@ impl DisplacedOf {
                 let cull = cull(scene, surface, &view).unwrap_or_default();
                 Cut::Tessellated(view, selection.levels_of(map), cull)
             }
-            Geometry::Slices(count) => Cut::Sliced(SliceSettings { count }),
+            Geometry::Slices(slices) => Cut::Sliced(sliced::settings(slices, scene)),
         };
         Some(Self { mesh: Arc::clone(surface.mesh()), map: Arc::clone(map), cut })
     }
@@ -119,7 +120,7 @@ impl DisplacedOf {
         match self.cut {
             Cut::Texels(_) => "a larger 'geometry.texels'",
             Cut::Seen(..) | Cut::Tessellated(..) => "a larger 'geometry.pixels'",
-            Cut::Sliced(_) => "a smaller 'slices.count'",
+            Cut::Sliced(_) => sliced::FEWER,
         }
     }
 
@@ -239,7 +240,7 @@ impl Displaced {
                     let mesher = Mesher::with_levels(&of.mesh, &of.map, &coarser, &settings, &watch);
                     mesher.map_err(|error| of.error(error)).and_then(|mesher| made(&of, &mesher, left, watch))
                 }
-                Cut::Sliced(settings) => sliced(&of, settings, left, watch),
+                Cut::Sliced(settings) => sliced::triangles(&of.mesh, &of.map, settings, left, &watch),
                 Cut::Tessellated(view, levels, cull) => {
                     let known = self.bases.iter().find(|known| known.of.has_base_of(&of));
                     let base = match known.map(|known| Arc::clone(&known.base)) {
@@ -322,43 +323,6 @@ fn made(
     }
     let faces = faces.into_iter().zip(std::iter::repeat(Shell::whole()));
     Ok((Arc::new(Triangles::new(corners, faces).among(mesher.everything().cloned())), bytes))
-}
-
-/// Slices and the memory that they take; the error is none where it was cancelled.
-fn sliced(
-    of: &DisplacedOf,
-    settings: SliceSettings,
-    left: u64,
-    watch: Watch,
-) -> Result<(Arc<Triangles>, u64), Option<GeometryError>> {
-    let error = |error| match error {
-        SliceError::Cancelled => None,
-        SliceError::NotFinite => Some(GeometryError::NotFinite),
-        error => Some(GeometryError::Slices(error)),
-    };
-    let slicer = Slicer::new(&of.mesh, &of.map, settings).map_err(error)?;
-    let (vertices, triangles) = (slicer.vertices(), slicer.triangles());
-    let each = |count: u64, bytes: u64| count.saturating_mul(bytes);
-    let needed = each(vertices, BYTES_PER_VERTEX).saturating_add(each(triangles, BYTES_PER_TRIANGLE));
-    // The numbers of corners fit 32 bits.
-    if needed > left || vertices > u64::from(u32::MAX) {
-        return Err(Some(GeometryError::Memory { triangles, needed, left, setting: of.setting() }));
-    }
-    let mut corners: Vec<Corner> = Vec::with_capacity(vertices as usize);
-    let mut faces: Vec<[u32; 3]> = Vec::with_capacity(triangles as usize);
-    let made = slicer.each(&watch, |block| {
-        let first = corners.len() as u32;
-        corners.extend(
-            block
-                .vertices
-                .iter()
-                .map(|of| Corner { of_surface: [of.height, of.spacing, 0.0].into(), ..corner(&of.vertex) }),
-        );
-        faces.extend(block.triangles.iter().map(|triangle| triangle.map(|corner| first + corner)));
-    });
-    made.map_err(error)?;
-    let faces = faces.into_iter().zip(std::iter::repeat(Shell::whole()));
-    Ok((Arc::new(Triangles::new(corners, faces)), needed))
 }
 
 /// A vertex as the shaders have it.

@@ -25,6 +25,7 @@ mod renderer;
 mod samples;
 pub mod scene;
 mod shellcast;
+mod sliced;
 mod tessellation;
 pub mod tone;
 mod triangles;

@@ -145,7 +145,8 @@ pub struct Corner {
     pub uv: rt::Vec2<f32>,
     /// What the surface stage alone knows of it, zeros elsewhere. Of quadrics the one that the base follows
     /// around the corner: of q(du, dv) = x du² + y du dv + z dv², in metres a tile squared, positive along the
-    /// normal. Of slices the height that they have there, and how far apart they are, as a height.
+    /// normal. Of slices the height that they have there, how far apart they are
+    /// along an axis, and which: SLICES_ALONG_*.
     pub of_surface: rt::Vec3<f32>,
 }
 impl Corner {
@@ -1209,6 +1210,12 @@ pub const SEEN_FIRST_LEVEL: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
 pub const SHELL_FOLDED: rt::Scalar<u32> = rt::Scalar(64u32);
 #[allow(non_upper_case_globals)]
+pub const SLICES_ALONG_HEIGHT: rt::Scalar<u32> = rt::Scalar(0u32);
+#[allow(non_upper_case_globals)]
+pub const SLICES_ALONG_U: rt::Scalar<u32> = rt::Scalar(1u32);
+#[allow(non_upper_case_globals)]
+pub const SLICES_ALONG_V: rt::Scalar<u32> = rt::Scalar(2u32);
+#[allow(non_upper_case_globals)]
 pub const SLOT_AMBIENT: rt::Scalar<u32> = rt::Scalar(4u32);
 #[allow(non_upper_case_globals)]
 pub const SLOT_DETAIL: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -2162,8 +2169,8 @@ impl<'g> Resources<'g> {
         let eta = (rt::Scalar(1f32) / ior);
         let inside_4 = (rt::Scalar(1f32) - ((eta * eta) * (rt::Scalar(1f32) - (cosine_3 * cosine_3)))).max(rt::Scalar(0f32)).sqrt();
         let across_1 = ((cosine_3 - (ior * inside_4)) / (cosine_3 + (ior * inside_4)).max(rt::Scalar(0.000001f32)));
-        let along_17 = (((ior * cosine_3) - inside_4) / ((ior * cosine_3) + inside_4).max(rt::Scalar(0.000001f32)));
-        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_17);
+        let along_18 = (((ior * cosine_3) - inside_4) / ((ior * cosine_3) + inside_4).max(rt::Scalar(0.000001f32)));
+        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_18);
         let reflected = (rt::Scalar(0.5f32) * waves.dot(waves));
         let _e47 = rt::Scalar(self.surface_settings.shininess);
         let lean = ((rt::Scalar(2f32) / (_e47.to_f32() + rt::Scalar(2f32))) + (rt::Scalar(2f32) * (rt::Scalar(1f32) - mean_2).max(rt::Scalar(0f32)))).sqrt();
@@ -2749,10 +2756,10 @@ impl<'g> Resources<'g> {
         let bx = (h_1.y() - h_1.x());
         let by_1 = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_103 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
+        let at_107 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
         let z = (path_4.h.x() + (t_8 * (path_4.h.y() + (t_8 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_8) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_103.x())) + (by_1 * at_103.y())) + ((twist * at_103.x()) * at_103.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_103.x() * grid_1.step.y()) + (at_103.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_107.x())) + (by_1 * at_107.y())) + ((twist * at_107.x()) * at_107.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_107.x() * grid_1.step.y()) + (at_107.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -3544,8 +3551,8 @@ impl<'g> Resources<'g> {
         direction_4: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
         let aside_3 = (origin + (direction_4 * t_12));
-        let along_18 = (normal_8.dot(aside_3) / normal_8.dot(pixel_11.direction));
-        let _e15 = self.v_climb(at_16, (aside_3 - (pixel_11.direction * along_18)));
+        let along_19 = (normal_8.dot(aside_3) / normal_8.dot(pixel_11.direction));
+        let _e15 = self.v_climb(at_16, (aside_3 - (pixel_11.direction * along_19)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.to_f32());
     }
@@ -4540,7 +4547,7 @@ impl<'g> Resources<'g> {
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_29 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
+        let uv_28 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
         let tangent_1 = (((pixel_19.a.tangent * wa) + (pixel_19.b.tangent * wb_1)) + (pixel_19.c.tangent * wc_1));
         let bitangent = (((pixel_19.a.bitangent * wa) + (pixel_19.b.bitangent * wb_1)) + (pixel_19.c.bitangent * wc_1));
         let normal_22 = ((((pixel_19.a.normal * wa) + (pixel_19.b.normal * wb_1)) + (pixel_19.c.normal * wc_1)).normalize() * rt::Scalar(pixel_19.side));
@@ -4558,7 +4565,7 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_25;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_15, uv_29, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_15, uv_28, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -4668,11 +4675,11 @@ impl<'g> Resources<'g> {
         let mut at_23: Entered;
 
         let third_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_30 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
+        let uv_29 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_24, along_7);
         let point_16 = (pixel_24.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_24, along_7);
-        let _e21 = self.v_frame_at(pixel_24, third_1, point_16, uv_30, _e20);
+        let _e21 = self.v_frame_at(pixel_24, third_1, point_16, uv_29, _e20);
         at_23 = _e21;
         rt::Scalar(at_23.segments) = rt::Scalar(0u32);
         let _e25 = at_23;
@@ -4991,18 +4998,18 @@ impl<'g> Resources<'g> {
     ) -> Entered {
         let mut at_24: Entered;
 
-        let along_19 = pixel_28.direction.normalize();
-        let _e4 = self.v_middle_of(pixel_28, along_19);
-        let _e5 = self.v_prism_of(pixel_28, along_19, _e4, params_12);
-        let _e6 = self.v_shell_middle(pixel_28, along_19);
+        let along_20 = pixel_28.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_28, along_20);
+        let _e5 = self.v_prism_of(pixel_28, along_20, _e4, params_12);
+        let _e6 = self.v_shell_middle(pixel_28, along_20);
         at_24 = _e6;
-        let _e8 = self.v_way_of(pixel_28, _e5, along_19);
+        let _e8 = self.v_way_of(pixel_28, _e5, along_20);
         let _e9 = self.v_shell_slack(pixel_28, _e4);
         let _e10 = self.v_way_offsets(pixel_28, _e5, _e9);
         let _e11 = at_24;
         let _e12 = self.v_chord_reach(pixel_28, _e11, _e4, params_12);
         let _e13 = self.v_way_beyond(_e5, _e10, _e12);
-        let _e17 = self.v_way_chord(pixel_28, _e5, along_19, _e8, _e10, _e13, params_12.x(), rt::Scalar(0u32));
+        let _e17 = self.v_way_chord(pixel_28, _e5, along_20, _e8, _e10, _e13, params_12.x(), rt::Scalar(0u32));
         rt::Scalar(at_24.segments) = rt::Scalar(_e17.count);
         let _e19 = at_24;
         return _e19;
@@ -5033,9 +5040,9 @@ impl<'g> Resources<'g> {
         along_11: rt::Vec3<f32>,
         slack_4: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let far_5 = <rt::Vec4<f32>>::from_scalars(normal_12.dot(a_9), normal_12.dot(b_9), normal_12.dot(c_5), normal_12.dot(d_1));
-        let least_1 = far_5.x().min(far_5.y()).min(far_5.z().min(far_5.w()));
-        let most_6 = far_5.x().max(far_5.y()).max(far_5.z().max(far_5.w()));
+        let far_6 = <rt::Vec4<f32>>::from_scalars(normal_12.dot(a_9), normal_12.dot(b_9), normal_12.dot(c_5), normal_12.dot(d_1));
+        let least_1 = far_6.x().min(far_6.y()).min(far_6.z().min(far_6.w()));
+        let most_6 = far_6.x().max(far_6.y()).max(far_6.z().max(far_6.w()));
         let beyond_3 = (slack_4 * normal_12.length());
         let change_3 = normal_12.dot(along_11);
         let _e32 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least_1), change_3, beyond_3);
@@ -5115,8 +5122,8 @@ impl<'g> Resources<'g> {
     fn v_passed_by(&self) -> Entered {
         let zero_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let zeros = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let uv_31 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_31, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_31, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let uv_30 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_30, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_30, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shell_point_from(
         &self,
@@ -5237,10 +5244,10 @@ impl<'g> Resources<'g> {
             let _e6 = self.v_folded_enter(pixel_30, params_14);
             return _e6;
         }
-        let along_20 = pixel_30.direction.normalize();
-        let _e9 = self.v_middle_of(pixel_30, along_20);
-        let _e10 = self.v_prism_of(pixel_30, along_20, _e9, params_14);
-        let _e11 = self.v_span_of(pixel_30, _e10, along_20, _e9, params_14);
+        let along_21 = pixel_30.direction.normalize();
+        let _e9 = self.v_middle_of(pixel_30, along_21);
+        let _e10 = self.v_prism_of(pixel_30, along_21, _e9, params_14);
+        let _e11 = self.v_span_of(pixel_30, _e10, along_21, _e9, params_14);
         let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
             local_29 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
@@ -5252,23 +5259,23 @@ impl<'g> Resources<'g> {
             let _e28 = self.v_passed_by();
             return _e28;
         }
-        let _e29 = self.v_shell_middle(pixel_30, along_20);
+        let _e29 = self.v_shell_middle(pixel_30, along_21);
         at_25 = _e29;
         at_25.span = _e11;
         let height_11 = (rt::Scalar(0.5f32) * (pixel_30.shell.heights.x() + pixel_30.shell.heights.y()));
         let _e43 = at_25.span.x();
-        let _e45 = self.v_shell_point(_e10, (along_20 * _e43), height_11);
+        let _e45 = self.v_shell_point(_e10, (along_21 * _e43), height_11);
         let _e48 = at_25.span.y();
-        let _e50 = self.v_shell_point(_e10, (along_20 * _e48), height_11);
+        let _e50 = self.v_shell_point(_e10, (along_21 * _e48), height_11);
         let _e53 = at_25.span.x();
         let _e58 = self.v_between(_e45, _e50);
-        let _e59 = self.v_shell_point_from(_e10, (along_20 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
+        let _e59 = self.v_shell_point_from(_e10, (along_21 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
         let _e62 = at_25.span.x();
         let _e67 = self.v_between(_e45, _e59);
-        let _e68 = self.v_shell_point_from(_e10, (along_20 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
+        let _e68 = self.v_shell_point_from(_e10, (along_21 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
         let _e71 = at_25.span.x();
         let _e76 = self.v_between(_e59, _e50);
-        let _e77 = self.v_shell_point_from(_e10, (along_20 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
+        let _e77 = self.v_shell_point_from(_e10, (along_21 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
         let _e79 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e68, rt::Scalar(0.25f32));
         let _e81 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e77, rt::Scalar(0.75f32));
         let quarters_1 = _e79.max(_e81);
@@ -5395,12 +5402,12 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_surface_quadric_vertical_enter(pixel_33, params_16);
         at_27 = _e2;
-        let along_21 = pixel_33.direction.length();
+        let along_22 = pixel_33.direction.length();
         let _e6 = at_27;
-        let _e10 = self.v_across_of(_e6, (pixel_33.direction / rt::Vec3::splat_from_scalar(along_21)));
+        let _e10 = self.v_across_of(_e6, (pixel_33.direction / rt::Vec3::splat_from_scalar(along_22)));
         let _e11 = self.v_plane_normal(pixel_33);
         let _e12 = self.v_plane_distance(pixel_33, _e11);
-        let eye_1 = (rt::Scalar(0f32) - (_e12 * along_21));
+        let eye_1 = (rt::Scalar(0f32) - (_e12 * along_22));
         let _e17 = at_27;
         let _e18 = self.v_across_span(_e17, _e10, eye_1);
         at_27.span = _e18;
@@ -5576,18 +5583,18 @@ impl<'g> Resources<'g> {
         let mut local_32: rt::Scalar<bool>;
         let mut at_28: Entered;
 
-        let along_22 = pixel_36.direction.normalize();
-        let _e4 = self.v_middle_of(pixel_36, along_22);
-        let _e6 = self.v_is_met(pixel_36, along_22, _e4, rt::Scalar(0u32));
+        let along_23 = pixel_36.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_36, along_23);
+        let _e6 = self.v_is_met(pixel_36, along_23, _e4, rt::Scalar(0u32));
         if rt::Scalar::into_branch_condition((!_e6)) {
-            let _e11 = self.v_is_met(pixel_36, along_22, _e4, rt::Scalar(1u32));
+            let _e11 = self.v_is_met(pixel_36, along_23, _e4, rt::Scalar(1u32));
             local_31 = (!_e11);
         } else {
             local_31 = rt::Scalar(false);
         }
         let _e14 = local_31;
         if rt::Scalar::into_branch_condition(_e14) {
-            let _e18 = self.v_is_met(pixel_36, along_22, _e4, rt::Scalar(2u32));
+            let _e18 = self.v_is_met(pixel_36, along_23, _e4, rt::Scalar(2u32));
             local_32 = (!_e18);
         } else {
             local_32 = rt::Scalar(false);
@@ -5597,7 +5604,7 @@ impl<'g> Resources<'g> {
             let _e22 = self.v_passed_by();
             return _e22;
         }
-        let _e23 = self.v_shell_middle(pixel_36, along_22);
+        let _e23 = self.v_shell_middle(pixel_36, along_23);
         at_28 = _e23;
         rt::Scalar(at_28.segments) = rt::Scalar(3u32);
         let _e27 = at_28;
@@ -5620,8 +5627,8 @@ impl<'g> Resources<'g> {
         let a_22 = (pixel_37.a.position - pixel_37.origin);
         let b_22 = (pixel_37.b.position - pixel_37.origin);
         let c_15 = (pixel_37.c.position - pixel_37.origin);
-        let along_23 = (pixel_37.direction / rt::Vec3::splat_from_scalar(pixel_37.direction.dot(pixel_37.direction)));
-        let places_1 = <rt::Vec3<f32>>::from_scalars(a_22.dot(along_23), b_22.dot(along_23), c_15.dot(along_23));
+        let along_24 = (pixel_37.direction / rt::Vec3::splat_from_scalar(pixel_37.direction.dot(pixel_37.direction)));
+        let places_1 = <rt::Vec3<f32>>::from_scalars(a_22.dot(along_24), b_22.dot(along_24), c_15.dot(along_24));
         let least_2 = places_1.x().min(places_1.y()).min(places_1.z());
         let most_8 = places_1.x().max(places_1.y()).max(places_1.z());
         let across_3 = normal_13.dot(pixel_37.direction);
@@ -5687,7 +5694,7 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_triangle_distance(pixel_39, _e2);
         let point_17 = (pixel_39.origin + (pixel_39.direction * _e5));
         let _e8 = self.v_triangle_weights(pixel_39, _e2, point_17);
-        let uv_32 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
+        let uv_31 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
         let tangent_3 = (((pixel_39.a.tangent * _e8.x()) + (pixel_39.b.tangent * _e8.y())) + (pixel_39.c.tangent * _e8.z()));
         let bitangent_2 = (((pixel_39.a.bitangent * _e8.x()) + (pixel_39.b.bitangent * _e8.y())) + (pixel_39.c.bitangent * _e8.z()));
         let sum_5 = ((((pixel_39.a.normal * _e8.x()) + (pixel_39.b.normal * _e8.y())) + (pixel_39.c.normal * _e8.z())) * rt::Scalar(pixel_39.side));
@@ -5695,14 +5702,14 @@ impl<'g> Resources<'g> {
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            let _e77 = self.v_is_on_map(uv_32);
+            let _e77 = self.v_is_on_map(uv_31);
             local_34 = _e77;
         } else {
             local_34 = rt::Scalar(false);
         }
         let _e79 = local_34;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_17, uv_32, tangent_3, bitangent_2, sum_5.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_17, uv_31, tangent_3, bitangent_2, sum_5.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
@@ -5724,7 +5731,7 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
         let point_18 = (pixel_40.origin + (pixel_40.direction * _e5));
         let _e8 = self.v_triangle_weights(pixel_40, _e2, point_18);
-        let uv_33 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
+        let uv_32 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
         let tangent_4 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
         let bitangent_3 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
         let raw_ = (((pixel_40.a.normal * _e8.x()) + (pixel_40.b.normal * _e8.y())) + (pixel_40.c.normal * _e8.z()));
@@ -5744,14 +5751,14 @@ impl<'g> Resources<'g> {
         }
         let _e105 = local_35;
         if rt::Scalar::into_branch_condition(_e105) {
-            let _e108 = self.v_is_on_map(uv_33);
+            let _e108 = self.v_is_on_map(uv_32);
             local_36 = _e108;
         } else {
             local_36 = rt::Scalar(false);
         }
         let _e110 = local_36;
         let _e116 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e110), (point_18 - (raw_ * height_m)), uv_33, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e116), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_4, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e110), (point_18 - (raw_ * height_m)), uv_32, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e116), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_4, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_enter_stage(&self, pixel_41: PixelIn) -> Entered {
         rt::into(self.v_surface_enter_stage(pixel_41))
@@ -5965,15 +5972,15 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let a_23 = (own * rate);
         let b_23 = (beside * rate);
-        let along_24 = (rt::Scalar(1f32) + (a_23 * b_23));
+        let along_25 = (rt::Scalar(1f32) + (a_23 * b_23));
         let apart_3 = (a_23 - b_23).abs();
-        if rt::Scalar::into_branch_condition(apart_3.elementwise_le((rt::Scalar(0.5f32) * along_24))) {
+        if rt::Scalar::into_branch_condition(apart_3.elementwise_le((rt::Scalar(0.5f32) * along_25))) {
             return beside;
         }
-        if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_24))) {
+        if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_25))) {
             return own;
         }
-        let part_14 = (((apart_3 / along_24) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
+        let part_14 = (((apart_3 / along_25) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
         return (beside + ((own - beside) * part_14));
     }
     pub(crate) fn slopes_between_creases(
@@ -6130,8 +6137,8 @@ impl<'g> Resources<'g> {
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_3: rt::Vec2<f32>;
 
-        let along_25 = pixel_43.direction.length();
-        let direction_6 = (pixel_43.direction / rt::Vec3::splat_from_scalar(along_25));
+        let along_26 = pixel_43.direction.length();
+        let direction_6 = (pixel_43.direction / rt::Vec3::splat_from_scalar(along_26));
         let _e9 = self.v_climb(at_34, direction_6);
         let duv_5 = _e9.xy();
         let descent_3 = (rt::Scalar(0f32) - at_34.normal.dot(direction_6));
@@ -6140,7 +6147,7 @@ impl<'g> Resources<'g> {
         let slope_8 = ((rt::Scalar(0f32) - descent_3) / _e15);
         let _e20 = self.v_plane_normal(pixel_43);
         let _e21 = self.v_plane_distance(pixel_43, _e20);
-        let distance = (_e21 * along_25);
+        let distance = (_e21 * along_26);
         let eye_2 = (rt::Scalar(0f32) - distance);
         let top_5 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
         enter = top_5.max(eye_2);
@@ -6195,20 +6202,20 @@ impl<'g> Resources<'g> {
         let mut path_17: Path;
         let mut local_38: rt::Scalar<bool>;
 
-        let along_26 = pixel_44.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_44, along_26);
-        let _e7 = self.v_prism_of(pixel_44, along_26, _e6, params_21);
+        let along_27 = pixel_44.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_44, along_27);
+        let _e7 = self.v_prism_of(pixel_44, along_27, _e6, params_21);
         let _e8 = self.v_shell_slack(pixel_44, _e6);
-        let _e9 = self.v_way_of(pixel_44, _e7, along_26);
+        let _e9 = self.v_way_of(pixel_44, _e7, along_27);
         let _e10 = self.v_way_offsets(pixel_44, _e7, _e8);
         let _e11 = self.v_chord_reach(pixel_44, at_35, _e6, params_21);
         let _e12 = self.v_way_beyond(_e7, _e10, _e11);
-        let _e14 = self.v_way_chord(pixel_44, _e7, along_26, _e9, _e10, _e12, params_21.x(), k_2);
-        let _e16 = self.v_before_turn(_e7, along_26, _e9, _e14.offsets);
-        let _e18 = self.v_way_point(_e7, along_26, _e9, _e16.x());
+        let _e14 = self.v_way_chord(pixel_44, _e7, along_27, _e9, _e10, _e12, params_21.x(), k_2);
+        let _e16 = self.v_before_turn(_e7, along_27, _e9, _e14.offsets);
+        let _e18 = self.v_way_point(_e7, along_27, _e9, _e16.x());
         a_10 = _e18;
-        let _e25 = self.v_way_point(_e7, along_26, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
-        let _e27 = self.v_way_point(_e7, along_26, _e9, _e16.y());
+        let _e25 = self.v_way_point(_e7, along_27, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
+        let _e27 = self.v_way_point(_e7, along_27, _e9, _e16.y());
         b_10 = _e27;
         let _e30 = rt::Scalar(b_10.t);
         let _e32 = rt::Scalar(a_10.t);
@@ -6266,17 +6273,17 @@ impl<'g> Resources<'g> {
             let _e8 = self.v_folded_segment(pixel_45, at_36, k_3, params_22);
             return _e8;
         }
-        let along_27 = pixel_45.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_45, along_27);
-        let _e12 = self.v_prism_of(pixel_45, along_27, _e11, params_22);
+        let along_28 = pixel_45.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_45, along_28);
+        let _e12 = self.v_prism_of(pixel_45, along_28, _e11, params_22);
         let heights_2 = pixel_45.shell.heights;
         let mean_3 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
         let _e20 = self.v_chord_end(at_36, k_3);
         let _e23 = self.v_chord_end(at_36, (k_3 + rt::Scalar(1u32)));
-        let _e25 = self.v_shell_point(_e12, (along_27 * _e20), mean_3);
-        let _e27 = self.v_shell_point(_e12, (along_27 * _e23), mean_3);
+        let _e25 = self.v_shell_point(_e12, (along_28 * _e20), mean_3);
+        let _e27 = self.v_shell_point(_e12, (along_28 * _e23), mean_3);
         let _e32 = self.v_between(_e25, _e27);
-        let _e33 = self.v_shell_point_from(_e12, (along_27 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
+        let _e33 = self.v_shell_point_from(_e12, (along_28 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
         let _e56 = self.v_chord_reach(pixel_45, at_36, _e11, params_22);
         let beyond_5 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
@@ -6306,12 +6313,12 @@ impl<'g> Resources<'g> {
         let mut path_18: Path;
         let mut inside_2: rt::Vec2<f32>;
 
-        let along_28 = pixel_46.direction.length();
-        let _e9 = self.v_across_of(at_37, (pixel_46.direction / rt::Vec3::splat_from_scalar(along_28)));
+        let along_29 = pixel_46.direction.length();
+        let _e9 = self.v_across_of(at_37, (pixel_46.direction / rt::Vec3::splat_from_scalar(along_29)));
         let _e10 = self.v_traced_scale_m();
         let _e11 = self.v_plane_normal(pixel_46);
         let _e12 = self.v_plane_distance(pixel_46, _e11);
-        let distance_1 = (_e12 * along_28);
+        let distance_1 = (_e12 * along_29);
         let whole = (at_37.span.y() - at_37.span.x());
         let first_8 = (at_37.span.x() + (whole * (k_4.to_f32() / params_23.z())));
         let last_4 = (at_37.span.x() + (whole * ((k_4 + rt::Scalar(1u32)).to_f32() / params_23.z())));
@@ -6396,8 +6403,8 @@ impl<'g> Resources<'g> {
         let mut path_19: Path;
         let mut local_42: rt::Scalar<bool>;
 
-        let along_29 = pixel_47.direction.length();
-        let direction_7 = (pixel_47.direction / rt::Vec3::splat_from_scalar(along_29));
+        let along_30 = pixel_47.direction.length();
+        let direction_7 = (pixel_47.direction / rt::Vec3::splat_from_scalar(along_30));
         let _e9 = self.v_climb(at_38, direction_7);
         let duv_6 = _e9.xy();
         let descent_4 = (rt::Scalar(0f32) - at_38.normal.dot(direction_7));
@@ -6408,7 +6415,7 @@ impl<'g> Resources<'g> {
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
         let _e27 = self.v_plane_normal(pixel_47);
         let _e28 = self.v_plane_distance(pixel_47, _e27);
-        let distance_2 = (_e28 * along_29);
+        let distance_2 = (_e28 * along_30);
         let eye_3 = (rt::Scalar(0f32) - distance_2);
         let _e35 = self.v_bent_descent(((height_12 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
@@ -6498,11 +6505,11 @@ impl<'g> Resources<'g> {
         let mut inside_3: rt::Vec2<f32>;
         let mut path_20: Path;
 
-        let along_30 = pixel_48.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_48, along_30);
-        let _e8 = self.v_tetrahedron(pixel_48, along_30, _e6, rt::Scalar(0u32));
-        let _e10 = self.v_tetrahedron(pixel_48, along_30, _e6, rt::Scalar(1u32));
-        let _e12 = self.v_tetrahedron(pixel_48, along_30, _e6, rt::Scalar(2u32));
+        let along_31 = pixel_48.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_48, along_31);
+        let _e8 = self.v_tetrahedron(pixel_48, along_31, _e6, rt::Scalar(0u32));
+        let _e10 = self.v_tetrahedron(pixel_48, along_31, _e6, rt::Scalar(1u32));
+        let _e12 = self.v_tetrahedron(pixel_48, along_31, _e6, rt::Scalar(2u32));
         let _e15 = self.v_comes_before(_e8.inside, _e10.inside);
         let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
         let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
@@ -6518,7 +6525,7 @@ impl<'g> Resources<'g> {
         let _e34 = self.v_ordered(pixel_48, rt::Scalar(2u32));
         let w_4 = chosen_1.weights;
         let g = chosen_1.change;
-        let uv_34 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
+        let uv_33 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
         let _e61 = self.v_shell_slack(pixel_48, _e6);
         let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
@@ -6533,10 +6540,10 @@ impl<'g> Resources<'g> {
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_3;
-            let _e96 = self.v_inside_unit(uv_34.x(), duv_7.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_33.x(), duv_7.x(), _e95);
             inside_3 = _e96;
             let _e99 = inside_3;
-            let _e100 = self.v_inside_unit(uv_34.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_33.y(), duv_7.y(), _e99);
             inside_3 = _e100;
         }
         let whole_1 = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -6547,7 +6554,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_20 = <Path>::new((uv_34 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_39.metric, RAY_VIEW, rt::Scalar(at_39.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
+        path_20 = <Path>::new((uv_33 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_39.metric, RAY_VIEW, rt::Scalar(at_39.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
         let _e158 = rt::Scalar(path_20.exit);
         if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
             let _e161 = path_20;
@@ -6678,27 +6685,57 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn slice_before(
+    pub(crate) fn slice_spacing(
         &self,
-        pixel_50: PixelIn,
-        along_16: impl rt::Into<rt::Scalar<f32>>,
-        far_2: impl rt::Into<rt::Scalar<f32>>,
-        uv_16: impl rt::Into<rt::Vec2<f32>>,
-        step_m: impl rt::Into<rt::Scalar<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_slice_before(pixel_50, rt::into(along_16), rt::into(far_2), rt::into(uv_16), rt::into(step_m)))
+        at_41: Entered,
+        axis: impl rt::Into<rt::Scalar<u32>>,
+    ) -> f32 {
+        rt::into(self.v_slice_spacing(at_41, rt::into(axis)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_slice_before(
+    #[inline(always)]
+    fn v_slice_spacing(
+        &self,
+        at_41: Entered,
+        axis: rt::Scalar<u32>,
+    ) -> rt::Scalar<f32> {
+        let step_5 = at_41.of_surface.y();
+        if rt::Scalar::into_branch_condition(axis.elementwise_eq(SLICES_ALONG_HEIGHT)) {
+            return step_5;
+        }
+        if rt::Scalar::into_branch_condition(axis.elementwise_eq(SLICES_ALONG_U)) {
+            let _e12 = self.v_traced_scale_m();
+            return ((step_5 * at_41.metric.x().sqrt()) / _e12);
+        }
+        if rt::Scalar::into_branch_condition(axis.elementwise_eq(SLICES_ALONG_V)) {
+            let _e20 = self.v_traced_scale_m();
+            return ((step_5 * at_41.metric.z().sqrt()) / _e20);
+        }
+        let _e22 = self.v_traced_scale_m();
+        return (step_5 / _e22);
+    }
+    pub(crate) fn slice_above(
         &self,
         pixel_50: PixelIn,
+        at_42: Entered,
+        along_16: impl rt::Into<rt::Scalar<f32>>,
+        far_2: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_slice_above(pixel_50, at_42, rt::into(along_16), rt::into(far_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_slice_above(
+        &self,
+        pixel_50: PixelIn,
+        at_42: Entered,
         along_16: rt::Scalar<f32>,
         far_2: rt::Scalar<f32>,
-        uv_16: rt::Vec2<f32>,
-        step_m: rt::Scalar<f32>,
-    ) -> rt::Vec3<f32> {
+    ) -> rt::Vec4<f32> {
         let mut local_43: rt::Scalar<bool>;
 
+        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_50.direction.dot(at_42.normal).elementwise_lt(rt::Scalar(0f32))) * at_42.of_surface.y());
+        let _e17 = rt::Scalar(self.surface_settings.scale_m);
+        let step_m = (upward * _e17);
         let a_24 = (pixel_50.a.position + (pixel_50.a.normal * step_m));
         let b_24 = (pixel_50.b.position + (pixel_50.b.normal * step_m));
         let c_16 = (pixel_50.c.position + (pixel_50.c.normal * step_m));
@@ -6710,96 +6747,161 @@ impl<'g> Resources<'g> {
         } else {
             local_43 = rt::Scalar(false);
         }
-        let _e43 = local_43;
-        if rt::Scalar::into_branch_condition((!_e43)) {
-            return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let _e57 = local_43;
+        if rt::Scalar::into_branch_condition((!_e57)) {
+            return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e53 = self.v_weights_of(a_24, b_24, c_16, n_10, (pixel_50.origin + (pixel_50.direction * t_35)));
-        return <rt::Vec3<f32>>::new_21(((((pixel_50.a.uv * _e53.x()) + (pixel_50.b.uv * _e53.y())) + (pixel_50.c.uv * _e53.z())) - uv_16), lead);
+        let _e68 = self.v_weights_of(a_24, b_24, c_16, n_10, (pixel_50.origin + (pixel_50.direction * t_35)));
+        let aside_4 = ((((pixel_50.a.uv * _e68.x()) + (pixel_50.b.uv * _e68.y())) + (pixel_50.c.uv * _e68.z())) - at_42.uv);
+        return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_4, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
+    }
+    pub(crate) fn slice_beside(
+        &self,
+        at_43: Entered,
+        climbs: impl rt::Into<rt::Vec3<f32>>,
+        pace: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_slice_beside(at_43, rt::into(climbs), rt::into(pace)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_slice_beside(
+        &self,
+        at_43: Entered,
+        climbs: rt::Vec3<f32>,
+        pace: rt::Scalar<f32>,
+    ) -> rt::Vec4<f32> {
+        let mut local_44: rt::Scalar<bool>;
+
+        let up_2 = (at_43.of_surface.x().select((rt::Scalar(1f32) - at_43.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
+        let lead_1 = (at_43.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_2, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
+        if rt::Scalar::into_branch_condition(lead_1.elementwise_gt(rt::Scalar(0f32))) {
+            local_44 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
+        } else {
+            local_44 = rt::Scalar(false);
+        }
+        let _e33 = local_44;
+        if rt::Scalar::into_branch_condition((!_e33)) {
+            return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        }
+        return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - climbs), lead_1);
+    }
+    pub(crate) fn slice_before(
+        &self,
+        pixel_51: PixelIn,
+        at_44: Entered,
+        axis_1: impl rt::Into<rt::Scalar<u32>>,
+        along_17: impl rt::Into<rt::Scalar<f32>>,
+        far_3: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_slice_before(pixel_51, at_44, rt::into(axis_1), rt::into(along_17), rt::into(far_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_slice_before(
+        &self,
+        pixel_51: PixelIn,
+        at_44: Entered,
+        axis_1: rt::Scalar<u32>,
+        along_17: rt::Scalar<f32>,
+        far_3: rt::Scalar<f32>,
+    ) -> rt::Vec4<f32> {
+        if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_HEIGHT)) {
+            let _e7 = self.v_slice_above(pixel_51, at_44, along_17, far_3);
+            return _e7;
+        }
+        let _e11 = self.v_climb(at_44, (pixel_51.direction / rt::Vec3::splat_from_scalar(along_17)));
+        if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_U)) {
+            let _e16 = self.v_slice_beside(at_44, _e11, _e11.x().abs());
+            return _e16;
+        }
+        if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_V)) {
+            let _e21 = self.v_slice_beside(at_44, _e11, _e11.y().abs());
+            return _e21;
+        }
+        let _e24 = self.v_slice_beside(at_44, _e11, (rt::Scalar(1f32) / along_17));
+        return _e24;
     }
     pub(crate) fn surface_slices_segment(
         &self,
-        pixel_51: PixelIn,
-        at_41: Entered,
+        pixel_52: PixelIn,
+        at_45: Entered,
         k_8: impl rt::Into<rt::Scalar<u32>>,
         params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_slices_segment(pixel_51, at_41, rt::into(k_8), rt::into(params_30)))
+        rt::into(self.v_surface_slices_segment(pixel_52, at_45, rt::into(k_8), rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_surface_slices_segment(
         &self,
-        pixel_51: PixelIn,
-        at_41: Entered,
+        pixel_52: PixelIn,
+        at_45: Entered,
         k_8: rt::Scalar<u32>,
         params_30: rt::Vec4<f32>,
     ) -> Path {
-        let along_31 = pixel_51.direction.length();
-        let _e6 = self.v_plane_normal(pixel_51);
-        let _e7 = self.v_triangle_distance(pixel_51, _e6);
-        let far_6 = (_e7 * along_31);
-        let height_13 = at_41.of_surface.x();
-        let spacing_4 = at_41.of_surface.y();
-        let _e15 = self.v_height_at(at_41.uv, rt::Scalar(at_41.level));
-        let _e16 = self.v_slices_stage(_e15, height_13, spacing_4);
-        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_51.direction.dot(at_41.normal).elementwise_lt(rt::Scalar(0f32))) * spacing_4);
-        let _e29 = rt::Scalar(self.surface_settings.scale_m);
-        let _e31 = self.v_slice_before(pixel_51, along_31, far_6, at_41.uv, (upward * _e29));
-        let known = _e31.z().elementwise_gt(rt::Scalar(0f32));
-        let lead_1 = (far_6 * rt::Scalar(0.0000005f32)).select(_e31.z().min(far_6), known);
-        let back = (<rt::Vec3<f32>>::new_21(_e31.xy(), rt::Scalar(0f32).select(upward, known)) / rt::Vec3::splat_from_scalar(rt::Scalar(1f32).select(_e31.z(), known)));
-        return <Path>::new((at_41.uv + (back.xy() * lead_1)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - back.xy()), <rt::Vec3<f32>>::from_scalars((height_13 + (back.z() * lead_1)), (rt::Scalar(0f32) - back.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_1, _e16), lead_1, at_41.metric, RAY_VIEW, rt::Scalar(at_41.level), (far_6 - lead_1), rt::Scalar(1f32));
+        let along_32 = pixel_52.direction.length();
+        let _e6 = self.v_plane_normal(pixel_52);
+        let _e7 = self.v_triangle_distance(pixel_52, _e6);
+        let far_7 = (_e7 * along_32);
+        let axis_2 = pixel_52.a.of_surface.z().to_u32();
+        let height_13 = at_45.of_surface.x();
+        let _e17 = self.v_height_at(at_45.uv, rt::Scalar(at_45.level));
+        let _e18 = self.v_slice_spacing(at_45, axis_2);
+        let _e19 = self.v_slices_stage(_e17, height_13, _e18);
+        let _e20 = self.v_slice_before(pixel_52, at_45, axis_2, along_32, far_7);
+        let lead_2 = (far_7 * rt::Scalar(0.0000005f32)).select(_e20.w().min(far_7), _e20.w().elementwise_gt(rt::Scalar(0f32)));
+        return <Path>::new((at_45.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_13 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_45.metric, RAY_VIEW, rt::Scalar(at_45.level), (far_7 - lead_2), rt::Scalar(1f32));
     }
     pub(crate) fn surface_segment_stage(
         &self,
-        pixel_52: PixelIn,
-        at_42: Entered,
+        pixel_53: PixelIn,
+        at_46: Entered,
         k_9: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_52, at_42, rt::into(k_9)))
+        rt::into(self.v_surface_segment_stage(pixel_53, at_46, rt::into(k_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_segment_stage(
         &self,
-        pixel_52: PixelIn,
-        at_42: Entered,
+        pixel_53: PixelIn,
+        at_46: Entered,
         k_9: rt::Scalar<u32>,
     ) -> Path {
         let _e7 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[1usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_52, at_42, k_9, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_53, at_46, k_9, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[1usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_52, at_42, k_9, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_53, at_46, k_9, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[1usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_52, at_42, k_9, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_53, at_46, k_9, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[1usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_52, at_42, k_9, _e30);
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_53, at_46, k_9, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[1usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_52, at_42, k_9, _e36);
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_53, at_46, k_9, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[1usize].params;
-                let _e43 = self.v_surface_facets_segment(pixel_52, at_42, k_9, _e42);
+                let _e43 = self.v_surface_facets_segment(pixel_53, at_46, k_9, _e42);
                 return _e43;
             }
             _ => {
                 let _e48 = self.surface_settings.choices[1usize].params;
-                let _e49 = self.v_surface_slices_segment(pixel_52, at_42, k_9, _e48);
+                let _e49 = self.v_surface_slices_segment(pixel_53, at_46, k_9, _e48);
                 return _e49;
             }
         }
@@ -6862,27 +6964,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn segment_of(
         &self,
-        pixel_53: PixelIn,
-        at_43: Entered,
+        pixel_54: PixelIn,
+        at_47: Entered,
         k_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_53, at_43, rt::into(k_10)))
+        rt::into(self.v_segment_of(pixel_54, at_47, rt::into(k_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_segment_of(
         &self,
-        pixel_53: PixelIn,
-        at_43: Entered,
+        pixel_54: PixelIn,
+        at_47: Entered,
         k_10: rt::Scalar<u32>,
     ) -> Path {
         let mut path_23: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_53, at_43, k_10);
+        let _e3 = self.v_surface_segment_stage(pixel_54, at_47, k_10);
         path_23 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_43.fade).elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_47.fade).elementwise_gt(rt::Scalar(0f32))) {
             let _e8 = path_23;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_43.fade));
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_47.fade));
             path_23 = _e13;
             let _e16 = path_23.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
@@ -6894,20 +6996,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane_polish(
         &self,
-        pixel_54: PixelIn,
-        at_44: Entered,
+        pixel_55: PixelIn,
+        at_48: Entered,
         path_24: Path,
         hit_7: Hit,
         params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_54, at_44, path_24, hit_7, rt::into(params_31)))
+        rt::into(self.v_surface_plane_polish(pixel_55, at_48, path_24, hit_7, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_polish(
         &self,
-        pixel_54: PixelIn,
-        at_44: Entered,
+        pixel_55: PixelIn,
+        at_48: Entered,
         path_24: Path,
         hit_7: Hit,
         params_31: rt::Vec4<f32>,
@@ -6976,23 +7078,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn point_of_way(
         &self,
-        pixel_55: PixelIn,
+        pixel_56: PixelIn,
         prism_13: Prism,
         place_13: impl rt::Into<rt::Vec3<f32>>,
         height_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_point_of_way(pixel_55, prism_13, rt::into(place_13), rt::into(height_5)))
+        rt::into(self.v_point_of_way(pixel_56, prism_13, rt::into(place_13), rt::into(height_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_way(
         &self,
-        pixel_55: PixelIn,
+        pixel_56: PixelIn,
         prism_13: Prism,
         place_13: rt::Vec3<f32>,
         height_5: rt::Scalar<f32>,
     ) -> ShellPoint {
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_55.shell.order).elementwise_ge(SHELL_FOLDED)) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_56.shell.order).elementwise_ge(SHELL_FOLDED)) {
             let _e8 = self.v_shell_point_near(prism_13, place_13, height_5);
             return _e8;
         }
@@ -7001,19 +7103,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_prism_polish(
         &self,
-        pixel_56: PixelIn,
-        at_45: Entered,
+        pixel_57: PixelIn,
+        at_49: Entered,
         path_25: Path,
         hit_8: Hit,
         params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_56, at_45, path_25, hit_8, rt::into(params_32)))
+        rt::into(self.v_surface_prism_polish(pixel_57, at_49, path_25, hit_8, rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_polish(
         &self,
-        pixel_56: PixelIn,
-        at_45: Entered,
+        pixel_57: PixelIn,
+        at_49: Entered,
         path_25: Path,
         hit_8: Hit,
         params_32: rt::Vec4<f32>,
@@ -7022,9 +7124,9 @@ impl<'g> Resources<'g> {
         let mut point_6: ShellPoint;
         let mut step_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let along_32 = pixel_56.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_56, along_32);
-        let _e8 = self.v_prism_of(pixel_56, along_32, _e7, params_32);
+        let along_33 = pixel_57.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_57, along_33);
+        let _e8 = self.v_prism_of(pixel_57, along_33, _e7, params_32);
         let _e10 = self.v_path_gap(path_25, rt::Scalar(hit_8.t));
         let _e11 = self.v_grid_of(path_25);
         let texels_5 = _e11.step.abs();
@@ -7033,7 +7135,7 @@ impl<'g> Resources<'g> {
         let _e30 = t_14;
         let _e34 = t_14;
         let _e35 = self.v_path_height(path_25, _e34);
-        let _e36 = self.v_point_of_way(pixel_56, _e8, (along_32 * ((rt::Scalar(path_25.start) + _e30) - _e7)), _e35);
+        let _e36 = self.v_point_of_way(pixel_57, _e8, (along_33 * ((rt::Scalar(path_25.start) + _e30) - _e7)), _e35);
         point_6 = _e36;
         'naga_break: loop {
             'naga_continue: {
@@ -7047,7 +7149,7 @@ impl<'g> Resources<'g> {
                     step_2 = (_e43 + rt::Scalar(1u32));
                     let _e47 = rt::Scalar(point_6.height);
                     let _e49 = point_6.weights;
-                    let _e50 = self.v_uv_of(pixel_56, _e49);
+                    let _e50 = self.v_uv_of(pixel_57, _e49);
                     let _e52 = self.v_height_at(_e50, rt::Scalar(path_25.level));
                     let gap_1 = ((_e47 - _e52) - _e10);
                     let _e57 = t_14;
@@ -7060,8 +7162,8 @@ impl<'g> Resources<'g> {
                         t_14 = (_e66 - (gap_1 / change_4)).clamp((rt::Scalar(hit_8.t) - most_9), (rt::Scalar(hit_8.t) + most_9));
                     }
                     let _e75 = t_14;
-                    let place_21 = (along_32 * ((rt::Scalar(path_25.start) + _e75) - _e7));
-                    if rt::Scalar::into_branch_condition(rt::Scalar(pixel_56.shell.order).elementwise_ge(SHELL_FOLDED)) {
+                    let place_21 = (along_33 * ((rt::Scalar(path_25.start) + _e75) - _e7));
+                    if rt::Scalar::into_branch_condition(rt::Scalar(pixel_57.shell.order).elementwise_ge(SHELL_FOLDED)) {
                         let _e83 = t_14;
                         let _e84 = self.v_path_height(path_25, _e83);
                         let _e85 = self.v_shell_point_near(_e8, place_21, _e84);
@@ -7075,27 +7177,27 @@ impl<'g> Resources<'g> {
             }
         }
         let _e91 = point_6.weights;
-        let _e92 = self.v_uv_of(pixel_56, _e91);
+        let _e92 = self.v_uv_of(pixel_57, _e91);
         let _e94 = rt::Scalar(point_6.height);
         let _e95 = t_14;
         return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_8.exhausted), _e92, _e94, _e95, hit_8.cost);
     }
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
-        pixel_57: PixelIn,
-        at_46: Entered,
+        pixel_58: PixelIn,
+        at_50: Entered,
         path_26: Path,
         hit_9: Hit,
         params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_57, at_46, path_26, hit_9, rt::into(params_33)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_58, at_50, path_26, hit_9, rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_polish(
         &self,
-        pixel_57: PixelIn,
-        at_46: Entered,
+        pixel_58: PixelIn,
+        at_50: Entered,
         path_26: Path,
         hit_9: Hit,
         params_33: rt::Vec4<f32>,
@@ -7104,20 +7206,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_quadric_vertical_polish(
         &self,
-        pixel_58: PixelIn,
-        at_47: Entered,
+        pixel_59: PixelIn,
+        at_51: Entered,
         path_27: Path,
         hit_10: Hit,
         params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_58, at_47, path_27, hit_10, rt::into(params_34)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_59, at_51, path_27, hit_10, rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_vertical_polish(
         &self,
-        pixel_58: PixelIn,
-        at_47: Entered,
+        pixel_59: PixelIn,
+        at_51: Entered,
         path_27: Path,
         hit_10: Hit,
         params_34: rt::Vec4<f32>,
@@ -7126,20 +7228,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_tetrahedra_polish(
         &self,
-        pixel_59: PixelIn,
-        at_48: Entered,
+        pixel_60: PixelIn,
+        at_52: Entered,
         path_28: Path,
         hit_11: Hit,
         params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_59, at_48, path_28, hit_11, rt::into(params_35)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_60, at_52, path_28, hit_11, rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_tetrahedra_polish(
         &self,
-        pixel_59: PixelIn,
-        at_48: Entered,
+        pixel_60: PixelIn,
+        at_52: Entered,
         path_28: Path,
         hit_11: Hit,
         params_35: rt::Vec4<f32>,
@@ -7148,20 +7250,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_facets_polish(
         &self,
-        pixel_60: PixelIn,
-        at_49: Entered,
+        pixel_61: PixelIn,
+        at_53: Entered,
         path_29: Path,
         hit_12: Hit,
         params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_facets_polish(pixel_60, at_49, path_29, hit_12, rt::into(params_36)))
+        rt::into(self.v_surface_facets_polish(pixel_61, at_53, path_29, hit_12, rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_polish(
         &self,
-        pixel_60: PixelIn,
-        at_49: Entered,
+        pixel_61: PixelIn,
+        at_53: Entered,
         path_29: Path,
         hit_12: Hit,
         params_36: rt::Vec4<f32>,
@@ -7170,20 +7272,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_slices_polish(
         &self,
-        pixel_61: PixelIn,
-        at_50: Entered,
+        pixel_62: PixelIn,
+        at_54: Entered,
         path_30: Path,
         hit_13: Hit,
         params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_slices_polish(pixel_61, at_50, path_30, hit_13, rt::into(params_37)))
+        rt::into(self.v_surface_slices_polish(pixel_62, at_54, path_30, hit_13, rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_polish(
         &self,
-        pixel_61: PixelIn,
-        at_50: Entered,
+        pixel_62: PixelIn,
+        at_54: Entered,
         path_30: Path,
         hit_13: Hit,
         params_37: rt::Vec4<f32>,
@@ -7195,57 +7297,57 @@ impl<'g> Resources<'g> {
         let _e10 = counted;
         return _e10;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_62: PixelIn, at_51: Entered, path_31: Path, hit_14: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_62, at_51, path_31, hit_14))
+    pub(crate) fn surface_polish_stage(&self, pixel_63: PixelIn, at_55: Entered, path_31: Path, hit_14: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_63, at_55, path_31, hit_14))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_62: PixelIn, at_51: Entered, path_31: Path, hit_14: Hit) -> Hit {
+    fn v_surface_polish_stage(&self, pixel_63: PixelIn, at_55: Entered, path_31: Path, hit_14: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_62, at_51, path_31, hit_14, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_63, at_55, path_31, hit_14, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_62, at_51, path_31, hit_14, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_63, at_55, path_31, hit_14, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_62, at_51, path_31, hit_14, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_63, at_55, path_31, hit_14, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_62, at_51, path_31, hit_14, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_63, at_55, path_31, hit_14, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_62, at_51, path_31, hit_14, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_63, at_55, path_31, hit_14, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_polish(pixel_62, at_51, path_31, hit_14, _e43);
+                let _e44 = self.v_surface_facets_polish(pixel_63, at_55, path_31, hit_14, _e43);
                 return _e44;
             }
             _ => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_polish(pixel_62, at_51, path_31, hit_14, _e49);
+                let _e50 = self.v_surface_slices_polish(pixel_63, at_55, path_31, hit_14, _e49);
                 return _e50;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_63: PixelIn, at_52: Entered, path_32: Path, hit_15: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_63, at_52, path_32, hit_15))
+    pub(crate) fn polish_hit(&self, pixel_64: PixelIn, at_56: Entered, path_32: Path, hit_15: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_64, at_56, path_32, hit_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_polish_hit(&self, pixel_63: PixelIn, at_52: Entered, path_32: Path, hit_15: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_63, at_52, path_32, hit_15);
+    fn v_polish_hit(&self, pixel_64: PixelIn, at_56: Entered, path_32: Path, hit_15: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_64, at_56, path_32, hit_15);
         return _e4;
     }
     pub(crate) fn key_of(&self, depth_5: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -7258,14 +7360,14 @@ impl<'g> Resources<'g> {
         let _e6 = rt::Scalar(self.frame.near);
         return (_e3 / (_e6 + depth_5.max(rt::Scalar(0f32))));
     }
-    pub(crate) fn is_in_hole(&self, uv_17: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_is_in_hole(rt::into(uv_17)))
+    pub(crate) fn is_in_hole(&self, uv_16: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_is_in_hole(rt::into(uv_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_is_in_hole(&self, uv_17: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    fn v_is_in_hole(&self, uv_16: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e2 = self.v_height_texels(rt::Scalar(0u32));
         let _e4 = self.v_height_size(rt::Scalar(0u32));
-        let _e10 = self.v_cell_of(((uv_17 * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e10 = self.v_cell_of(((uv_16 * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
         let cell_20 = _e10.to_i32();
         let _e14 = self.v_wrap_index(cell_20.x(), _e2.x());
         let _e19 = self.v_wrap_index((cell_20.x() + rt::Scalar(1i32)), _e2.x());
@@ -7279,34 +7381,34 @@ impl<'g> Resources<'g> {
         let below_6 = _e42.x().max(_e47.x());
         return above_7.max(below_6).elementwise_gt(rt::Scalar(0f32));
     }
-    pub(crate) fn in_hole(&self, uv_18: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_in_hole(rt::into(uv_18)))
+    pub(crate) fn in_hole(&self, uv_17: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_in_hole(rt::into(uv_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_in_hole(&self, uv_18: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    fn v_in_hole(&self, uv_17: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e3 = rt::Scalar(self.surface_settings.has_holes);
         if rt::Scalar::into_branch_condition(_e3.elementwise_ne(rt::Scalar(1u32))) {
             return rt::Scalar(false);
         }
-        let _e7 = self.v_is_in_hole(uv_18);
+        let _e7 = self.v_is_in_hole(uv_17);
         return _e7;
     }
     pub(crate) fn hit_on_segment(
         &self,
-        pixel_64: PixelIn,
-        at_53: Entered,
+        pixel_65: PixelIn,
+        at_57: Entered,
         path_33: Path,
         found: Hit,
         k_11: impl rt::Into<rt::Scalar<u32>>,
     ) -> FirstHit {
-        rt::into(self.v_hit_on_segment(pixel_64, at_53, path_33, found, rt::into(k_11)))
+        rt::into(self.v_hit_on_segment(pixel_65, at_57, path_33, found, rt::into(k_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_segment(
         &self,
-        pixel_64: PixelIn,
-        at_53: Entered,
+        pixel_65: PixelIn,
+        at_57: Entered,
         path_33: Path,
         found: Hit,
         k_11: rt::Scalar<u32>,
@@ -7315,8 +7417,8 @@ impl<'g> Resources<'g> {
 
         first_1 = <FirstHit>::new(found, k_11, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(rt::Scalar(found.found).elementwise_eq(rt::Scalar(1u32))) {
-            let _e11 = self.v_polish_hit(pixel_64, at_53, path_33, found);
-            let _e12 = self.v_depth_on_ray(pixel_64, path_33, _e11);
+            let _e11 = self.v_polish_hit(pixel_65, at_57, path_33, found);
+            let _e12 = self.v_depth_on_ray(pixel_65, path_33, _e11);
             let _e13 = self.v_key_of(_e12);
             first_1 = <FirstHit>::new(_e11, k_11, _e13);
             let _e16 = self.v_in_hole(_e11.uv);
@@ -7344,15 +7446,15 @@ impl<'g> Resources<'g> {
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_44: rt::Scalar<bool>;
+        let mut local_45: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(t_15.elementwise_gt(rt::Scalar(path_34.exit))) {
             let _e9 = self.v_path_height(path_34, rt::Scalar(path_34.exit));
-            local_44 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+            local_45 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_44 = rt::Scalar(false);
+            local_45 = rt::Scalar(false);
         }
-        let _e13 = local_44;
+        let _e13 = local_45;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
@@ -7367,17 +7469,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_starting_point(&self, path_35: Path, found_1: Found) -> rt::Scalar<f32> {
-        let mut local_45: rt::Scalar<bool>;
+        let mut local_46: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_35.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_45 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_46 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_45 = rt::Scalar(true);
+            local_46 = rt::Scalar(true);
         }
-        let _e16 = local_45;
+        let _e16 = local_46;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -7612,28 +7714,28 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found_7: Found) -> rt::Scalar<bool> {
-        let mut local_46: rt::Scalar<bool>;
         let mut local_47: rt::Scalar<bool>;
         let mut local_48: rt::Scalar<bool>;
+        let mut local_49: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.far).elementwise_gt(rt::Scalar(found_7.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                local_47 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
-            } else {
-                local_47 = rt::Scalar(true);
-            }
-            let _e16 = local_47;
-            if rt::Scalar::into_branch_condition((!_e16)) {
-                local_48 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
+                local_48 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
                 local_48 = rt::Scalar(true);
             }
-            let _e24 = local_48;
-            local_46 = _e24;
+            let _e16 = local_48;
+            if rt::Scalar::into_branch_condition((!_e16)) {
+                local_49 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
+            } else {
+                local_49 = rt::Scalar(true);
+            }
+            let _e24 = local_49;
+            local_47 = _e24;
         } else {
-            local_46 = rt::Scalar(false);
+            local_47 = rt::Scalar(false);
         }
-        let _e26 = local_46;
+        let _e26 = local_47;
         return _e26;
     }
     pub(crate) fn refine_binary(
@@ -7652,9 +7754,9 @@ impl<'g> Resources<'g> {
         params_43: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_2: rt::Scalar<f32>;
-        let mut far_3: rt::Scalar<f32>;
+        let mut far_4: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_49: rt::Scalar<bool>;
+        let mut local_50: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_13: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -7664,16 +7766,16 @@ impl<'g> Resources<'g> {
             return _e5;
         }
         near_2 = rt::Scalar(found_8.near);
-        far_3 = rt::Scalar(found_8.far);
+        far_4 = rt::Scalar(found_8.far);
         cost_5 = found_8.cost;
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_8.status).elementwise_eq(FOUND_BRACKET))) {
-            let _e18 = far_3;
+            let _e18 = far_4;
             let _e19 = self.v_path_height(path_42, _e18);
-            local_49 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_50 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_49 = rt::Scalar(true);
+            local_50 = rt::Scalar(true);
         }
-        let _e23 = local_49;
+        let _e23 = local_50;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -7686,13 +7788,13 @@ impl<'g> Resources<'g> {
                     let _e30 = cost_5;
                     cost_5 = (_e30 + STEP);
                     let _e33 = near_2;
-                    let _e34 = far_3;
+                    let _e34 = far_4;
                     let middle_13 = (rt::Scalar(0.5f32) * (_e33 + _e34));
                     let _e38 = cost_5;
                     cost_5 = (_e38 + HEIGHTS_READ);
                     let _e41 = self.v_path_gap(path_42, middle_13);
                     if rt::Scalar::into_branch_condition(_e41.elementwise_le(rt::Scalar(0f32))) {
-                        far_3 = middle_13;
+                        far_4 = middle_13;
                         crossed = rt::Scalar(true);
                     } else {
                         near_2 = middle_13;
@@ -7709,7 +7811,7 @@ impl<'g> Resources<'g> {
             return _e51;
         }
         let _e52 = near_2;
-        let _e53 = far_3;
+        let _e53 = far_4;
         let _e58 = cost_5;
         let _e59 = self.v_hit_on_path(path_42, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
         return _e59;
@@ -7730,7 +7832,7 @@ impl<'g> Resources<'g> {
         params_44: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_3: rt::Scalar<f32>;
-        let mut far_4: rt::Scalar<f32>;
+        let mut far_5: rt::Scalar<f32>;
         let mut near_gap_1: rt::Scalar<f32>;
         let mut far_gap_1: rt::Scalar<f32>;
         let mut cost_6: rt::Vec3<u32>;
@@ -7743,7 +7845,7 @@ impl<'g> Resources<'g> {
             return _e5;
         }
         near_3 = rt::Scalar(found_9.near);
-        far_4 = rt::Scalar(found_9.far);
+        far_5 = rt::Scalar(found_9.far);
         near_gap_1 = rt::Scalar(found_9.near_gap);
         far_gap_1 = rt::Scalar(found_9.far_gap);
         cost_6 = found_9.cost;
@@ -7751,7 +7853,7 @@ impl<'g> Resources<'g> {
             let _e19 = near_3;
             let _e20 = self.v_path_gap(path_43, _e19);
             near_gap_1 = _e20;
-            let _e21 = far_4;
+            let _e21 = far_5;
             let _e22 = self.v_path_gap(path_43, _e21);
             far_gap_1 = _e22;
             let _e23 = cost_6;
@@ -7763,7 +7865,7 @@ impl<'g> Resources<'g> {
                 return _e32;
             }
         }
-        let _e33 = far_4;
+        let _e33 = far_5;
         t_19 = _e33;
         'naga_break: loop {
             'naga_continue: {
@@ -7782,7 +7884,7 @@ impl<'g> Resources<'g> {
                         break 'naga_break;
                     }
                     let _e49 = near_3;
-                    let _e50 = far_4;
+                    let _e50 = far_5;
                     let _e51 = near_3;
                     let _e53 = near_gap_1;
                     t_19 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
@@ -7794,7 +7896,7 @@ impl<'g> Resources<'g> {
                         cost_6 = (_e62 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_le(rt::Scalar(0f32))) {
                             let _e67 = t_19;
-                            far_4 = _e67;
+                            far_5 = _e67;
                             far_gap_1 = _e61;
                         } else {
                             let _e68 = t_19;
@@ -7921,7 +8023,7 @@ impl<'g> Resources<'g> {
         let mut t_20: rt::Scalar<f32>;
         let mut cell_7: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_50: rt::Scalar<bool>;
+        let mut local_51: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_11.cost);
@@ -7978,11 +8080,11 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(found_11.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_11.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_50 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
+                            local_51 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_50 = rt::Scalar(true);
+                            local_51 = rt::Scalar(true);
                         }
-                        let _e89 = local_50;
+                        let _e89 = local_51;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
                             let _e93 = self.v_hit_on_path(path_45, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
@@ -8224,15 +8326,15 @@ impl<'g> Resources<'g> {
         first_2: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_51: rt::Scalar<bool>;
+        let mut local_52: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_7.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first_2) {
-                local_51 = c_7.x().elementwise_lt(rt::Scalar(0f32));
+                local_52 = c_7.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_51 = rt::Scalar(false);
+                local_52 = rt::Scalar(false);
             }
-            let _e14 = local_51;
+            let _e14 = local_52;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_7.x(), c_7.x(), cost_10);
             }
@@ -8324,14 +8426,14 @@ impl<'g> Resources<'g> {
         cell_9: rt::Scalar<i32>,
         n_5: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_52: rt::Scalar<bool>;
+        let mut local_53: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_9.elementwise_ge(rt::Scalar(0i32))) {
-            local_52 = cell_9.elementwise_lt(n_5);
+            local_53 = cell_9.elementwise_lt(n_5);
         } else {
-            local_52 = rt::Scalar(false);
+            local_53 = rt::Scalar(false);
         }
-        let _e8 = local_52;
+        let _e8 = local_53;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_9, rt::Scalar(0i32));
         }
@@ -8368,17 +8470,17 @@ impl<'g> Resources<'g> {
         cell_10: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_53: rt::Scalar<bool>;
+        let mut local_54: rt::Scalar<bool>;
 
         let _e4 = self.v_height_texels(rt::Scalar(path_51.level));
         let _e7 = self.v_image_of(cell_10.x(), _e4.x());
         let _e10 = self.v_image_of(cell_10.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_53 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_54 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_53 = rt::Scalar(true);
+            local_54 = rt::Scalar(true);
         }
-        let _e21 = local_53;
+        let _e21 = local_54;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
@@ -8460,7 +8562,7 @@ impl<'g> Resources<'g> {
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_3: rt::Scalar<f32>;
-        let mut local_54: rt::Scalar<bool>;
+        let mut local_55: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_53);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -8503,11 +8605,11 @@ impl<'g> Resources<'g> {
                     let _e82 = self.v_least_at(above_8, span_8);
                     let _e83 = self.v_quadratic(above_8, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_54 = above_8.x().elementwise_gt(of_heights);
+                        local_55 = above_8.x().elementwise_gt(of_heights);
                     } else {
-                        local_54 = rt::Scalar(false);
+                        local_55 = rt::Scalar(false);
                     }
-                    let _e90 = local_54;
+                    let _e90 = local_55;
                     if rt::Scalar::into_branch_condition(_e90) {
                         if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_53.exit))) {
                             let _e93 = cell_11;
@@ -8535,12 +8637,12 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_11;
                         let _e119 = t_23;
-                        let at_104 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_3 = at_104.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_104), forward_3);
+                        let at_108 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_3 = at_108.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_108), forward_3);
                         let _e131 = t_23;
-                        let far_7 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                        let far_8 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_3;
-                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_7));
+                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_8));
                         let _e145 = t_23;
                         let rest_6 = (rt::Scalar(path_53.exit) - _e145);
                         let _e147 = slope_3;
@@ -8577,13 +8679,13 @@ impl<'g> Resources<'g> {
         let _e186 = cost_12;
         return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_53.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
-    pub(crate) fn nearest_corner(&self, at_54: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_54)))
+    pub(crate) fn nearest_corner(&self, at_58: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_nearest_corner(&self, at_54: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_54.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_58: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_58.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
@@ -8607,7 +8709,7 @@ impl<'g> Resources<'g> {
         t_24: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_55: rt::Scalar<bool>;
+        let mut local_56: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
         let rest_7 = (rt::Scalar(path_54.exit) - t_24);
@@ -8624,23 +8726,23 @@ impl<'g> Resources<'g> {
         let _e39 = most;
         let end_7 = (t_24 + _e39);
         let _e52 = self.v_height_size(rt::Scalar(path_54.level));
-        let far_8 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_7)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
+        let far_9 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_7)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
         let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_54.h.x().abs() + (end_7 * (path_54.h.y().abs() + (end_7 * path_54.h.z().abs())))));
-        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_8.x() + far_8.y())));
+        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_9.x() + far_9.y())));
         let gap_3 = (height_15 - (rt::Scalar(2f32) * lost_2));
         let _e85 = self.v_height_size(rt::Scalar(path_54.level));
-        let aside_4 = (((grid_8.origin - offset_6) + (grid_8.step * t_24)) / _e85);
-        let c_17 = (((slope_4 * aside_4.length()) - gap_3) * ((slope_4 * aside_4.length()) + gap_3));
+        let aside_5 = (((grid_8.origin - offset_6) + (grid_8.step * t_24)) / _e85);
+        let c_17 = (((slope_4 * aside_5.length()) - gap_3) * ((slope_4 * aside_5.length()) + gap_3));
         if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
-            local_55 = c_17.elementwise_ge(rt::Scalar(0f32));
+            local_56 = c_17.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_55 = rt::Scalar(true);
+            local_56 = rt::Scalar(true);
         }
-        let _e102 = local_55;
+        let _e102 = local_56;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_26 = (((slope_4 * slope_4) * aside_4.dot(path_54.duv)) - (gap_3 * rise_4));
+        let b_26 = (((slope_4 * slope_4) * aside_5.dot(path_54.duv)) - (gap_3 * rise_4));
         let a_26 = (((slope_4 * slope_4) * path_54.duv.dot(path_54.duv)) - (rise_4 * rise_4));
         let discriminant_3 = ((b_26 * b_26) - (a_26 * c_17));
         if rt::Scalar::into_branch_condition(discriminant_3.elementwise_ge(rt::Scalar(0f32))) {
@@ -8658,7 +8760,7 @@ impl<'g> Resources<'g> {
         leave_6 = _e135.min(_e136);
         let _e139 = leave_6;
         let _e145 = leave_6;
-        if rt::Scalar::into_branch_condition(((slope_4 * (aside_4 + (path_54.duv * _e139)).length()) + lost_2).elementwise_le((height_15 + (rise_4 * _e145)))) {
+        if rt::Scalar::into_branch_condition(((slope_4 * (aside_5 + (path_54.duv * _e139)).length()) + lost_2).elementwise_le((height_15 + (rise_4 * _e145)))) {
             let _e149 = leave_6;
             return _e149;
         }
@@ -8710,8 +8812,8 @@ impl<'g> Resources<'g> {
                     let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_12;
                     let _e49 = t_25;
-                    let at_105 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_105);
+                    let at_109 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_109);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_25;
                     next_2 = _e54;
@@ -8781,7 +8883,7 @@ impl<'g> Resources<'g> {
         n_6: rt::Scalar<i32>,
         level_17: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_56: rt::Scalar<bool>;
+        let mut local_57: rt::Scalar<bool>;
 
         let first_11 = ((image.x() >> level_17) << level_17);
         let side_4 = (rt::Scalar(1i32) << level_17);
@@ -8795,11 +8897,11 @@ impl<'g> Resources<'g> {
         }
         if rt::Scalar::into_branch_condition(level_17.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_56 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_57 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_56 = rt::Scalar(false);
+            local_57 = rt::Scalar(false);
         }
-        let _e43 = local_56;
+        let _e43 = local_57;
         if rt::Scalar::into_branch_condition(_e43) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_6, cell_13.elementwise_ge(n_6)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_13.elementwise_ge(n_6)));
         }
@@ -8848,10 +8950,10 @@ impl<'g> Resources<'g> {
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_26: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_57: rt::Scalar<bool>;
         let mut local_58: rt::Scalar<bool>;
         let mut local_59: rt::Scalar<bool>;
         let mut local_60: rt::Scalar<bool>;
+        let mut local_61: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_56);
         let _e4 = self.v_height_texels(rt::Scalar(path_56.level));
@@ -8900,24 +9002,24 @@ impl<'g> Resources<'g> {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_1.x()))) {
                             let _e89 = parent.y();
-                            local_58 = _e89.elementwise_ne(over_1.y());
+                            local_59 = _e89.elementwise_ne(over_1.y());
                         } else {
-                            local_58 = rt::Scalar(true);
+                            local_59 = rt::Scalar(true);
                         }
-                        let _e93 = local_58;
-                        local_57 = _e93;
+                        let _e93 = local_59;
+                        local_58 = _e93;
                     } else {
-                        local_57 = rt::Scalar(false);
+                        local_58 = rt::Scalar(false);
                     }
-                    let left_4 = local_57;
+                    let left_4 = local_58;
                     if rt::Scalar::into_branch_condition(left_4) {
                         let _e98 = level_18;
                         let _e99 = top;
-                        local_59 = _e98.elementwise_lt(_e99);
+                        local_60 = _e98.elementwise_lt(_e99);
                     } else {
-                        local_59 = rt::Scalar(false);
+                        local_60 = rt::Scalar(false);
                     }
-                    let _e102 = local_59;
+                    let _e102 = local_60;
                     if rt::Scalar::into_branch_condition(_e102) {
                         level_18 = above_level;
                     }
@@ -8971,11 +9073,11 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e214 = self.v_least_at(gap_4, span_10);
                             let _e215 = self.v_quadratic(gap_4, _e214);
-                            local_60 = _e215.elementwise_le(rt::Scalar(0f32));
+                            local_61 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_60 = rt::Scalar(true);
+                            local_61 = rt::Scalar(true);
                         }
-                        let _e219 = local_60;
+                        let _e219 = local_61;
                         if rt::Scalar::into_branch_condition(_e219) {
                             if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
                                 let _e223 = t_26;
@@ -9031,18 +9133,18 @@ impl<'g> Resources<'g> {
         n_7: rt::Scalar<i32>,
         level_19: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_61: rt::Scalar<bool>;
+        let mut local_62: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_7);
         let first_12 = ((_e3 >> level_19) << level_19);
         let last_6 = (first_12 + (rt::Scalar(1i32) << level_19)).min(n_7);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_61 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_62 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_61 = rt::Scalar(true);
+            local_62 = rt::Scalar(true);
         }
-        let _e20 = local_61;
+        let _e20 = local_62;
         if rt::Scalar::into_branch_condition(_e20) {
             return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_12), ((texel_2 - _e3) + last_6));
         }
@@ -9082,7 +9184,7 @@ impl<'g> Resources<'g> {
         let _e6 = self.v_height_size(rt::Scalar(path_57.level));
         let origin_6 = (path_57.uv * _e6);
         let _e10 = self.v_height_size(rt::Scalar(path_57.level));
-        let step_5 = (path_57.duv * _e10);
+        let step_6 = (path_57.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = level_20;
@@ -9143,8 +9245,8 @@ impl<'g> Resources<'g> {
                     let _e93 = texel_3.y();
                     let _e95 = level_20;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
-                    let _e99 = self.v_leaves_extent(origin_6.x(), step_5.x(), _e91);
-                    let _e102 = self.v_leaves_extent(origin_6.y(), step_5.y(), _e96);
+                    let _e99 = self.v_leaves_extent(origin_6.x(), step_6.x(), _e91);
+                    let _e102 = self.v_leaves_extent(origin_6.y(), step_6.y(), _e96);
                     let leave_7 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
                     let _e109 = t_27;
                     let end_10 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_57.exit)).max(_e109);
@@ -9177,7 +9279,7 @@ impl<'g> Resources<'g> {
                         let _e154 = level_20;
                         level_20 = (_e154 - rt::Scalar(1u32));
                         let _e157 = t_27;
-                        let _e160 = self.v_cell_of((origin_6 + (step_5 * _e157)));
+                        let _e160 = self.v_cell_of((origin_6 + (step_6 * _e157)));
                         texel_3 = _e160.to_i32().clamp(low_5, last_7);
                     } else {
                         if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_57.exit))) {
@@ -9185,13 +9287,13 @@ impl<'g> Resources<'g> {
                             let _e168 = cost_15;
                             return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_57.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
-                        let _e174 = self.v_cell_of((origin_6 + (step_5 * end_10)));
+                        let _e174 = self.v_cell_of((origin_6 + (step_6 * end_10)));
                         texel_3 = _e174.to_i32().clamp(low_5, last_7);
                         if rt::Scalar::into_branch_condition(leave_7.x().elementwise_le(end_10)) {
-                            texel_3.set_x((low_5.x() - rt::Scalar(1i32)).select(_e91.y(), step_5.x().elementwise_gt(rt::Scalar(0f32))));
+                            texel_3.set_x((low_5.x() - rt::Scalar(1i32)).select(_e91.y(), step_6.x().elementwise_gt(rt::Scalar(0f32))));
                         }
                         if rt::Scalar::into_branch_condition(leave_7.y().elementwise_le(end_10)) {
-                            texel_3.set_y((low_5.y() - rt::Scalar(1i32)).select(_e96.y(), step_5.y().elementwise_gt(rt::Scalar(0f32))));
+                            texel_3.set_y((low_5.y() - rt::Scalar(1i32)).select(_e96.y(), step_6.y().elementwise_gt(rt::Scalar(0f32))));
                         }
                         t_27 = end_10;
                     }
@@ -9243,10 +9345,10 @@ impl<'g> Resources<'g> {
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_62: rt::Scalar<bool>;
         let mut local_63: rt::Scalar<bool>;
         let mut local_64: rt::Scalar<bool>;
         let mut local_65: rt::Scalar<bool>;
+        let mut local_66: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_58);
         let _e4 = self.v_height_texels(rt::Scalar(path_58.level));
@@ -9277,11 +9379,11 @@ impl<'g> Resources<'g> {
                     let _e50 = cell_16.y();
                     let _e53 = self.v_image_of(_e50.to_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_62 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_63 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_62 = rt::Scalar(true);
+                        local_63 = rt::Scalar(true);
                     }
-                    let _e64 = local_62;
+                    let _e64 = local_63;
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
@@ -9317,18 +9419,18 @@ impl<'g> Resources<'g> {
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_63 = _e131.elementwise_lt(end_11);
-                        } else {
-                            local_63 = rt::Scalar(false);
-                        }
-                        let _e134 = local_63;
-                        if rt::Scalar::into_branch_condition(_e134) {
-                            let _e137 = self.v_path_height(path_58, end_11);
-                            local_64 = _e137.elementwise_lt(_e72.x());
+                            local_64 = _e131.elementwise_lt(end_11);
                         } else {
                             local_64 = rt::Scalar(false);
                         }
-                        let _e141 = local_64;
+                        let _e134 = local_64;
+                        if rt::Scalar::into_branch_condition(_e134) {
+                            let _e137 = self.v_path_height(path_58, end_11);
+                            local_65 = _e137.elementwise_lt(_e72.x());
+                        } else {
+                            local_65 = rt::Scalar(false);
+                        }
+                        let _e141 = local_65;
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
@@ -9339,11 +9441,11 @@ impl<'g> Resources<'g> {
                     let _e145 = next_3;
                     if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_11))) {
                         let _e150 = t_28;
-                        local_65 = (!end_11.elementwise_gt(_e150));
+                        local_66 = (!end_11.elementwise_gt(_e150));
                     } else {
-                        local_65 = rt::Scalar(true);
+                        local_66 = rt::Scalar(true);
                     }
-                    let _e154 = local_65;
+                    let _e154 = local_66;
                     if rt::Scalar::into_branch_condition(_e154) {
                         let _e155 = looks;
                         if rt::Scalar::into_branch_condition(_e155) {
@@ -9401,7 +9503,7 @@ impl<'g> Resources<'g> {
         let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_66: rt::Scalar<bool>;
+        let mut local_67: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_59);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -9410,9 +9512,9 @@ impl<'g> Resources<'g> {
         let climb_1 = _e9.abs().max(_e12.abs());
         let fastest = <rt::Vec3<f32>>::new_21(path_59.duv, climb_1).length();
         let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_9 = (path_59.uv.abs() + (path_59.duv.abs() * rt::Scalar(path_59.exit)));
+        let far_10 = (path_59.uv.abs() + (path_59.duv.abs() * rt::Scalar(path_59.exit)));
         let height_terms = (path_59.h.x().abs() + (rt::Scalar(path_59.exit) * (path_59.h.y().abs() + (rt::Scalar(path_59.exit) * path_59.h.z().abs()))));
-        let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_9.x() + far_9.y()) + height_terms) + rt::Scalar(1f32)));
+        let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_10.x() + far_10.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_17 = _e52;
         let limit_7 = params_56.x().to_u32();
@@ -9459,11 +9561,11 @@ impl<'g> Resources<'g> {
                         let _e116 = next_4;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_12))) {
                             let _e121 = t_29;
-                            local_66 = (!end_12.elementwise_gt(_e121));
+                            local_67 = (!end_12.elementwise_gt(_e121));
                         } else {
-                            local_66 = rt::Scalar(true);
+                            local_67 = rt::Scalar(true);
                         }
-                        let _e125 = local_66;
+                        let _e125 = local_67;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
@@ -9520,9 +9622,9 @@ impl<'g> Resources<'g> {
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
         let mut k_17: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_67: rt::Scalar<bool>;
+        let mut local_68: rt::Scalar<bool>;
 
-        let aside_5 = path_60.duv.length();
+        let aside_6 = path_60.duv.length();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_17;
@@ -9540,11 +9642,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
                         let _e27 = t_30;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_67 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_68 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_67 = rt::Scalar(false);
+                            local_68 = rt::Scalar(false);
                         }
-                        let _e35 = local_67;
+                        let _e35 = local_68;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
@@ -9574,9 +9676,9 @@ impl<'g> Resources<'g> {
                     let _e64 = self.v_path_slope(path_60, _e63);
                     let rise_5 = (_e64 + (path_60.h.z().min(rt::Scalar(0f32)) * rest_8));
                     let terms_1 = (path_60.h.x().abs() + (rt::Scalar(path_60.exit) * (path_60.h.y().abs() + (rt::Scalar(path_60.exit) * path_60.h.z().abs()))));
-                    let far_10 = (((path_60.uv.abs() + (path_60.duv.abs() * rt::Scalar(path_60.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
-                    let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_10.x()) + far_10.y()));
-                    let nearing = ((_e53 * aside_5) - rise_5);
+                    let far_11 = (((path_60.uv.abs() + (path_60.duv.abs() * rt::Scalar(path_60.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
+                    let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_11.x()) + far_11.y()));
+                    let nearing = ((_e53 * aside_6) - rise_5);
                     let closing_3 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
                         let _e112 = t_30;
@@ -9620,19 +9722,19 @@ impl<'g> Resources<'g> {
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_68: rt::Scalar<bool>;
+        let mut local_69: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_69: rt::Scalar<bool>;
+        let mut local_70: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_61);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_6 = path_61.duv.length();
+        let aside_7 = path_61.duv.length();
         let _e11 = self.v_path_slope(path_61, rt::Scalar(0f32));
         let terms_2 = (path_61.h.x().abs() + (rt::Scalar(path_61.exit) * path_61.h.y().abs()));
         let _e33 = self.v_height_size(rt::Scalar(path_61.level));
-        let far_11 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_61.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let far_12 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_61.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_18 = _e36;
         let limit_8 = params_58.x().to_u32();
@@ -9663,11 +9765,11 @@ impl<'g> Resources<'g> {
                         let _e79 = t_31;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_68 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_69 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_68 = rt::Scalar(false);
+                            local_69 = rt::Scalar(false);
                         }
-                        let _e87 = local_68;
+                        let _e87 = local_69;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
                             let _e89 = t_31;
@@ -9718,10 +9820,10 @@ impl<'g> Resources<'g> {
                     let _e146 = start_1;
                     next_5 = _e146;
                     if rt::Scalar::into_branch_condition(_e141.elementwise_ge(rt::Scalar(0f32))) {
-                        let nearing_1 = ((_e141 * aside_6) - _e11);
+                        let nearing_1 = ((_e141 * aside_7) - _e11);
                         let closing_4 = (nearing_1 + (rt::Scalar(0.0000009536743f32) * nearing_1));
                         let _e155 = gap;
-                        let room_1 = (_e155 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e141 * (far_11.x() + far_11.y())))));
+                        let room_1 = (_e155 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e141 * (far_12.x() + far_12.y())))));
                         next_5 = rt::Scalar(300000000000000000000000000000000000000f32);
                         if rt::Scalar::into_branch_condition(closing_4.elementwise_gt(rt::Scalar(0f32))) {
                             let _e167 = start_1;
@@ -9731,11 +9833,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(params_58.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
                         let _e178 = t_31;
-                        local_69 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_61.exit))));
+                        local_70 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_61.exit))));
                     } else {
-                        local_69 = rt::Scalar(false);
+                        local_70 = rt::Scalar(false);
                     }
-                    let _e186 = local_69;
+                    let _e186 = local_70;
                     if rt::Scalar::into_branch_condition(_e186) {
                         let _e188 = t_31;
                         let _e190 = gap;
@@ -9789,7 +9891,7 @@ impl<'g> Resources<'g> {
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_70: rt::Scalar<bool>;
+        let mut local_71: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_62);
@@ -9824,11 +9926,11 @@ impl<'g> Resources<'g> {
                         let _e52 = t_32;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_70 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_71 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_70 = rt::Scalar(false);
+                            local_71 = rt::Scalar(false);
                         }
-                        let _e60 = local_70;
+                        let _e60 = local_71;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
                             let _e62 = t_32;
@@ -9982,15 +10084,15 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_refine_stage(path_64, _e1);
         return _e2;
     }
-    pub(crate) fn first_hit(&self, pixel_65: PixelIn, at_55: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_65, at_55))
+    pub(crate) fn first_hit(&self, pixel_66: PixelIn, at_59: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_66, at_59))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_hit(&self, pixel_65: PixelIn, at_55: Entered) -> FirstHit {
+    fn v_first_hit(&self, pixel_66: PixelIn, at_59: Entered) -> FirstHit {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
         let mut first_3: FirstHit;
         let mut k_18: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_71: rt::Scalar<bool>;
+        let mut local_72: rt::Scalar<bool>;
 
         let _e4 = cost_21;
         let _e5 = self.v_miss(_e4);
@@ -9998,32 +10100,32 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e12 = k_18;
-                if rt::Scalar::into_branch_condition(_e12.elementwise_lt(rt::Scalar(at_55.segments))) {
+                if rt::Scalar::into_branch_condition(_e12.elementwise_lt(rt::Scalar(at_59.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e15 = k_18;
-                    let _e16 = self.v_segment_of(pixel_65, at_55, _e15);
+                    let _e16 = self.v_segment_of(pixel_66, at_59, _e15);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e16.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e20 = self.v_trace(_e16);
                         let _e21 = k_18;
-                        let _e22 = self.v_hit_on_segment(pixel_65, at_55, _e16, _e20, _e21);
+                        let _e22 = self.v_hit_on_segment(pixel_66, at_59, _e16, _e20, _e21);
                         let _e23 = cost_21;
                         cost_21 = (_e23 + _e22.hit.cost);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e22.hit.found).elementwise_eq(rt::Scalar(1u32))) {
                             let _e33 = rt::Scalar(first_3.hit.found);
                             if rt::Scalar::into_branch_condition((!_e33.elementwise_eq(rt::Scalar(0u32)))) {
                                 let _e41 = rt::Scalar(first_3.key);
-                                local_71 = rt::Scalar(_e22.key).elementwise_gt(_e41);
+                                local_72 = rt::Scalar(_e22.key).elementwise_gt(_e41);
                             } else {
-                                local_71 = rt::Scalar(true);
+                                local_72 = rt::Scalar(true);
                             }
-                            let _e44 = local_71;
+                            let _e44 = local_72;
                             if rt::Scalar::into_branch_condition(_e44) {
                                 first_3 = _e22;
                             }
-                            if rt::Scalar::into_branch_condition(rt::Scalar(pixel_65.shell.order).elementwise_lt(SHELL_FOLDED)) {
+                            if rt::Scalar::into_branch_condition(rt::Scalar(pixel_66.shell.order).elementwise_lt(SHELL_FOLDED)) {
                                 break 'naga_break;
                             }
                         }
@@ -10038,42 +10140,42 @@ impl<'g> Resources<'g> {
         let _e55 = first_3;
         return _e55;
     }
-    pub(crate) fn footprint_m(&self, at_56: Entered) -> f32 {
-        rt::into(self.v_footprint_m(at_56))
+    pub(crate) fn footprint_m(&self, at_60: Entered) -> f32 {
+        rt::into(self.v_footprint_m(at_60))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_footprint_m(&self, at_56: Entered) -> rt::Scalar<f32> {
+    fn v_footprint_m(&self, at_60: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        return ((rt::Scalar(at_56.footprint) * at_56.metric.x().sqrt()) / _e7.x());
+        return ((rt::Scalar(at_60.footprint) * at_60.metric.x().sqrt()) / _e7.x());
     }
-    pub(crate) fn near_uv(&self, uv_19: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_19)))
+    pub(crate) fn near_uv(&self, uv_18: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_near_uv(&self, uv_19: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_near_uv(&self, uv_18: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_19 - uv_19.floor());
+            return (uv_18 - uv_18.floor());
         }
         let _e10 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_19 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_19).floor()));
+            return (uv_18 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_18).floor()));
         }
-        return uv_19;
+        return uv_18;
     }
-    pub(crate) fn from_hit(&self, at_57: Entered, hit_17: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_57, hit_17, light_1))
+    pub(crate) fn from_hit(&self, at_61: Entered, hit_17: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_61, hit_17, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_from_hit(&self, at_57: Entered, hit_17: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_57, light_1.direction);
+    fn v_from_hit(&self, at_61: Entered, hit_17: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_61, light_1.direction);
         let _e6 = self.v_near_uv(hit_17.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_57.level));
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_61.level));
         let h_5 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_5, rt::Scalar(0f32), rt::Scalar(0f32), at_57.metric, RAY_SHADOW, rt::Scalar(at_57.level), rt::Scalar(0f32), rt::Scalar(1f32));
+        return <Path>::new(_e6, _e4.xy(), h_5, rt::Scalar(0f32), rt::Scalar(0f32), at_61.metric, RAY_SHADOW, rt::Scalar(at_61.level), rt::Scalar(0f32), rt::Scalar(1f32));
     }
     pub(crate) fn way_out(&self, path_65: Path, light_2: Toward) -> f32 {
         rt::into(self.v_way_out(path_65, light_2))
@@ -10098,14 +10200,14 @@ impl<'g> Resources<'g> {
         let _e34 = way_6;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_58: Entered, hit_18: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_58, hit_18, light_3))
+    pub(crate) fn light_ray(&self, at_62: Entered, hit_18: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_62, hit_18, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_58: Entered, hit_18: Hit, light_3: Toward) -> LightRay {
-        let mut local_72: rt::Scalar<bool>;
+    fn v_light_ray(&self, at_62: Entered, hit_18: Hit, light_3: Toward) -> LightRay {
+        let mut local_73: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_58, hit_18, light_3);
+        let _e3 = self.v_from_hit(at_62, hit_18, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -10120,11 +10222,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.to_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_72 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
+            local_73 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_72 = rt::Scalar(true);
+            local_73 = rt::Scalar(true);
         }
-        let _e45 = local_72;
+        let _e45 = local_73;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -10207,13 +10309,13 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn free_way(&self, at_59: Entered, hit_19: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_59, hit_19, light_4))
+    pub(crate) fn free_way(&self, at_63: Entered, hit_19: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_63, hit_19, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_free_way(&self, at_59: Entered, hit_19: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_59, hit_19, light_4);
+    fn v_free_way(&self, at_63: Entered, hit_19: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_63, hit_19, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -10246,23 +10348,23 @@ impl<'g> Resources<'g> {
         place_14: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_73: rt::Scalar<bool>;
         let mut local_74: rt::Scalar<bool>;
+        let mut local_75: rt::Scalar<bool>;
 
         let least_3 = (place_14.x().min(place_14.y()) - half);
         let most_10 = (place_14.x().max(place_14.y()) + half);
         if rt::Scalar::into_branch_condition(place_14.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_73 = least_3.elementwise_ge(rt::Scalar(0f32));
-        } else {
-            local_73 = rt::Scalar(false);
-        }
-        let _e19 = local_73;
-        if rt::Scalar::into_branch_condition(_e19) {
-            local_74 = most_10.elementwise_le(rt::Scalar(view_6.size).to_f32());
+            local_74 = least_3.elementwise_ge(rt::Scalar(0f32));
         } else {
             local_74 = rt::Scalar(false);
         }
-        let _e26 = local_74;
+        let _e19 = local_74;
+        if rt::Scalar::into_branch_condition(_e19) {
+            local_75 = most_10.elementwise_le(rt::Scalar(view_6.size).to_f32());
+        } else {
+            local_75 = rt::Scalar(false);
+        }
+        let _e26 = local_75;
         return _e26;
     }
     pub(crate) fn is_before(
@@ -10285,16 +10387,16 @@ impl<'g> Resources<'g> {
         low_m: rt::Scalar<f32>,
         high_m: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_75: rt::Scalar<bool>;
+        let mut local_76: rt::Scalar<bool>;
 
         let low_6 = (plane.xyz().dot((position + (direction_5 * low_m))) + plane.w());
         let high_1 = (plane.xyz().dot((position + (direction_5 * high_m))) + plane.w());
         if rt::Scalar::into_branch_condition(low_6.elementwise_gt(rt::Scalar(0f32))) {
-            local_75 = high_1.elementwise_gt(rt::Scalar(0f32));
+            local_76 = high_1.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_75 = rt::Scalar(false);
+            local_76 = rt::Scalar(false);
         }
-        let _e24 = local_75;
+        let _e24 = local_76;
         return _e24;
     }
     pub(crate) fn is_left_out(
@@ -10319,8 +10421,8 @@ impl<'g> Resources<'g> {
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
         let mut k_19: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_76: rt::Scalar<bool>;
         let mut local_77: rt::Scalar<bool>;
+        let mut local_78: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
@@ -10337,18 +10439,18 @@ impl<'g> Resources<'g> {
                     let _e19 = self.v_is_before(plane_1, a_11.position, a_11.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
                         let _e24 = self.v_is_before(plane_1, b_11.position, b_11.direction, low_m_1, high_m_1);
-                        local_76 = _e24;
-                    } else {
-                        local_76 = rt::Scalar(false);
-                    }
-                    let _e26 = local_76;
-                    if rt::Scalar::into_branch_condition(_e26) {
-                        let _e31 = self.v_is_before(plane_1, c_8.position, c_8.direction, low_m_1, high_m_1);
-                        local_77 = _e31;
+                        local_77 = _e24;
                     } else {
                         local_77 = rt::Scalar(false);
                     }
-                    let _e33 = local_77;
+                    let _e26 = local_77;
+                    if rt::Scalar::into_branch_condition(_e26) {
+                        let _e31 = self.v_is_before(plane_1, c_8.position, c_8.direction, low_m_1, high_m_1);
+                        local_78 = _e31;
+                    } else {
+                        local_78 = rt::Scalar(false);
+                    }
+                    let _e33 = local_78;
                     if rt::Scalar::into_branch_condition(_e33) {
                         return rt::Scalar(true);
                     }
@@ -10371,37 +10473,37 @@ impl<'g> Resources<'g> {
         view_7: LightView,
         point_7: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_106 = <rt::Vec4<f32>>::new_31(point_7, rt::Scalar(1f32));
-        let depth_7 = view_7.depth.dot(at_106);
+        let at_110 = <rt::Vec4<f32>>::new_31(point_7, rt::Scalar(1f32));
+        let depth_7 = view_7.depth.dot(at_110);
         let over_2 = rt::Scalar(1f32).select(depth_7, rt::Scalar(view_7.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_7.column.dot(at_106), view_7.row.dot(at_106)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_7.column.dot(at_110), view_7.row.dot(at_110)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
     }
     pub(crate) fn patch_normal(
         &self,
-        at_60: Entered,
-        uv_20: impl rt::Into<rt::Vec2<f32>>,
+        at_64: Entered,
+        uv_19: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_60, rt::into(uv_20)))
+        rt::into(self.v_patch_normal(at_64, rt::into(uv_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_patch_normal(
         &self,
-        at_60: Entered,
-        uv_20: rt::Vec2<f32>,
+        at_64: Entered,
+        uv_19: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let facet = at_60.facing.normalize();
-            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_60.normal).elementwise_ge(rt::Scalar(0f32))));
+            let facet = at_64.facing.normalize();
+            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_64.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_20, rt::Scalar(at_60.level));
+        let _e18 = self.v_height_and_slope(uv_19, rt::Scalar(at_64.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_2 = (at_60.tangent + (at_60.normal * (_e18.y() * _e24)));
+        let along_u_2 = (at_64.tangent + (at_64.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_2 = (at_60.bitangent + (at_60.normal * (_e18.z() * _e33)));
+        let along_v_2 = (at_64.bitangent + (at_64.normal * (_e18.z() * _e33)));
         let across_6 = along_v_2.cross(along_u_2).normalize();
-        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_60.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_64.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
@@ -10446,24 +10548,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn row_sees(
         &self,
-        at_61: InView,
+        at_65: InView,
         row_6: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_61, rt::into(row_6), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_65, rt::into(row_6), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_row_sees(
         &self,
-        at_61: InView,
+        at_65: InView,
         row_6: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column: rt::Scalar<f32>;
 
-        let view_16 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_61.number))];
-        column = at_61.low.x().floor();
+        let view_16 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_65.number))];
+        column = at_65.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = column;
@@ -10474,13 +10576,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e18 = column;
                     let _e24 = column;
-                    let wide_2 = (at_61.high.x().min((_e18 + rt::Scalar(1f32))) - at_61.low.x().max(_e24));
+                    let wide_2 = (at_65.high.x().min((_e18 + rt::Scalar(1f32))) - at_65.low.x().max(_e24));
                     let _e27 = column;
                     let place_24 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_16, at_61.point, at_61.normal, (place_24 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_8 = _e35.clamp(rt::Scalar(at_61.least_depth), rt::Scalar(at_61.most_depth));
+                    let _e35 = self.v_plane_depth(view_16, at_65.point, at_65.normal, (place_24 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_8 = _e35.clamp(rt::Scalar(at_65.least_depth), rt::Scalar(at_65.most_depth));
                     let key = (rt::Scalar(view_16.near) / (rt::Scalar(view_16.near) + depth_8.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_24.to_i32(), rt::Scalar(at_61.number).to_i32());
+                    let _e48 = self.v_light_texel(place_24.to_i32(), rt::Scalar(at_65.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -10496,19 +10598,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn seen_part(
         &self,
         number_8: impl rt::Into<rt::Scalar<u32>>,
-        at_62: Entered,
+        at_66: Entered,
         normal_16: impl rt::Into<rt::Vec3<f32>>,
         place_16: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_8), at_62, rt::into(normal_16), rt::into(place_16), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_8), at_66, rt::into(normal_16), rt::into(place_16), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
         &self,
         number_8: rt::Scalar<u32>,
-        at_62: Entered,
+        at_66: Entered,
         normal_16: rt::Vec3<f32>,
         place_16: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
@@ -10519,8 +10621,8 @@ impl<'g> Resources<'g> {
 
         let view_17 = self.frame.light_views[rt::Scalar::into_array_index(number_8)];
         let texel_m = (rt::Scalar(view_17.texel_m) * rt::Scalar(1f32).select(place_16.z(), rt::Scalar(view_17.from_point).elementwise_eq(rt::Scalar(1u32))));
-        let _e19 = self.v_footprint_m(at_62);
-        let point_20 = (at_62.point + (normal_16 * (bias * texel_m.max(_e19))));
+        let _e19 = self.v_footprint_m(at_66);
+        let point_20 = (at_66.point + (normal_16 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
         let low_7 = (place_16.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_2 = (low_7 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
@@ -10552,20 +10654,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_seen(
         &self,
-        at_63: Entered,
-        uv_21: impl rt::Into<rt::Vec2<f32>>,
+        at_67: Entered,
+        uv_20: impl rt::Into<rt::Vec2<f32>>,
         number_9: impl rt::Into<rt::Scalar<u32>>,
         toward: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_63, rt::into(uv_21), rt::into(number_9), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_67, rt::into(uv_20), rt::into(number_9), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
-        at_63: Entered,
-        uv_21: rt::Vec2<f32>,
+        at_67: Entered,
+        uv_20: rt::Vec2<f32>,
         number_9: rt::Scalar<u32>,
         toward: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
@@ -10577,7 +10679,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_63, uv_21);
+        let _e14 = self.v_patch_normal(at_67, uv_20);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -10593,13 +10695,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e31 = k_20;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_light_place(_e33, at_63.point);
+                    let _e35 = self.v_light_place(_e33, at_67.point);
                     let _e38 = k_20;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
                     let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_5));
                     if rt::Scalar::into_branch_condition(_e43) {
                         let _e44 = k_20;
-                        let _e45 = self.v_seen_part(_e44, at_63, _e14, _e35, width_5, bias_1);
+                        let _e45 = self.v_seen_part(_e44, at_67, _e14, _e35, width_5, bias_1);
                         return _e45;
                     }
                     let _e46 = k_20;
@@ -10659,54 +10761,54 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_64: Entered,
+        at_68: Entered,
         v: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_64, rt::into(v)))
+        rt::into(self.v_to_tangent_space(at_68, rt::into(v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_to_tangent_space(
         &self,
-        at_64: Entered,
+        at_68: Entered,
         v: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_3 = at_64.tangent.normalize();
-        let along_v_3 = at_64.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v), (-along_v_3.dot(v)), at_64.normal.dot(v));
+        let along_u_3 = at_68.tangent.normalize();
+        let along_v_3 = at_68.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v), (-along_v_3.dot(v)), at_68.normal.dot(v));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_65: Entered,
-        uv_22: impl rt::Into<rt::Vec2<f32>>,
+        at_69: Entered,
+        uv_21: impl rt::Into<rt::Vec2<f32>>,
         level_21: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_65, rt::into(uv_22), rt::into(level_21)))
+        rt::into(self.v_normals_of_level(at_69, rt::into(uv_21), rt::into(level_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_65: Entered,
-        uv_22: rt::Vec2<f32>,
+        at_69: Entered,
+        uv_21: rt::Vec2<f32>,
         level_21: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_21.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_65, uv_22);
-            let _e6 = self.v_to_tangent_space(at_65, _e5);
+            let _e5 = self.v_finest_normal(at_69, uv_21);
+            let _e6 = self.v_to_tangent_space(at_69, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_22, rt::Scalar(0i32), level_21);
-            let _e16 = self.v_normal_at(uv_22, rt::Scalar(1i32), level_21);
+            let _e14 = self.v_normal_at(uv_21, rt::Scalar(0i32), level_21);
+            let _e16 = self.v_normal_at(uv_21, rt::Scalar(1i32), level_21);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_3 = ((tile.x() * at_65.tangent.normalize().dot(at_65.tangent)) / at_65.tangent.dot(at_65.tangent));
-        let y_2 = ((tile.y() * at_65.bitangent.normalize().dot(at_65.bitangent)) / at_65.bitangent.dot(at_65.bitangent));
-        let _e44 = self.v_normal_at(uv_22, rt::Scalar(0i32), (level_21 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_22, rt::Scalar(1i32), (level_21 - rt::Scalar(1u32)));
+        let x_3 = ((tile.x() * at_69.tangent.normalize().dot(at_69.tangent)) / at_69.tangent.dot(at_69.tangent));
+        let y_2 = ((tile.y() * at_69.bitangent.normalize().dot(at_69.bitangent)) / at_69.bitangent.dot(at_69.bitangent));
+        let _e44 = self.v_normal_at(uv_21, rt::Scalar(0i32), (level_21 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_21, rt::Scalar(1i32), (level_21 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_3), (_e44.y() * y_2), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
         let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_3) * x_3), ((_e48.y() * x_3) * y_2), ((_e48.z() * y_2) * y_2)) * longer_1);
@@ -10722,16 +10824,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_66: Entered,
+        at_70: Entered,
         normals: Normals,
         view_10: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_66, normals, rt::into(view_10)))
+        rt::into(self.v_seen_normals(at_70, normals, rt::into(view_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_66: Entered,
+        at_70: Entered,
         normals: Normals,
         view_10: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -10748,47 +10850,47 @@ impl<'g> Resources<'g> {
         let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_13.x())) - (first_13.xyz() * slope_12.x()));
         let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_13.y())) - (first_13.xyz() * slope_12.y()));
         let most_11 = ((a_27 * a_27) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_33 = (with_x / rt::Vec3::splat_from_scalar(a_27.max((with_x.length() / most_11))));
-        let rest_9 = (with_y - (along_33 * b_27));
+        let along_34 = (with_x / rt::Vec3::splat_from_scalar(a_27.max((with_x.length() / most_11))));
+        let rest_9 = (with_y - (along_34 * b_27));
         let across_7 = (rest_9 / rt::Vec3::splat_from_scalar(d_2.max((rest_9.length() / most_11))));
-        let _e77 = self.v_to_tangent_space(at_66, view_10);
+        let _e77 = self.v_to_tangent_space(at_70, view_10);
         let middle_14 = (_e77.z() - _e77.xy().dot(slope_12));
         let _e91 = self.v_facing_four(middle_14, (-((_e77.x() * a_27) + (_e77.y() * b_27))), (-(_e77.y() * d_2)));
         let one = middle_14.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one, _e94);
         let all_1 = _e95.max(rt::Scalar(0.001f32));
-        let aside_7 = ((along_33 * ((_e91.x() - _e91.y()) / all_1)) + (across_7 * ((_e91.z() - _e91.w()) / all_1)));
-        let _e113 = self.v_from_tangent_space(at_66, (first_13.xyz() + (aside_7 * rt::Scalar(0.28867513f32))));
+        let aside_8 = ((along_34 * ((_e91.x() - _e91.y()) / all_1)) + (across_7 * ((_e91.z() - _e91.w()) / all_1)));
+        let _e113 = self.v_from_tangent_space(at_70, (first_13.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_13.xyz(), along_33, across_7, slope_12, <rt::Vec2<f32>>::from_scalars(a_27, b_27), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_13.xyz(), along_34, across_7, slope_12, <rt::Vec2<f32>>::from_scalars(a_27, b_27), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_67: Entered) -> f32 {
-        rt::into(self.v_table_part(at_67))
+    pub(crate) fn table_part(&self, at_71: Entered) -> f32 {
+        rt::into(self.v_table_part(at_71))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_table_part(&self, at_67: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_71: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_67.fade) * ((rt::Scalar(at_67.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_71.fade) * ((rt::Scalar(at_71.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_68: Entered,
+        at_72: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_68, seen_1, table, rt::into(part_6)))
+        rt::into(self.v_with_table(at_72, seen_1, table, rt::into(part_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_with_table(
         &self,
-        at_68: Entered,
+        at_72: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: rt::Scalar<f32>,
@@ -10797,7 +10899,7 @@ impl<'g> Resources<'g> {
 
         told = seen_1;
         let before_4 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_68, table.mean);
+        let _e9 = self.v_from_tangent_space(at_72, table.mean);
         let mean_4 = (before_4 + ((_e9 - before_4) * part_6));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
@@ -10856,48 +10958,48 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_texel(
         &self,
-        uv_23: impl rt::Into<rt::Vec2<f32>>,
+        uv_22: impl rt::Into<rt::Vec2<f32>>,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
         level_22: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_23), rt::into(azimuth), rt::into(elevation), rt::into(level_22)))
+        rt::into(self.v_seen_texel(rt::into(uv_22), rt::into(azimuth), rt::into(elevation), rt::into(level_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_texel(
         &self,
-        uv_23: rt::Vec2<f32>,
+        uv_22: rt::Vec2<f32>,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
         level_22: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_8 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_23, layer_8, level_22);
-        let _e12 = self.v_detail_texel_between(uv_23, (layer_8 + rt::Scalar(1i32)), level_22);
+        let _e9 = self.v_detail_texel_between(uv_22, layer_8, level_22);
+        let _e12 = self.v_detail_texel_between(uv_22, (layer_8 + rt::Scalar(1i32)), level_22);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
         &self,
-        uv_24: impl rt::Into<rt::Vec2<f32>>,
+        uv_23: impl rt::Into<rt::Vec2<f32>>,
         azimuth_1: impl rt::Into<rt::Scalar<i32>>,
         elevation_1: impl rt::Into<rt::Scalar<i32>>,
         levels_1: Levels,
     ) -> SeenTexel {
-        rt::into(self.v_seen_in_levels(rt::into(uv_24), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
+        rt::into(self.v_seen_in_levels(rt::into(uv_23), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_in_levels(
         &self,
-        uv_24: rt::Vec2<f32>,
+        uv_23: rt::Vec2<f32>,
         azimuth_1: rt::Scalar<i32>,
         elevation_1: rt::Scalar<i32>,
         levels_1: Levels,
     ) -> SeenTexel {
-        let _e5 = self.v_seen_texel(uv_24, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
+        let _e5 = self.v_seen_texel(uv_23, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
         if rt::Scalar::into_branch_condition(rt::Scalar(levels_1.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e12 = self.v_seen_texel(uv_24, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
+            let _e12 = self.v_seen_texel(uv_23, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
             let _e14 = self.v_seen_between(_e5, _e12, rt::Scalar(levels_1.part));
             return _e14;
         }
@@ -10905,27 +11007,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_69: Entered,
-        uv_25: impl rt::Into<rt::Vec2<f32>>,
+        at_73: Entered,
+        uv_24: impl rt::Into<rt::Vec2<f32>>,
         view_11: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_69, rt::into(uv_25), rt::into(view_11), levels_2))
+        rt::into(self.v_table_of(at_73, rt::into(uv_24), rt::into(view_11), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_69: Entered,
-        uv_25: rt::Vec2<f32>,
+        at_73: Entered,
+        uv_24: rt::Vec2<f32>,
         view_11: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_69, view_11);
+        let _e4 = self.v_climb(at_73, view_11);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_5 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
-        let up_2 = (toward_5.z() / toward_5.length());
-        let elevation_3 = ((up_2 * rt::Scalar(4f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(3f32));
+        let up_3 = (toward_5.z() / toward_5.length());
+        let elevation_3 = ((up_3 * rt::Scalar(4f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(3f32));
         let _e29 = self.v_turn_of(toward_5.xy());
         let azimuth_3 = (_e29 * rt::Scalar(8f32));
         let a0_ = (azimuth_3.floor().to_i32() % rt::Scalar(8i32));
@@ -10933,15 +11035,15 @@ impl<'g> Resources<'g> {
         let e0_ = elevation_3.floor().to_i32();
         let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
         let across_8 = (azimuth_3 - azimuth_3.floor());
-        let _e48 = self.v_seen_in_levels(uv_25, a0_, e0_, levels_2);
-        let _e49 = self.v_seen_in_levels(uv_25, a1_, e0_, levels_2);
+        let _e48 = self.v_seen_in_levels(uv_24, a0_, e0_, levels_2);
+        let _e49 = self.v_seen_in_levels(uv_24, a1_, e0_, levels_2);
         let _e50 = self.v_seen_between(_e48, _e49, across_8);
-        let _e51 = self.v_seen_in_levels(uv_25, a0_, e1_1, levels_2);
-        let _e52 = self.v_seen_in_levels(uv_25, a1_, e1_1, levels_2);
+        let _e51 = self.v_seen_in_levels(uv_24, a0_, e1_1, levels_2);
+        let _e52 = self.v_seen_in_levels(uv_24, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_8);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_6 = ((tile_1.x() * at_69.tangent.normalize().dot(at_69.tangent)) / at_69.tangent.dot(at_69.tangent));
-        let y_5 = ((tile_1.y() * at_69.bitangent.normalize().dot(at_69.bitangent)) / at_69.bitangent.dot(at_69.bitangent));
+        let x_6 = ((tile_1.x() * at_73.tangent.normalize().dot(at_73.tangent)) / at_73.tangent.dot(at_73.tangent));
+        let y_5 = ((tile_1.y() * at_73.bitangent.normalize().dot(at_73.bitangent)) / at_73.bitangent.dot(at_73.bitangent));
         let mean_5 = _e56.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_6), (mean_5.y() * y_5), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
@@ -10950,51 +11052,51 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_70: Entered,
-        uv_26: impl rt::Into<rt::Vec2<f32>>,
+        at_74: Entered,
+        uv_25: impl rt::Into<rt::Vec2<f32>>,
         view_12: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_70, rt::into(uv_26), rt::into(view_12)))
+        rt::into(self.v_mesostructure_normals(at_74, rt::into(uv_25), rt::into(view_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_70: Entered,
-        uv_26: rt::Vec2<f32>,
+        at_74: Entered,
+        uv_25: rt::Vec2<f32>,
         view_12: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_78: rt::Scalar<bool>;
+        let mut local_79: rt::Scalar<bool>;
         let mut first_4: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
         let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_one_seen(at_70.normal);
+            let _e9 = self.v_one_seen(at_74.normal);
             return _e9;
         }
-        let upright_3 = at_70.normal.dot(view_12);
+        let upright_3 = at_74.normal.dot(view_12);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_6 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_70.fade)));
+        let width_6 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_74.fade)));
         let _e22 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_6 = ((rt::Scalar(at_70.footprint) * _e22) * width_6);
+        let texels_6 = ((rt::Scalar(at_74.footprint) * _e22) * width_6);
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_6, _e27);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_78 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
+            local_79 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_78 = rt::Scalar(false);
+            local_79 = rt::Scalar(false);
         }
-        let _e39 = local_78;
+        let _e39 = local_79;
         if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_70, uv_26);
+            let _e40 = self.v_finest_normal(at_74, uv_25);
             let _e41 = self.v_one_seen(_e40);
             return _e41;
         }
-        let _e43 = self.v_normals_of_level(at_70, uv_26, rt::Scalar(_e28.fine));
+        let _e43 = self.v_normals_of_level(at_74, uv_25, rt::Scalar(_e28.fine));
         first_4 = _e43.first;
         second = _e43.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_70, uv_26, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e54 = self.v_normals_of_level(at_74, uv_25, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
             let _e55 = first_4;
             let _e57 = first_4;
             first_4 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
@@ -11004,15 +11106,15 @@ impl<'g> Resources<'g> {
         }
         let _e69 = first_4;
         let _e70 = second;
-        let _e72 = self.v_seen_normals(at_70, <Normals>::new(_e69, _e70), view_12);
-        let _e73 = self.v_table_part(at_70);
+        let _e72 = self.v_seen_normals(at_74, <Normals>::new(_e69, _e70), view_12);
+        let _e73 = self.v_table_part(at_74);
         if rt::Scalar::into_branch_condition(_e73.elementwise_gt(rt::Scalar(0f32))) {
             let _e79 = rt::Scalar(self.surface_settings.height_levels);
-            let _e80 = self.v_levels_of(rt::Scalar(at_70.footprint), _e79);
+            let _e80 = self.v_levels_of(rt::Scalar(at_74.footprint), _e79);
             let _e81 = self.v_has_table(_e80);
             if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_70, uv_26, view_12, _e80);
-                let _e83 = self.v_with_table(at_70, _e72, _e82, _e73);
+                let _e82 = self.v_table_of(at_74, uv_25, view_12, _e80);
+                let _e83 = self.v_with_table(at_74, _e72, _e82, _e73);
                 return _e83;
             }
         }
@@ -11020,39 +11122,39 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_71: Entered,
+        at_75: Entered,
         hit_20: Hit,
         light_5: Toward,
         params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_71, hit_20, light_5, rt::into(params_60)))
+        rt::into(self.v_shadow_ray(at_75, hit_20, light_5, rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_ray(
         &self,
-        at_71: Entered,
+        at_75: Entered,
         hit_20: Hit,
         light_5: Toward,
         params_60: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_71, hit_20, light_5);
+        let _e4 = self.v_free_way(at_75, hit_20, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_72: Entered,
+        at_76: Entered,
         hit_21: Hit,
         light_6: Toward,
         params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_72, hit_21, light_6, rt::into(params_61)))
+        rt::into(self.v_shadow_none(at_76, hit_21, light_6, rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_none(
         &self,
-        at_72: Entered,
+        at_76: Entered,
         hit_21: Hit,
         light_6: Toward,
         params_61: rt::Vec4<f32>,
@@ -11061,22 +11163,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_73: Entered,
+        at_77: Entered,
         hit_22: Hit,
         light_7: Toward,
         params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_73, hit_22, light_7, rt::into(params_62)))
+        rt::into(self.v_shadow_entry(at_77, hit_22, light_7, rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_73: Entered,
+        at_77: Entered,
         hit_22: Hit,
         light_7: Toward,
         params_62: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_73, hit_22, light_7);
+        let _e4 = self.v_from_hit(at_77, hit_22, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -11193,24 +11295,24 @@ impl<'g> Resources<'g> {
         let place_26 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
-        let up_3 = light_8.direction.cross(right_2);
-        let toward_6 = ((light_8.direction + (right_2 * place_26.x())) + (up_3 * place_26.y()));
-        let along_34 = toward_6.length();
-        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_34)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_34), rt::Scalar(0f32), rt::Scalar(light_8.number));
+        let up_4 = light_8.direction.cross(right_2);
+        let toward_6 = ((light_8.direction + (right_2 * place_26.x())) + (up_4 * place_26.y()));
+        let along_35 = toward_6.length();
+        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_35)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_35), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_74: Entered,
+        at_78: Entered,
         hit_24: Hit,
         light_9: Toward,
         params_63: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_74, hit_24, light_9, rt::into(params_63)))
+        rt::into(self.v_shadow_soft(at_78, hit_24, light_9, rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_74: Entered,
+        at_78: Entered,
         hit_24: Hit,
         light_9: Toward,
         params_63: rt::Vec4<f32>,
@@ -11231,7 +11333,7 @@ impl<'g> Resources<'g> {
                     let _e13 = free;
                     let _e14 = k_22;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_7);
-                    let _e16 = self.v_free_way(at_74, hit_24, _e15);
+                    let _e16 = self.v_free_way(at_78, hit_24, _e15);
                     free = (_e13 + _e16);
                     let _e18 = k_22;
                     k_22 = (_e18 + rt::Scalar(1u32));
@@ -11243,17 +11345,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_75: Entered,
+        at_79: Entered,
         hit_25: Hit,
         light_10: Toward,
         params_64: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_75, hit_25, light_10, rt::into(params_64)))
+        rt::into(self.v_shadow_heuristic(at_79, hit_25, light_10, rt::into(params_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_75: Entered,
+        at_79: Entered,
         hit_25: Hit,
         light_10: Toward,
         params_64: rt::Vec4<f32>,
@@ -11261,7 +11363,7 @@ impl<'g> Resources<'g> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_23: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_75, hit_25, light_10);
+        let _e4 = self.v_from_hit(at_79, hit_25, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -11310,22 +11412,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_27: impl rt::Into<rt::Vec2<f32>>,
+        uv_26: impl rt::Into<rt::Vec2<f32>>,
         layer_7: impl rt::Into<rt::Scalar<i32>>,
         level_24: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_27), rt::into(layer_7), rt::into(level_24)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_26), rt::into(layer_7), rt::into(level_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_texel_between(
         &self,
-        uv_27: rt::Vec2<f32>,
+        uv_26: rt::Vec2<f32>,
         layer_7: rt::Scalar<i32>,
         level_24: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_24);
-        let _e4 = self.v_texels_around(uv_27, _e3);
+        let _e4 = self.v_texels_around(uv_26, _e3);
         let k_34 = level_24.to_i32();
         let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_34);
         let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_34);
@@ -11366,110 +11468,110 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_76: Entered,
+        at_80: Entered,
         hit_26: Hit,
         light_11: Toward,
         params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_76, hit_26, light_11, rt::into(params_65)))
+        rt::into(self.v_shadow_horizon(at_80, hit_26, light_11, rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_76: Entered,
+        at_80: Entered,
         hit_26: Hit,
         light_11: Toward,
         params_65: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_76, light_11.direction);
+        let _e5 = self.v_climb(at_80, light_11.direction);
         let map_5 = self.surface_settings.maps[3usize];
-        let along_35 = (_e5.xy() * map_5.tile_m);
-        let _e13 = self.v_turn_of(along_35);
+        let along_36 = (_e5.xy() * map_5.tile_m);
+        let _e13 = self.v_turn_of(along_36);
         let azimuth_4 = (_e13 * params_65.x());
         let first_14 = azimuth_4.floor();
         let count_8 = params_65.x().to_i32();
         let before_5 = (first_14.to_i32() % count_8);
         let part_19 = (azimuth_4 - first_14);
-        let _e24 = self.v_shadow_texel_between(hit_26.uv, before_5, rt::Scalar(at_76.level));
+        let _e24 = self.v_shadow_texel_between(hit_26.uv, before_5, rt::Scalar(at_80.level));
         let low_8 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_26.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_76.level));
+        let _e31 = self.v_shadow_texel_between(hit_26.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_80.level));
         let sine_1 = (low_8 + ((_e31.x() - low_8) * part_19));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
-        let far_12 = (squared_4 * along_35.dot(along_35)).sqrt();
-        let _e48 = self.v_from_hit(at_76, hit_26, light_11);
+        let far_13 = (squared_4 * along_36.dot(along_36)).sqrt();
+        let _e48 = self.v_from_hit(at_80, hit_26, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_9 = (_e49 * _e52);
-        let horizon = far_12.max(near_9);
-        let up_4 = at_76.normal.dot(light_11.direction);
+        let horizon = far_13.max(near_9);
+        let up_5 = at_80.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
-            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_4.elementwise_gt(horizon));
+            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_5.elementwise_gt(horizon));
         }
-        let flat = (rt::Scalar(1f32) - (up_4 * up_4)).max(rt::Scalar(0f32));
-        let beside_3 = (flat + (up_4 * horizon));
+        let flat = (rt::Scalar(1f32) - (up_5 * up_5)).max(rt::Scalar(0f32));
+        let beside_3 = (flat + (up_5 * horizon));
         if rt::Scalar::into_branch_condition((!beside_3.elementwise_gt(rt::Scalar(0f32)))) {
-            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_4.elementwise_gt(horizon));
+            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_5.elementwise_gt(horizon));
         }
-        let _e86 = self.v_part_above(((flat.sqrt() * (up_4 - horizon)) / (beside_3 * rt::Scalar(light_11.radius))));
+        let _e86 = self.v_part_above(((flat.sqrt() * (up_5 - horizon)) / (beside_3 * rt::Scalar(light_11.radius))));
         return _e86;
     }
     pub(crate) fn open_part(
         &self,
-        at_77: Entered,
+        at_81: Entered,
         hit_27: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_77, hit_27, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_81, hit_27, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_open_part(
         &self,
-        at_77: Entered,
+        at_81: Entered,
         hit_27: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_27.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_77.level));
+        let _e9 = self.v_shadow_texel_between(hit_27.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_81.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_78: Entered,
+        at_82: Entered,
         hit_28: Hit,
         light_12: Toward,
         params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_78, hit_28, light_12, rt::into(params_66)))
+        rt::into(self.v_shadow_visibility(at_82, hit_28, light_12, rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_78: Entered,
+        at_82: Entered,
         hit_28: Hit,
         light_12: Toward,
         params_66: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_78, light_12.direction);
+        let _e5 = self.v_climb(at_82, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_6 = self.surface_settings.maps[3usize];
-        let along_36 = (_e5.xy() * map_6.tile_m);
+        let along_37 = (_e5.xy() * map_6.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_16 = (_e5.z() * _e21);
-        let squared_5 = ((height_16 * height_16) / (along_36.dot(along_36) + (height_16 * height_16)));
+        let squared_5 = ((height_16 * height_16) / (along_37.dot(along_37) + (height_16 * height_16)));
         let azimuths = params_66.x().to_i32();
         let elevations_1 = params_66.y().to_i32();
-        let _e32 = self.v_turn_of(along_36);
+        let _e32 = self.v_turn_of(along_37);
         let azimuth_5 = (_e32 * params_66.x());
         let elevation_4 = ((squared_5 * params_66.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_66.y() - rt::Scalar(1f32)));
         if rt::Scalar::into_branch_condition(params_66.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_28 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_78, hit_28, a_28, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+            let _e56 = self.v_open_part(at_82, hit_28, a_28, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().to_i32() % azimuths);
@@ -11478,122 +11580,122 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_78, hit_28, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_78, hit_28, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_82, hit_28, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_82, hit_28, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_78, hit_28, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_82, hit_28, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_78, hit_28, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_82, hit_28, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_79: Entered,
+        at_83: Entered,
         hit_29: Hit,
         light_13: Toward,
         params_67: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_79, hit_29, light_13, rt::into(params_67)))
+        rt::into(self.v_shadow_map(at_83, hit_29, light_13, rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_map(
         &self,
-        at_79: Entered,
+        at_83: Entered,
         hit_29: Hit,
         light_13: Toward,
         params_67: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_79, hit_29.uv, rt::Scalar(light_13.number), light_13.direction, params_67.z(), params_67.w());
+        let _e9 = self.v_light_seen(at_83, hit_29.uv, rt::Scalar(light_13.number), light_13.direction, params_67.z(), params_67.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_80: Entered,
+        at_84: Entered,
         hit_30: Hit,
         light_14: Toward,
         params_68: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_80, hit_30, light_14, rt::into(params_68)))
+        rt::into(self.v_shadow_scene(at_84, hit_30, light_14, rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_scene(
         &self,
-        at_80: Entered,
+        at_84: Entered,
         hit_30: Hit,
         light_14: Toward,
         params_68: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_81: Entered, hit_31: Hit, light_15: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_81, hit_31, light_15))
+    pub(crate) fn shadow_stage(&self, at_85: Entered, hit_31: Hit, light_15: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_85, hit_31, light_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_81: Entered, hit_31: Hit, light_15: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_85: Entered, hit_31: Hit, light_15: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[7usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[7usize].params;
-                let _e13 = self.v_shadow_ray(at_81, hit_31, light_15, _e12);
+                let _e13 = self.v_shadow_ray(at_85, hit_31, light_15, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[7usize].params;
-                let _e19 = self.v_shadow_none(at_81, hit_31, light_15, _e18);
+                let _e19 = self.v_shadow_none(at_85, hit_31, light_15, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[7usize].params;
-                let _e25 = self.v_shadow_entry(at_81, hit_31, light_15, _e24);
+                let _e25 = self.v_shadow_entry(at_85, hit_31, light_15, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[7usize].params;
-                let _e31 = self.v_shadow_soft(at_81, hit_31, light_15, _e30);
+                let _e31 = self.v_shadow_soft(at_85, hit_31, light_15, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[7usize].params;
-                let _e37 = self.v_shadow_heuristic(at_81, hit_31, light_15, _e36);
+                let _e37 = self.v_shadow_heuristic(at_85, hit_31, light_15, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[7usize].params;
-                let _e43 = self.v_shadow_horizon(at_81, hit_31, light_15, _e42);
+                let _e43 = self.v_shadow_horizon(at_85, hit_31, light_15, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[7usize].params;
-                let _e49 = self.v_shadow_visibility(at_81, hit_31, light_15, _e48);
+                let _e49 = self.v_shadow_visibility(at_85, hit_31, light_15, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[7usize].params;
-                let _e55 = self.v_shadow_map(at_81, hit_31, light_15, _e54);
+                let _e55 = self.v_shadow_map(at_85, hit_31, light_15, _e54);
                 return _e55;
             }
             _ => {
                 let _e60 = self.surface_settings.choices[7usize].params;
-                let _e61 = self.v_shadow_scene(at_81, hit_31, light_15, _e60);
+                let _e61 = self.v_shadow_scene(at_85, hit_31, light_15, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_66: PixelIn, at_82: Entered, hit_32: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_66, at_82, hit_32))
+    pub(crate) fn mirrored_light(&self, pixel_67: PixelIn, at_86: Entered, hit_32: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_67, at_86, hit_32))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mirrored_light(&self, pixel_66: PixelIn, at_82: Entered, hit_32: Hit) -> rt::Scalar<f32> {
+    fn v_mirrored_light(&self, pixel_67: PixelIn, at_86: Entered, hit_32: Hit) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_32.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
-        let down_2 = pixel_66.direction.normalize();
-        let up_5 = (down_2 - (at_82.normal * (rt::Scalar(2f32) * down_2.dot(at_82.normal))));
-        let _e24 = self.v_shadow_stage(at_82, hit_32, <Toward>::new(up_5, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
+        let down_2 = pixel_67.direction.normalize();
+        let up_6 = (down_2 - (at_86.normal * (rt::Scalar(2f32) * down_2.dot(at_86.normal))));
+        let _e24 = self.v_shadow_stage(at_86, hit_32, <Toward>::new(up_6, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
         return _e24;
     }
     pub(crate) fn parts_between(
@@ -11617,27 +11719,27 @@ impl<'g> Resources<'g> {
         let parts_5 = (((farthest + (rt::Scalar(1u32) << level_26)) - rt::Scalar(1u32)) >> level_26);
         return parts_5.clamp(rt::Scalar(1u32), DICE_PARTS).select(rt::Scalar(1u32), level_26.elementwise_eq(COARSEST));
     }
-    pub(crate) fn pixel_direction(&self, pixel_67: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_direction(rt::into(pixel_67)))
+    pub(crate) fn pixel_direction(&self, pixel_68: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_direction(rt::into(pixel_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_direction(&self, pixel_67: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_direction(&self, pixel_68: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.corner;
         let _e7 = self.frame.right;
         let _e14 = self.frame.down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_67.x())) + (_e14.xyz() * pixel_67.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_68.x())) + (_e14.xyz() * pixel_68.y()));
     }
-    pub(crate) fn pixel_eye(&self, pixel_68: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_eye(rt::into(pixel_68)))
+    pub(crate) fn pixel_eye(&self, pixel_69: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_eye(rt::into(pixel_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_eye(&self, pixel_68: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_eye(&self, pixel_69: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.eye;
         let _e7 = self.frame.eye_right;
         let _e14 = self.frame.eye_down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_68.x())) + (_e14.xyz() * pixel_68.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_69.x())) + (_e14.xyz() * pixel_69.y()));
     }
     pub(crate) fn pixel_of(
         &self,
@@ -11667,131 +11769,131 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane_place(
         &self,
-        pixel_69: PixelIn,
-        at_83: Entered,
+        pixel_70: PixelIn,
+        at_87: Entered,
         path_67: Path,
         hit_33: Hit,
         params_69: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_69, at_83, path_67, hit_33, rt::into(params_69)))
+        rt::into(self.v_surface_plane_place(pixel_70, at_87, path_67, hit_33, rt::into(params_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_place(
         &self,
-        pixel_69: PixelIn,
-        at_83: Entered,
+        pixel_70: PixelIn,
+        at_87: Entered,
         path_67: Path,
         hit_33: Hit,
         params_69: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_8 = (hit_33.uv - at_83.uv);
+        let aside_9 = (hit_33.uv - at_87.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_33.uv, rt::Scalar(at_83.level));
+        let _e16 = self.v_height_at(hit_33.uv, rt::Scalar(at_87.level));
         let height_17 = (_e10 + (_e13 * _e16));
-        placed = at_83;
-        placed.point = (((at_83.point + (at_83.tangent * aside_8.x())) + (at_83.bitangent * aside_8.y())) + (at_83.normal * height_17));
+        placed = at_87;
+        placed.point = (((at_87.point + (at_87.tangent * aside_9.x())) + (at_87.bitangent * aside_9.y())) + (at_87.normal * height_17));
         placed.uv = hit_33.uv;
         let _e35 = placed;
         return _e35;
     }
     pub(crate) fn placed_at(
         &self,
-        pixel_70: PixelIn,
-        at_84: Entered,
+        pixel_71: PixelIn,
+        at_88: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_10: impl rt::Into<rt::Vec3<f32>>,
-        uv_28: impl rt::Into<rt::Vec2<f32>>,
+        uv_27: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_70, at_84, rt::into(weights_4), rt::into(point_10), rt::into(uv_28)))
+        rt::into(self.v_placed_at(pixel_71, at_88, rt::into(weights_4), rt::into(point_10), rt::into(uv_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_at(
         &self,
-        pixel_70: PixelIn,
-        at_84: Entered,
+        pixel_71: PixelIn,
+        at_88: Entered,
         weights_4: rt::Vec3<f32>,
         point_10: rt::Vec3<f32>,
-        uv_28: rt::Vec2<f32>,
+        uv_27: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_70, weights_4, point_10, uv_28, at_84.facing);
+        let _e6 = self.v_frame_at(pixel_71, weights_4, point_10, uv_27, at_88.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_84.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_84.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_84.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_88.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_88.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_88.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_prism_place(
         &self,
-        pixel_71: PixelIn,
-        at_85: Entered,
+        pixel_72: PixelIn,
+        at_89: Entered,
         path_68: Path,
         hit_34: Hit,
         params_70: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_71, at_85, path_68, hit_34, rt::into(params_70)))
+        rt::into(self.v_surface_prism_place(pixel_72, at_89, path_68, hit_34, rt::into(params_70)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_prism_place(
         &self,
-        pixel_71: PixelIn,
-        at_85: Entered,
+        pixel_72: PixelIn,
+        at_89: Entered,
         path_68: Path,
         hit_34: Hit,
         params_70: rt::Vec4<f32>,
     ) -> Entered {
-        let along_37 = pixel_71.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_71, along_37);
-        let _e8 = self.v_prism_of(pixel_71, along_37, _e7, params_70);
+        let along_38 = pixel_72.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_72, along_38);
+        let _e8 = self.v_prism_of(pixel_72, along_38, _e7, params_70);
         let s_4 = ((rt::Scalar(path_68.start) + rt::Scalar(hit_34.t)) - _e7);
-        let _e15 = self.v_point_of_way(pixel_71, _e8, (along_37 * s_4), rt::Scalar(hit_34.height));
+        let _e15 = self.v_point_of_way(pixel_72, _e8, (along_38 * s_4), rt::Scalar(hit_34.height));
         let weights_6 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_71, at_85, weights_6, (pixel_71.origin + (along_37 * (rt::Scalar(path_68.start) + rt::Scalar(hit_34.t)))), hit_34.uv);
+        let _e24 = self.v_placed_at(pixel_72, at_89, weights_6, (pixel_72.origin + (along_38 * (rt::Scalar(path_68.start) + rt::Scalar(hit_34.t)))), hit_34.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_86: Entered,
+        at_90: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_86, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_90, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_frame(
         &self,
-        at_86: Entered,
+        at_90: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_79: rt::Scalar<bool>;
+        let mut local_80: rt::Scalar<bool>;
 
-        placed_2 = at_86;
-        let _e5 = self.v_quadric_slope(at_86.of_surface.xyz(), aside);
+        placed_2 = at_90;
+        let _e5 = self.v_quadric_slope(at_90.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_79 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_80 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_79 = rt::Scalar(false);
+            local_80 = rt::Scalar(false);
         }
-        let _e15 = local_79;
+        let _e15 = local_80;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_5 = at_86.metric;
+        let m_5 = at_90.metric;
         let area_6 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
         let along_t = (((_e5.x() * m_5.z()) - (_e5.y() * m_5.y())) / area_6);
         let along_b = (((_e5.y() * m_5.x()) - (_e5.x() * m_5.y())) / area_6);
-        placed_2.tangent = (at_86.tangent + (at_86.normal * _e5.x()));
-        placed_2.bitangent = (at_86.bitangent + (at_86.normal * _e5.y()));
-        placed_2.normal = ((at_86.normal - (at_86.tangent * along_t)) - (at_86.bitangent * along_b)).normalize();
+        placed_2.tangent = (at_90.tangent + (at_90.normal * _e5.x()));
+        placed_2.bitangent = (at_90.bitangent + (at_90.normal * _e5.y()));
+        placed_2.normal = ((at_90.normal - (at_90.tangent * along_t)) - (at_90.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_3 = _e63.dot(_e65);
@@ -11807,85 +11909,85 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
-        pixel_72: PixelIn,
-        at_87: Entered,
+        pixel_73: PixelIn,
+        at_91: Entered,
         path_69: Path,
         hit_35: Hit,
         params_71: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_72, at_87, path_69, hit_35, rt::into(params_71)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_73, at_91, path_69, hit_35, rt::into(params_71)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_place(
         &self,
-        pixel_72: PixelIn,
-        at_87: Entered,
+        pixel_73: PixelIn,
+        at_91: Entered,
         path_69: Path,
         hit_35: Hit,
         params_71: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_87, (hit_35.uv - at_87.uv));
+        let _e8 = self.v_quadric_frame(at_91, (hit_35.uv - at_91.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_72.origin + (pixel_72.direction.normalize() * (rt::Scalar(path_69.start) + rt::Scalar(hit_35.t))));
+        placed_3.point = (pixel_73.origin + (pixel_73.direction.normalize() * (rt::Scalar(path_69.start) + rt::Scalar(hit_35.t))));
         placed_3.uv = hit_35.uv;
         let _e21 = placed_3;
         return _e21;
     }
     pub(crate) fn surface_quadric_vertical_place(
         &self,
-        pixel_73: PixelIn,
-        at_88: Entered,
+        pixel_74: PixelIn,
+        at_92: Entered,
         path_70: Path,
         hit_36: Hit,
         params_72: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_73, at_88, path_70, hit_36, rt::into(params_72)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_74, at_92, path_70, hit_36, rt::into(params_72)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
-        pixel_73: PixelIn,
-        at_88: Entered,
+        pixel_74: PixelIn,
+        at_92: Entered,
         path_70: Path,
         hit_36: Hit,
         params_72: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_9 = (hit_36.uv - at_88.uv);
+        let aside_10 = (hit_36.uv - at_92.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_36.uv, rt::Scalar(at_88.level));
+        let _e16 = self.v_height_at(hit_36.uv, rt::Scalar(at_92.level));
         let height_18 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_88.of_surface.xyz(), aside_9);
-        let lifted_2 = (((_e19 - at_88.of_surface.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_88, aside_9);
+        let _e27 = self.v_quadric_at(at_92.of_surface.xyz(), aside_10);
+        let lifted_2 = (((_e19 - at_92.of_surface.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_92, aside_10);
         placed_4 = _e29;
-        placed_4.point = (((at_88.point + (at_88.tangent * aside_9.x())) + (at_88.bitangent * aside_9.y())) + (at_88.normal * (height_18 + lifted_2)));
+        placed_4.point = (((at_92.point + (at_92.tangent * aside_10.x())) + (at_92.bitangent * aside_10.y())) + (at_92.normal * (height_18 + lifted_2)));
         placed_4.uv = hit_36.uv;
         let _e47 = placed_4;
         return _e47;
     }
     pub(crate) fn surface_tetrahedra_place(
         &self,
-        pixel_74: PixelIn,
-        at_89: Entered,
+        pixel_75: PixelIn,
+        at_93: Entered,
         path_71: Path,
         hit_37: Hit,
         params_73: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_74, at_89, path_71, hit_37, rt::into(params_73)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_75, at_93, path_71, hit_37, rt::into(params_73)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
-        pixel_74: PixelIn,
-        at_89: Entered,
+        pixel_75: PixelIn,
+        at_93: Entered,
         path_71: Path,
         hit_37: Hit,
         params_73: rt::Vec4<f32>,
@@ -11894,10 +11996,10 @@ impl<'g> Resources<'g> {
         let mut beside_1: rt::Scalar<f32>;
         let mut number_10: rt::Scalar<u32> = rt::Scalar(1u32);
 
-        let along_38 = pixel_74.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_74, along_38);
+        let along_39 = pixel_75.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_75, along_39);
         let t_38 = ((rt::Scalar(path_71.start) + rt::Scalar(hit_37.t)) - _e7);
-        let _e13 = self.v_tetrahedron(pixel_74, along_38, _e7, rt::Scalar(0u32));
+        let _e13 = self.v_tetrahedron(pixel_75, along_39, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
@@ -11911,12 +12013,12 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e30 = number_10;
-                    let _e31 = self.v_tetrahedron(pixel_74, along_38, _e7, _e30);
-                    let aside_10 = (_e31.inside.x() - t_38).max((t_38 - _e31.inside.y()));
+                    let _e31 = self.v_tetrahedron(pixel_75, along_39, _e7, _e30);
+                    let aside_11 = (_e31.inside.x() - t_38).max((t_38 - _e31.inside.y()));
                     let _e39 = beside_1;
-                    if rt::Scalar::into_branch_condition(aside_10.elementwise_lt(_e39)) {
+                    if rt::Scalar::into_branch_condition(aside_11.elementwise_lt(_e39)) {
                         nearest = _e31;
-                        beside_1 = aside_10;
+                        beside_1 = aside_11;
                     }
                     let _e41 = number_10;
                     number_10 = (_e41 + rt::Scalar(1u32));
@@ -11926,144 +12028,144 @@ impl<'g> Resources<'g> {
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
         let weights_7 = (_e45 + (_e47 * t_38));
-        let point_21 = (pixel_74.origin + (along_38 * (rt::Scalar(path_71.start) + rt::Scalar(hit_37.t))));
-        let _e58 = self.v_placed_at(pixel_74, at_89, weights_7.xyz(), point_21, hit_37.uv);
+        let point_21 = (pixel_75.origin + (along_39 * (rt::Scalar(path_71.start) + rt::Scalar(hit_37.t))));
+        let _e58 = self.v_placed_at(pixel_75, at_93, weights_7.xyz(), point_21, hit_37.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
-        pixel_75: PixelIn,
-        at_90: Entered,
+        pixel_76: PixelIn,
+        at_94: Entered,
         path_72: Path,
         hit_38: Hit,
         params_74: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_75, at_90, path_72, hit_38, rt::into(params_74)))
+        rt::into(self.v_surface_facets_place(pixel_76, at_94, path_72, hit_38, rt::into(params_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_place(
         &self,
-        pixel_75: PixelIn,
-        at_90: Entered,
+        pixel_76: PixelIn,
+        at_94: Entered,
         path_72: Path,
         hit_38: Hit,
         params_74: rt::Vec4<f32>,
     ) -> Entered {
-        return at_90;
+        return at_94;
     }
     pub(crate) fn surface_slices_place(
         &self,
-        pixel_76: PixelIn,
-        at_91: Entered,
+        pixel_77: PixelIn,
+        at_95: Entered,
         path_73: Path,
         hit_39: Hit,
         params_75: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_76, at_91, path_73, hit_39, rt::into(params_75)))
+        rt::into(self.v_surface_slices_place(pixel_77, at_95, path_73, hit_39, rt::into(params_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_place(
         &self,
-        pixel_76: PixelIn,
-        at_91: Entered,
+        pixel_77: PixelIn,
+        at_95: Entered,
         path_73: Path,
         hit_39: Hit,
         params_75: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_5: Entered;
 
-        let aside_11 = (hit_39.uv - at_91.uv);
+        let aside_12 = (hit_39.uv - at_95.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_39.uv, rt::Scalar(at_91.level));
+        let _e16 = self.v_height_at(hit_39.uv, rt::Scalar(at_95.level));
         let height_19 = (_e10 + (_e13 * _e16));
-        placed_5 = at_91;
-        placed_5.point = (((at_91.point + (at_91.tangent * aside_11.x())) + (at_91.bitangent * aside_11.y())) + (at_91.normal * height_19));
+        placed_5 = at_95;
+        placed_5.point = (((at_95.point + (at_95.tangent * aside_12.x())) + (at_95.bitangent * aside_12.y())) + (at_95.normal * height_19));
         placed_5.uv = hit_39.uv;
         let _e35 = placed_5;
         return _e35;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_77: PixelIn, at_92: Entered, path_74: Path, hit_40: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_77, at_92, path_74, hit_40))
+    pub(crate) fn surface_place_stage(&self, pixel_78: PixelIn, at_96: Entered, path_74: Path, hit_40: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_78, at_96, path_74, hit_40))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_77: PixelIn, at_92: Entered, path_74: Path, hit_40: Hit) -> Entered {
+    fn v_surface_place_stage(&self, pixel_78: PixelIn, at_96: Entered, path_74: Path, hit_40: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_77, at_92, path_74, hit_40, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_78, at_96, path_74, hit_40, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_77, at_92, path_74, hit_40, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_78, at_96, path_74, hit_40, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_77, at_92, path_74, hit_40, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_78, at_96, path_74, hit_40, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_77, at_92, path_74, hit_40, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_78, at_96, path_74, hit_40, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_77, at_92, path_74, hit_40, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_78, at_96, path_74, hit_40, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_77, at_92, path_74, hit_40, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_78, at_96, path_74, hit_40, _e43);
                 return _e44;
             }
             _ => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_77, at_92, path_74, hit_40, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_78, at_96, path_74, hit_40, _e49);
                 return _e50;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_78: PixelIn, at_93: Entered, path_75: Path, hit_41: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_78, at_93, path_75, hit_41))
+    pub(crate) fn place_on_segment(&self, pixel_79: PixelIn, at_97: Entered, path_75: Path, hit_41: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_79, at_97, path_75, hit_41))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_place_on_segment(&self, pixel_78: PixelIn, at_93: Entered, path_75: Path, hit_41: Hit) -> Entered {
+    fn v_place_on_segment(&self, pixel_79: PixelIn, at_97: Entered, path_75: Path, hit_41: Hit) -> Entered {
         let mut placed_6: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_78, at_93, path_75, hit_41);
+        let _e4 = self.v_surface_place_stage(pixel_79, at_97, path_75, hit_41);
         placed_6 = _e4;
-        let _e7 = self.v_depth_on_ray(pixel_78, path_75, hit_41);
+        let _e7 = self.v_depth_on_ray(pixel_79, path_75, hit_41);
         rt::Scalar(placed_6.depth) = _e7;
         let _e8 = placed_6;
         return _e8;
     }
     pub(crate) fn place_hit(
         &self,
-        pixel_79: PixelIn,
-        at_94: Entered,
+        pixel_80: PixelIn,
+        at_98: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
         hit_42: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_79, at_94, rt::into(segment), hit_42))
+        rt::into(self.v_place_hit(pixel_80, at_98, rt::into(segment), hit_42))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_place_hit(
         &self,
-        pixel_79: PixelIn,
-        at_94: Entered,
+        pixel_80: PixelIn,
+        at_98: Entered,
         segment: rt::Scalar<u32>,
         hit_42: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_79, at_94, segment);
-        let _e5 = self.v_place_on_segment(pixel_79, at_94, _e4, hit_42);
+        let _e4 = self.v_segment_of(pixel_80, at_98, segment);
+        let _e5 = self.v_place_on_segment(pixel_80, at_98, _e4, hit_42);
         return _e5;
     }
     pub(crate) fn toward_light(
@@ -12092,25 +12194,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn point_of_light(
         &self,
-        at_95: Entered,
+        at_99: Entered,
         hit_43: Hit,
         number_12: impl rt::Into<rt::Scalar<u32>>,
         k_24: impl rt::Into<rt::Scalar<u32>>,
         count_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_95, hit_43, rt::into(number_12), rt::into(k_24), rt::into(count_5)))
+        rt::into(self.v_point_of_light(at_99, hit_43, rt::into(number_12), rt::into(k_24), rt::into(count_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_light(
         &self,
-        at_95: Entered,
+        at_99: Entered,
         hit_43: Hit,
         number_12: rt::Scalar<u32>,
         k_24: rt::Scalar<u32>,
         count_5: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_12, at_95.point);
+        let _e6 = self.v_toward_light(number_12, at_99.point);
         if rt::Scalar::into_branch_condition(count_5.elementwise_gt(rt::Scalar(0u32))) {
             let _e9 = self.v_seed_of(hit_43);
             let _e10 = self.v_point_of_disc(_e6, _e9, k_24, count_5);
@@ -12120,26 +12222,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_96: Entered,
+        at_100: Entered,
         hit_44: Hit,
         number_13: impl rt::Into<rt::Scalar<u32>>,
         k_25: impl rt::Into<rt::Scalar<u32>>,
         count_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_96, hit_44, rt::into(number_13), rt::into(k_25), rt::into(count_6)))
+        rt::into(self.v_ray_to_light(at_100, hit_44, rt::into(number_13), rt::into(k_25), rt::into(count_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ray_to_light(
         &self,
-        at_96: Entered,
+        at_100: Entered,
         hit_44: Hit,
         number_13: rt::Scalar<u32>,
         k_25: rt::Scalar<u32>,
         count_6: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_96, hit_44, number_13, k_25, count_6);
-        let _e6 = self.v_light_ray(at_96, hit_44, _e5);
+        let _e5 = self.v_point_of_light(at_100, hit_44, number_13, k_25, count_6);
+        let _e6 = self.v_light_ray(at_100, hit_44, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
@@ -12168,16 +12270,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_97: Entered,
+        at_101: Entered,
         seen_2: SeenNormals,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_97, seen_2, rt::into(toward_2)))
+        rt::into(self.v_seen_cosine(at_101, seen_2, rt::into(toward_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_97: Entered,
+        at_101: Entered,
         seen_2: SeenNormals,
         toward_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -12186,7 +12288,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_2.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_2.normal.dot(toward_2).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_97, toward_2);
+        let _e10 = self.v_to_tangent_space(at_101, toward_2);
         let middle_15 = seen_2.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_15, seen_2.along.dot(_e10), seen_2.across.dot(_e10));
         let one_1 = (rt::Scalar(seen_2.middle_seen) * middle_15.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
@@ -12335,19 +12437,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn reflected_light(
         &self,
-        at_98: Entered,
+        at_102: Entered,
         hit_45: Hit,
         seen_3: SeenNormals,
         view_15: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_98, hit_45, seen_3, rt::into(view_15), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_102, hit_45, seen_3, rt::into(view_15), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_98: Entered,
+        at_102: Entered,
         hit_45: Hit,
         seen_3: SeenNormals,
         view_15: rt::Vec3<f32>,
@@ -12360,7 +12462,7 @@ impl<'g> Resources<'g> {
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_98, hit_45, (seen_3.normal * rt::Scalar(seen_3.length)), view_15, diffuse);
+        let _e20 = self.v_ambient_stage(at_102, hit_45, (seen_3.normal * rt::Scalar(seen_3.length)), view_15, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
@@ -12372,8 +12474,8 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e29 = k_26;
-                    let _e31 = self.v_toward_light(_e29, at_98.point);
-                    let _e33 = self.v_seen_cosine(at_98, seen_3, _e31.direction);
+                    let _e31 = self.v_toward_light(_e29, at_102.point);
+                    let _e33 = self.v_seen_cosine(at_102, seen_3, _e31.direction);
                     let _e37 = self.v_shade_stage(seen_3.normal, rt::Scalar(seen_3.length), _e33, view_15, _e31.direction, diffuse);
                     let _e38 = light_16;
                     let _e41 = k_26;
@@ -12407,61 +12509,61 @@ impl<'g> Resources<'g> {
     pub(crate) fn shade_hit(
         &self,
         origin_2: impl rt::Into<rt::Vec3<f32>>,
-        at_99: Entered,
+        at_103: Entered,
         hit_46: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_2), at_99, hit_46, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_2), at_103, hit_46, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(
         &self,
         origin_2: rt::Vec3<f32>,
-        at_99: Entered,
+        at_103: Entered,
         hit_46: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_46.found).elementwise_eq(rt::Scalar(0u32))) {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_46.cost.x(), hit_46.cost.y(), hit_46.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_46.uv, rt::Scalar(at_99.level));
-        let view_18 = (origin_2 - at_99.point).normalize();
-        let _e49 = self.v_mesostructure_normals(at_99, hit_46.uv, view_18);
-        let _e52 = self.v_color_or_white(hit_46.uv, rt::Scalar(at_99.footprint));
-        let _e53 = self.v_reflected_light(at_99, hit_46, _e49, view_18, _e52, visible_1);
+        let _e44 = self.v_height_at(hit_46.uv, rt::Scalar(at_103.level));
+        let view_18 = (origin_2 - at_103.point).normalize();
+        let _e49 = self.v_mesostructure_normals(at_103, hit_46.uv, view_18);
+        let _e52 = self.v_color_or_white(hit_46.uv, rt::Scalar(at_103.footprint));
+        let _e53 = self.v_reflected_light(at_103, hit_46, _e49, view_18, _e52, visible_1);
         let _e58 = self.frame.forward;
-        let depth_9 = (at_99.point - origin_2).dot(_e58.xyz());
+        let depth_9 = (at_103.point - origin_2).dot(_e58.xyz());
         let _e63 = self.v_height_size(rt::Scalar(0u32));
         let _e69 = self.v_cell_of(((hit_46.uv * _e63) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e89 = self.v_z_of(rt::Scalar(at_99.depth));
+        let _e89 = self.v_z_of(rt::Scalar(at_103.depth));
         let _e92 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e53, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_46.exhausted), hit_46.uv, _e44, at_99.point, _e49.normal, depth_9, rt::Scalar(hit_46.t), _e69.to_i32(), hit_46.cost.x(), hit_46.cost.y(), hit_46.cost.z(), visible_1[0usize].x(), rt::Scalar(at_99.level), _e89, _e92);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e53, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_46.exhausted), hit_46.uv, _e44, at_103.point, _e49.normal, depth_9, rt::Scalar(hit_46.t), _e69.to_i32(), hit_46.cost.x(), hit_46.cost.y(), hit_46.cost.z(), visible_1[0usize].x(), rt::Scalar(at_103.level), _e89, _e92);
     }
     pub(crate) fn visible_light(
         &self,
-        at_100: Entered,
+        at_104: Entered,
         hit_47: Hit,
         number_14: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_100, hit_47, rt::into(number_14)))
+        rt::into(self.v_visible_light(at_104, hit_47, rt::into(number_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_visible_light(
         &self,
-        at_100: Entered,
+        at_104: Entered,
         hit_47: Hit,
         number_14: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_14, at_100.point);
-        let _e5 = self.v_shadow_stage(at_100, hit_47, _e4);
+        let _e4 = self.v_toward_light(number_14, at_104.point);
+        let _e5 = self.v_shadow_stage(at_104, hit_47, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_101: Entered, hit_48: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_101, hit_48))
+    pub(crate) fn visible_lights(&self, at_105: Entered, hit_48: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_105, hit_48))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_101: Entered, hit_48: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_105: Entered, hit_48: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut k_27: rt::Scalar<u32> = rt::Scalar(0u32);
 
@@ -12480,7 +12582,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e15 = k_27;
                     let _e17 = k_27;
-                    let _e18 = self.v_visible_light(at_101, hit_48, _e17);
+                    let _e18 = self.v_visible_light(at_105, hit_48, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e23 = k_27;
                     k_27 = (_e23 + rt::Scalar(1u32));
@@ -12490,17 +12592,17 @@ impl<'g> Resources<'g> {
         let _e26 = visible_2;
         return _e26;
     }
-    pub(crate) fn shade_pixel(&self, pixel_80: PixelIn) -> PixelOut {
-        rt::into(self.v_shade_pixel(pixel_80))
+    pub(crate) fn shade_pixel(&self, pixel_81: PixelIn) -> PixelOut {
+        rt::into(self.v_shade_pixel(pixel_81))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shade_pixel(&self, pixel_80: PixelIn) -> PixelOut {
-        let _e1 = self.v_enter_relief(pixel_80);
-        let _e2 = self.v_first_hit(pixel_80, _e1);
-        let _e5 = self.v_place_hit(pixel_80, _e1, rt::Scalar(_e2.segment), _e2.hit);
+    fn v_shade_pixel(&self, pixel_81: PixelIn) -> PixelOut {
+        let _e1 = self.v_enter_relief(pixel_81);
+        let _e2 = self.v_first_hit(pixel_81, _e1);
+        let _e5 = self.v_place_hit(pixel_81, _e1, rt::Scalar(_e2.segment), _e2.hit);
         let _e9 = self.v_visible_lights(_e5, _e2.hit);
-        let _e10 = self.v_shade_hit(pixel_80.origin, _e5, _e2.hit, _e9);
+        let _e10 = self.v_shade_hit(pixel_81.origin, _e5, _e2.hit, _e9);
         return _e10;
     }
     pub(crate) fn weighted_site(
@@ -12528,10 +12630,10 @@ impl<'g> Resources<'g> {
         a_16: BaseSite,
         b_16: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
-        at_102: impl rt::Into<rt::Scalar<u32>>,
+        at_106: impl rt::Into<rt::Scalar<u32>>,
         parts_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_102), rt::into(parts_2)))
+        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_106), rt::into(parts_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12540,11 +12642,11 @@ impl<'g> Resources<'g> {
         a_16: BaseSite,
         b_16: BaseSite,
         shares: rt::Vec2<f32>,
-        at_102: rt::Scalar<u32>,
+        at_106: rt::Scalar<u32>,
         parts_2: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_2 - at_102).to_f32() * shares.x());
-        let of_b = (at_102.to_f32() * shares.y());
+        let of_a = ((parts_2 - at_106).to_f32() * shares.x());
+        let of_b = (at_106.to_f32() * shares.y());
         let sum_6 = (of_a + of_b);
         let _e17 = self.v_weighted_site(a_16, b_16, b_16, <rt::Vec3<f32>>::from_scalars((of_a / sum_6), (of_b / sum_6), rt::Scalar(0f32)));
         return _e17;
@@ -12611,11 +12713,11 @@ impl<'g> Resources<'g> {
         let right_3 = (((grid_11.right.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e30) + grid_11.middle.x());
         let _e42 = share;
         let down_3 = (grid_11.middle.y() - ((grid_11.up.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e42));
-        let far_13 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
+        let far_14 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_107 = <rt::Vec3<f32>>::from_scalars(right_3, down_3, _e49).clamp((-far_13), far_13);
+        let at_111 = <rt::Vec3<f32>>::from_scalars(right_3, down_3, _e49).clamp((-far_14), far_14);
         let _e60 = share;
-        return <Voxel>::new((at_107 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
+        return <Voxel>::new((at_111 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
     }
 }
 

@@ -831,6 +831,34 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "constants",
+        name: "SLICES_ALONG_HEIGHT",
+        sampling: None,
+        uses: &[],
+        text: r#"const SLICES_ALONG_HEIGHT = 0u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "SLICES_ALONG_U",
+        sampling: None,
+        uses: &[],
+        text: r#"const SLICES_ALONG_U = 1u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "SLICES_ALONG_V",
+        sampling: None,
+        uses: &[],
+        text: r#"const SLICES_ALONG_V = 2u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "SLICES_ALONG_DEPTH",
+        sampling: None,
+        uses: &[],
+        text: r#"const SLICES_ALONG_DEPTH = 3u;"#,
+    },
+    Declaration {
+        module: "constants",
         name: "LIGHT_RAY_LIT",
         sampling: None,
         uses: &[],
@@ -6196,7 +6224,8 @@ struct Corner {
     uv: vec2f,
     // What the surface stage alone knows of it, zeros elsewhere. Of quadrics the one that the base follows
     // around the corner: of q(du, dv) = x du² + y du dv + z dv², in metres a tile squared, positive along the
-    // normal. Of slices the height that they have there, and how far apart they are, as a height.
+    // normal. Of slices the height that they have there, how far apart they are
+    // along an axis, and which: SLICES_ALONG_*.
     of_surface: vec3f,
 }"#,
     },
@@ -7370,6 +7399,14 @@ const SHORTEST = 0.0000005;"#,
     },
     Declaration {
         module: "surface/slices",
+        name: "FARTHEST_M",
+        sampling: None,
+        uses: &[],
+        text: r#"// Slices of which the one before lies farther away than this, in metres, are seen from their edges.
+const FARTHEST_M = 1.0e9;"#,
+    },
+    Declaration {
+        module: "surface/slices",
         name: "surface_slices_enter",
         sampling: None,
         uses: &["Entered", "PixelIn", "is_on_map", "plane_normal", "surface_settings", "triangle_distance", "triangle_weights"],
@@ -7408,47 +7445,104 @@ const SHORTEST = 0.0000005;"#,
     },
     Declaration {
         module: "surface/slices",
-        name: "slice_before",
+        name: "slice_above",
         sampling: None,
-        uses: &["PixelIn", "SHORTEST", "weights_of"],
-        text: r#"// What the texture coordinates change from this slice to the one before, and metres along the ray between both;
-// zeros where these are not known. The slice before is the triangle moved along its normals.
-fn slice_before(pixel: PixelIn, along: f32, far: f32, uv: vec2f, step_m: f32) -> vec3f {
+        uses: &["Entered", "FARTHEST_M", "PixelIn", "SHORTEST", "surface_settings", "weights_of"],
+        text: r#"// From a slice of equal height back to the one before: what the texture coordinates and the height change on a
+// metre of the ray, and how many metres these are; zeros where that is not known. The slice before is the
+// triangle moved along its normals.
+fn slice_above(pixel: PixelIn, at: Entered, along: f32, far: f32) -> vec4f {
+    let upward = select(-1.0, 1.0, dot(pixel.direction, at.normal) < 0.0) * at.of_surface.y;
+    let step_m = upward * surface_settings.scale_m;
     let a = pixel.a.position + pixel.a.normal * step_m;
     let b = pixel.b.position + pixel.b.normal * step_m;
     let c = pixel.c.position + pixel.c.normal * step_m;
     let n = cross(b - a, c - a);
     let t = dot(n, a - pixel.origin) / dot(n, pixel.direction);
     let lead = far - t * along;
-    if (!(lead > far * SHORTEST && abs(t) <= 1.0e9)) {
-        return vec3f(0.0, 0.0, 0.0);
+    if (!(lead > far * SHORTEST && abs(t) <= FARTHEST_M)) {
+        return vec4f(0.0, 0.0, 0.0, 0.0);
     }
     let w = weights_of(a, b, c, n, pixel.origin + pixel.direction * t);
-    return vec3f(pixel.a.uv * w.x + pixel.b.uv * w.y + pixel.c.uv * w.z - uv, lead);
+    let aside = pixel.a.uv * w.x + pixel.b.uv * w.y + pixel.c.uv * w.z - at.uv;
+    return vec4f(vec3f(aside, upward) / lead, lead);
+}"#,
+    },
+    Declaration {
+        module: "surface/slices",
+        name: "slice_beside",
+        sampling: None,
+        uses: &["Entered", "FARTHEST_M"],
+        text: r#"// The same where slices are told apart by another axis, along which the ray goes so far with a metre. What
+// lies before the relief is left out.
+fn slice_beside(at: Entered, climbs: vec3f, pace: f32) -> vec4f {
+    let up = select(at.of_surface.x, 1.0 - at.of_surface.x, climbs.z < 0.0) / abs(climbs.z);
+    let lead = min(at.of_surface.y / pace, select(FARTHEST_M, up, abs(climbs.z) > 0.0));
+    if (!(lead > 0.0 && lead <= FARTHEST_M)) {
+        return vec4f(0.0, 0.0, 0.0, 0.0);
+    }
+    return vec4f(vec3f(0.0, 0.0, 0.0) - climbs, lead);
+}"#,
+    },
+    Declaration {
+        module: "surface/slices",
+        name: "slice_before",
+        sampling: None,
+        uses: &["Entered", "PixelIn", "SLICES_ALONG_HEIGHT", "SLICES_ALONG_U", "SLICES_ALONG_V", "climb", "slice_above", "slice_beside"],
+        text: r#"// The slice before, by the axis along which the triangle's slices are told apart.
+fn slice_before(pixel: PixelIn, at: Entered, axis: u32, along: f32, far: f32) -> vec4f {
+    if (axis == SLICES_ALONG_HEIGHT) {
+        return slice_above(pixel, at, along, far);
+    }
+    let climbs = climb(at, pixel.direction / along);
+    if (axis == SLICES_ALONG_U) {
+        return slice_beside(at, climbs, abs(climbs.x));
+    }
+    if (axis == SLICES_ALONG_V) {
+        return slice_beside(at, climbs, abs(climbs.y));
+    }
+    return slice_beside(at, climbs, 1.0 / along);
+}"#,
+    },
+    Declaration {
+        module: "surface/slices",
+        name: "slice_spacing",
+        sampling: None,
+        uses: &["Entered", "SLICES_ALONG_HEIGHT", "SLICES_ALONG_U", "SLICES_ALONG_V", "traced_scale_m"],
+        text: r#"// How far slices are apart, as a height.
+fn slice_spacing(at: Entered, axis: u32) -> f32 {
+    let step = at.of_surface.y;
+    if (axis == SLICES_ALONG_HEIGHT) {
+        return step;
+    }
+    if (axis == SLICES_ALONG_U) {
+        return step * sqrt(at.metric.x) / traced_scale_m();
+    }
+    if (axis == SLICES_ALONG_V) {
+        return step * sqrt(at.metric.z) / traced_scale_m();
+    }
+    return step / traced_scale_m();
 }"#,
     },
     Declaration {
         module: "surface/slices",
         name: "surface_slices_segment",
         sampling: None,
-        uses: &["Entered", "Path", "PixelIn", "RAY_VIEW", "SHORTEST", "height_at", "plane_normal", "slice_before", "slices_stage", "surface_settings", "triangle_distance"],
+        uses: &["Entered", "Path", "PixelIn", "RAY_VIEW", "SHORTEST", "height_at", "plane_normal", "slice_before", "slice_spacing", "slices_stage", "triangle_distance"],
         text: r#"// From the slice before to this one, where the ray ends. Where it passes, there is no segment.
 fn surface_slices_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
     let along = length(pixel.direction);
     let far = triangle_distance(pixel, plane_normal(pixel)) * along;
+    let axis = u32(pixel.a.of_surface.z);
     let height = at.of_surface.x;
-    let spacing = at.of_surface.y;
-    let passes = slices_stage(height_at(at.uv, at.level), height, spacing);
-    let upward = select(-1.0, 1.0, dot(pixel.direction, at.normal) < 0.0) * spacing;
-    let before = slice_before(pixel, along, far, at.uv, upward * surface_settings.scale_m);
+    let passes = slices_stage(height_at(at.uv, at.level), height, slice_spacing(at, axis));
+    let before = slice_before(pixel, at, axis, along, far);
     // Nothing is seen before the eye.
-    let known = before.z > 0.0;
-    let lead = select(far * SHORTEST, min(before.z, far), known);
-    let back = vec3f(before.xy, select(0.0, upward, known)) / select(1.0, before.z, known);
+    let lead = select(far * SHORTEST, min(before.w, far), before.w > 0.0);
     return Path(
-        at.uv + back.xy * lead,
-        vec2f(0.0, 0.0) - back.xy,
-        vec3f(height + back.z * lead, 0.0 - back.z, 0.0),
+        at.uv + before.xy * lead,
+        vec2f(0.0, 0.0) - before.xy,
+        vec3f(height + before.z * lead, 0.0 - before.z, 0.0),
         select(0.0, lead, passes),
         lead,
         at.metric,

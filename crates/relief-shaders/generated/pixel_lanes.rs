@@ -2448,27 +2448,78 @@ lanes! { fn slices_stage(r: &Resources<'_>, map_a0: F, slice_a1: F, spacing_a2: 
         }
     }
 } }
-lanes! { fn slice_before(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, along_a1: F, far_a2: F, uv_a3: Vec2<F>, step_m_a4: F) -> Vec3<F> {
+lanes! { fn slice_spacing(r: &Resources<'_>, at_a0: &Entered, axis_a1: u32) -> F {
+    if (axis_a1 == 0u32) {
+        return at_a0.of_surface.y;
+    }
+    if (axis_a1 == 1u32) {
+        let e_12 = r.traced_scale_m();
+        return div(mul(at_a0.of_surface.y, sqrt(at_a0.metric.x)), splat(e_12));
+    }
+    if (axis_a1 == 2u32) {
+        let e_20 = r.traced_scale_m();
+        return div(mul(at_a0.of_surface.y, sqrt(at_a0.metric.z)), splat(e_20));
+    }
+    let e_22 = r.traced_scale_m();
+    return div(at_a0.of_surface.y, splat(e_22));
+} }
+lanes! { fn slice_above(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, along_a2: F, far_a3: F) -> Vec4<F> {
     let mut ex = within;
-    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let mut both_v0: M = splat_m(false);
-    let a_10 = Vec3 { x: add(splat(pixel_a0.a.position.x), mul(splat(pixel_a0.a.normal.x), step_m_a4)), y: add(splat(pixel_a0.a.position.y), mul(splat(pixel_a0.a.normal.y), step_m_a4)), z: add(splat(pixel_a0.a.position.z), mul(splat(pixel_a0.a.normal.z), step_m_a4)) };
-    let b_16 = Vec3 { x: add(splat(pixel_a0.b.position.x), mul(splat(pixel_a0.b.normal.x), step_m_a4)), y: add(splat(pixel_a0.b.position.y), mul(splat(pixel_a0.b.normal.y), step_m_a4)), z: add(splat(pixel_a0.b.position.z), mul(splat(pixel_a0.b.normal.z), step_m_a4)) };
-    let c_22 = Vec3 { x: add(splat(pixel_a0.c.position.x), mul(splat(pixel_a0.c.normal.x), step_m_a4)), y: add(splat(pixel_a0.c.position.y), mul(splat(pixel_a0.c.normal.y), step_m_a4)), z: add(splat(pixel_a0.c.position.z), mul(splat(pixel_a0.c.normal.z), step_m_a4)) };
-    let e_23 = Vec3 { x: sub(b_16.x, a_10.x), y: sub(b_16.y, a_10.y), z: sub(b_16.z, a_10.z) };
-    let e_24 = Vec3 { x: sub(c_22.x, a_10.x), y: sub(c_22.y, a_10.y), z: sub(c_22.z, a_10.z) };
-    let n_25 = Vec3 { x: sub(mul(e_23.y, e_24.z), mul(e_23.z, e_24.y)), y: sub(mul(e_23.z, e_24.x), mul(e_23.x, e_24.z)), z: sub(mul(e_23.x, e_24.y), mul(e_23.y, e_24.x)) };
-    let t_31 = div(add(add(add(mul(n_25.x, sub(a_10.x, pixel_a0.origin.x)), mul(n_25.y, sub(a_10.y, pixel_a0.origin.y))), mul(n_25.z, sub(a_10.z, pixel_a0.origin.z))), splat(0.0f32)), add(add(add(mul(n_25.x, pixel_a0.direction.x), mul(n_25.y, pixel_a0.direction.y)), mul(n_25.z, pixel_a0.direction.z)), splat(0.0f32)));
-    let lead_33 = sub(far_a2, mul(t_31, along_a1));
-    both_v0 = and(gt(lead_33, mul(far_a2, splat(5e-7f32))), le(abs(t_31), splat(1000000000.0f32)));
-    let e_43 = both_v0;
-    let c1 = not(e_43);
-    ret = Vec3 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32) };
+    let upward_14 = mul(sel(lt(add(add(add(mul(pixel_a0.direction.x, at_a1.normal.x), mul(pixel_a0.direction.y, at_a1.normal.y)), mul(pixel_a0.direction.z, at_a1.normal.z)), splat(0.0f32)), splat(0.0f32)), splat(1.0f32), splat((-1.0f32))), at_a1.of_surface.y);
+    let step_m_18 = mul(upward_14, splat(r.surface_settings.scale_m));
+    let a_24 = Vec3 { x: add(splat(pixel_a0.a.position.x), mul(splat(pixel_a0.a.normal.x), step_m_18)), y: add(splat(pixel_a0.a.position.y), mul(splat(pixel_a0.a.normal.y), step_m_18)), z: add(splat(pixel_a0.a.position.z), mul(splat(pixel_a0.a.normal.z), step_m_18)) };
+    let b_30 = Vec3 { x: add(splat(pixel_a0.b.position.x), mul(splat(pixel_a0.b.normal.x), step_m_18)), y: add(splat(pixel_a0.b.position.y), mul(splat(pixel_a0.b.normal.y), step_m_18)), z: add(splat(pixel_a0.b.position.z), mul(splat(pixel_a0.b.normal.z), step_m_18)) };
+    let c_36 = Vec3 { x: add(splat(pixel_a0.c.position.x), mul(splat(pixel_a0.c.normal.x), step_m_18)), y: add(splat(pixel_a0.c.position.y), mul(splat(pixel_a0.c.normal.y), step_m_18)), z: add(splat(pixel_a0.c.position.z), mul(splat(pixel_a0.c.normal.z), step_m_18)) };
+    let e_37 = Vec3 { x: sub(b_30.x, a_24.x), y: sub(b_30.y, a_24.y), z: sub(b_30.z, a_24.z) };
+    let e_38 = Vec3 { x: sub(c_36.x, a_24.x), y: sub(c_36.y, a_24.y), z: sub(c_36.z, a_24.z) };
+    let n_39 = Vec3 { x: sub(mul(e_37.y, e_38.z), mul(e_37.z, e_38.y)), y: sub(mul(e_37.z, e_38.x), mul(e_37.x, e_38.z)), z: sub(mul(e_37.x, e_38.y), mul(e_37.y, e_38.x)) };
+    let t_45 = div(add(add(add(mul(n_39.x, sub(a_24.x, pixel_a0.origin.x)), mul(n_39.y, sub(a_24.y, pixel_a0.origin.y))), mul(n_39.z, sub(a_24.z, pixel_a0.origin.z))), splat(0.0f32)), add(add(add(mul(n_39.x, pixel_a0.direction.x), mul(n_39.y, pixel_a0.direction.y)), mul(n_39.z, pixel_a0.direction.z)), splat(0.0f32)));
+    let lead_47 = sub(far_a3, mul(t_45, along_a2));
+    both_v0 = and(gt(lead_47, mul(far_a3, splat(5e-7f32))), le(abs(t_45), splat(1000000000.0f32)));
+    let e_57 = both_v0;
+    let c1 = not(e_57);
+    ret = Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) };
     ex = and_not(ex, c1);
     if none(ex) { return ret; }
-    let w_53 = weights_of(r, a_10, b_16, c_22, n_25, Vec3 { x: add(pixel_a0.origin.x, mul(pixel_a0.direction.x, t_31)), y: add(pixel_a0.origin.y, mul(pixel_a0.direction.y, t_31)), z: add(pixel_a0.origin.z, mul(pixel_a0.direction.z, t_31)) });
-    let y2 = Vec3 { x: sub(add(add(mul(splat(pixel_a0.a.uv.x), w_53.x), mul(splat(pixel_a0.b.uv.x), w_53.y)), mul(splat(pixel_a0.c.uv.x), w_53.z)), uv_a3.x), y: sub(add(add(mul(splat(pixel_a0.a.uv.y), w_53.x), mul(splat(pixel_a0.b.uv.y), w_53.y)), mul(splat(pixel_a0.c.uv.y), w_53.z)), uv_a3.y), z: lead_33 };
-    return Vec3 { x: sel(ex, y2.x, ret.x), y: sel(ex, y2.y, ret.y), z: sel(ex, y2.z, ret.z) };
+    let w_68 = weights_of(r, a_24, b_30, c_36, n_39, Vec3 { x: add(pixel_a0.origin.x, mul(pixel_a0.direction.x, t_45)), y: add(pixel_a0.origin.y, mul(pixel_a0.direction.y, t_45)), z: add(pixel_a0.origin.z, mul(pixel_a0.direction.z, t_45)) });
+    let aside_84 = Vec2 { x: sub(add(add(mul(splat(pixel_a0.a.uv.x), w_68.x), mul(splat(pixel_a0.b.uv.x), w_68.y)), mul(splat(pixel_a0.c.uv.x), w_68.z)), at_a1.uv.x), y: sub(add(add(mul(splat(pixel_a0.a.uv.y), w_68.x), mul(splat(pixel_a0.b.uv.y), w_68.y)), mul(splat(pixel_a0.c.uv.y), w_68.z)), at_a1.uv.y) };
+    let y2 = Vec4 { x: div(aside_84.x, lead_47), y: div(aside_84.y, lead_47), z: div(upward_14, lead_47), w: lead_47 };
+    return Vec4 { x: sel(ex, y2.x, ret.x), y: sel(ex, y2.y, ret.y), z: sel(ex, y2.z, ret.z), w: sel(ex, y2.w, ret.w) };
+} }
+lanes! { fn slice_beside(r: &Resources<'_>, within: M, at_a0: &Entered, climbs_a1: Vec3<F>, pace_a2: F) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let mut both_v0: M = splat_m(false);
+    let up_15 = div(sel(lt(climbs_a1.z, splat(0.0f32)), sub(splat(1.0f32), at_a0.of_surface.x), at_a0.of_surface.x), abs(climbs_a1.z));
+    let lead_25 = min(div(at_a0.of_surface.y, pace_a2), sel(gt(abs(climbs_a1.z), splat(0.0f32)), up_15, splat(1000000000.0f32)));
+    both_v0 = and(gt(lead_25, splat(0.0f32)), le(lead_25, splat(1000000000.0f32)));
+    let e_33 = both_v0;
+    let c1 = not(e_33);
+    ret = Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) };
+    ex = and_not(ex, c1);
+    let y2 = Vec4 { x: sub(splat(0.0f32), climbs_a1.x), y: sub(splat(0.0f32), climbs_a1.y), z: sub(splat(0.0f32), climbs_a1.z), w: lead_25 };
+    return Vec4 { x: sel(ex, y2.x, ret.x), y: sel(ex, y2.y, ret.y), z: sel(ex, y2.z, ret.z), w: sel(ex, y2.w, ret.w) };
+} }
+lanes! { fn slice_before(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, axis_a2: u32, along_a3: F, far_a4: F) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    if (axis_a2 == 0u32) {
+        let e_7 = slice_above(r, ex, pixel_a0, at_a1, along_a3, far_a4);
+        return e_7;
+    }
+    let climbs_11 = climb(r, at_a1, Vec3 { x: div(pixel_a0.direction.x, along_a3), y: div(pixel_a0.direction.y, along_a3), z: div(pixel_a0.direction.z, along_a3) });
+    if (axis_a2 == 1u32) {
+        let e_16 = slice_beside(r, ex, at_a1, climbs_11, abs(climbs_11.x));
+        return e_16;
+    }
+    if (axis_a2 == 2u32) {
+        let e_21 = slice_beside(r, ex, at_a1, climbs_11, abs(climbs_11.y));
+        return e_21;
+    }
+    let e_24 = slice_beside(r, ex, at_a1, climbs_11, div(splat(1.0f32), along_a3));
+    return e_24;
 } }
 lanes! { fn surface_slices_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
     let mut ex = within;
@@ -2477,15 +2528,13 @@ lanes! { fn surface_slices_segment(r: &Resources<'_>, within: M, pixel_a0: &Pixe
     let e_6 = plane_normal(r, pixel_a0);
     let e_7 = triangle_distance(r, ex, pixel_a0, e_6);
     let far_8 = mul(e_7, along_5);
-    let e_15 = height_at_ll(r, ex, Vec2 { x: at_a1.uv.x, y: at_a1.uv.y }, at_a1.level);
-    let passes_16 = slices_stage(r, e_15, at_a1.of_surface.x, at_a1.of_surface.y);
-    let upward_25 = mul(sel(lt(add(add(add(mul(pixel_a0.direction.x, at_a1.normal.x), mul(pixel_a0.direction.y, at_a1.normal.y)), mul(pixel_a0.direction.z, at_a1.normal.z)), splat(0.0f32)), splat(0.0f32)), splat(1.0f32), splat((-1.0f32))), at_a1.of_surface.y);
-    let before_31 = slice_before(r, ex, pixel_a0, along_5, far_8, Vec2 { x: at_a1.uv.x, y: at_a1.uv.y }, mul(upward_25, splat(r.surface_settings.scale_m)));
-    let known_34 = gt(before_31.z, splat(0.0f32));
-    let lead_39 = sel(known_34, min(before_31.z, far_8), mul(far_8, splat(5e-7f32)));
-    let e_46 = sel(known_34, before_31.z, splat(1.0f32));
-    let back_48 = Vec3 { x: div(before_31.x, e_46), y: div(before_31.y, e_46), z: div(sel(known_34, upward_25, splat(0.0f32)), e_46) };
-    return Path { uv: Vec2 { x: add(at_a1.uv.x, mul(back_48.x, lead_39)), y: add(at_a1.uv.y, mul(back_48.y, lead_39)) }, duv: Vec2 { x: sub(splat(0.0f32), back_48.x), y: sub(splat(0.0f32), back_48.y) }, h: Vec3 { x: add(at_a1.of_surface.x, mul(back_48.z, lead_39)), y: sub(splat(0.0f32), back_48.z), z: splat(0.0f32) }, exit: sel(passes_16, lead_39, splat(0.0f32)), base: lead_39, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: sub(far_8, lead_39), share: splat(1.0f32), };
+    let axis_12 = (pixel_a0.a.of_surface.z as u32);
+    let e_17 = height_at_ll(r, ex, Vec2 { x: at_a1.uv.x, y: at_a1.uv.y }, at_a1.level);
+    let e_18 = slice_spacing(r, at_a1, axis_12);
+    let passes_19 = slices_stage(r, e_17, at_a1.of_surface.x, e_18);
+    let before_20 = slice_before(r, ex, pixel_a0, at_a1, axis_12, along_5, far_8);
+    let lead_28 = sel(gt(before_20.w, splat(0.0f32)), min(before_20.w, far_8), mul(far_8, splat(5e-7f32)));
+    return Path { uv: Vec2 { x: add(at_a1.uv.x, mul(before_20.x, lead_28)), y: add(at_a1.uv.y, mul(before_20.y, lead_28)) }, duv: Vec2 { x: sub(splat(0.0f32), before_20.x), y: sub(splat(0.0f32), before_20.y) }, h: Vec3 { x: add(at_a1.of_surface.x, mul(before_20.z, lead_28)), y: sub(splat(0.0f32), before_20.z), z: splat(0.0f32) }, exit: sel(passes_19, lead_28, splat(0.0f32)), base: lead_28, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: sub(far_8, lead_28), share: splat(1.0f32), };
 } }
 lanes! { fn surface_segment_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32) -> Path {
     let mut ex = within;

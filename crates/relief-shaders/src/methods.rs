@@ -250,8 +250,26 @@ pub const METHODS: &[Method] = &[
         geometry: geometry::SLICES,
         search: "none",
         refine: "none",
-        settings: &[("slices.test", slice::AT_LEAST)],
+        settings: slice::ALONG_SURFACE,
         publication: Publication { paper: DEPTH_OBJECTS, section: "3.1" },
+    },
+    Method {
+        name: "slices-orthogonal",
+        summary: "slices along the base or upright on it, whichever face the eye, drawn where they are inside the relief",
+        geometry: geometry::SLICES,
+        search: "none",
+        refine: "none",
+        settings: DEFAULTS,
+        publication: Publication { paper: DEPTH_OBJECTS, section: "3.2" },
+    },
+    Method {
+        name: "slices-screen",
+        summary: "slices at equal depths from the eye, drawn where they are inside the relief",
+        geometry: geometry::SLICES,
+        search: "none",
+        refine: "none",
+        settings: slice::ALONG_SCREEN,
+        publication: Publication { paper: DEPTH_OBJECTS, section: "3.3" },
     },
 ];
 

@@ -11,6 +11,7 @@ use relief_core::registry::{
 pub use self::error::SelectionError;
 use crate::Method;
 use crate::geometry::{self, Geometry};
+use crate::slice::Slices;
 use crate::stages::{
     AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, Stage,
     entry_place, stage, stage_of_setting,
@@ -134,7 +135,7 @@ impl Selection {
             geometry::VERTEX => Some(Geometry::Texels(params[0] as u32)),
             geometry::REMESH => Some(Geometry::Pixels(params[0])),
             geometry::TESSELLATE => Some(Geometry::Tessellated(params[0])),
-            geometry::SLICES => Some(Geometry::Slices(self.choices[SLICES].params[0] as u32)),
+            geometry::SLICES => Some(Geometry::Slices(Slices::of(self.choices[SLICES].params))),
             _ => None,
         }
     }

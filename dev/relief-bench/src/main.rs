@@ -1,6 +1,6 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
 //! `embree`, `frame`, `judge`, `lanes`, `levels`, `mesh`, `probe`, `pyramid`, `quadrics`, `remesh`, `shadow`,
-//! `sheet`, `surfaces` and `trace`. Results are kept in `docs/`.
+//! `sheet`, `slices`, `surfaces` and `trace`. Results are kept in `docs/`.
 
 use std::process::ExitCode;
 
@@ -29,6 +29,7 @@ mod remesh;
 mod samples;
 mod shadow;
 mod sheet;
+mod slices;
 mod surfaces;
 mod table;
 mod trace;
@@ -85,6 +86,8 @@ enum Command {
     Shadow(shadow::Arguments),
     /// What a new user sees of every map in a folder
     Sheet(sheet::Arguments),
+    /// How near slices through the relief come to the truth, and how many a pixel shows
+    Slices(slices::Arguments),
     /// How near every surface comes to the exact judge on curved meshes
     Surfaces(surfaces::Arguments),
     /// Rays a second of the exact tracer, beside other tracers and two other programs
@@ -113,6 +116,7 @@ fn main() -> ExitCode {
         Command::Remesh(arguments) => remesh::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Shadow(arguments) => shadow::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Sheet(arguments) => sheet::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Slices(arguments) => slices::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Surfaces(arguments) => surfaces::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Trace(arguments) => trace::run(&arguments).map(|()| ExitCode::SUCCESS),
     };

@@ -23,6 +23,7 @@ pub mod probes;
 pub mod rays;
 pub mod search;
 pub mod shadows;
+pub mod slices;
 
 /// Random numbers that are the same from the same seed, everywhere.
 pub use relief_compare::rng;

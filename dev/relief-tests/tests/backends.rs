@@ -41,7 +41,12 @@ fn scene(file: &str, method: &str, stages: &[(&str, &str)], backend: BackendChoi
     let looks_up = of_method.light_views().is_some() || stages.contains(&("shadow", "map"));
     // Nor are a GPU's buffers as large as a vertex every texel of many tiles asks for.
     let is_diced = matches!(of_method.geometry(), Some(Geometry::Texels(_)));
-    let set = [(looks_up, "shadow.size", 256.0), (is_diced, "geometry.texels", 2.0)];
+    let is_sliced = matches!(of_method.geometry(), Some(Geometry::Slices(_)));
+    let set = [
+        (looks_up, "shadow.size", 256.0),
+        (is_diced, "geometry.texels", 2.0),
+        (is_sliced, "slices.count", 8.0),
+    ];
     let set = set.iter().filter(|(is_set, ..)| *is_set).map(|(_, key, value)| ((*key).to_owned(), *value));
     let set = set.collect();
     let stages = stages.iter().map(|(key, name)| ((*key).to_owned(), (*name).to_owned())).collect();

@@ -4,115 +4,114 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
-use relief_core::camera::Camera;
-use relief_core::mesh::{Mesh, square};
 use relief_core::{HeightMap, Wrap};
-use relief_maps::Maps;
-use relief_render::render;
-use relief_render::scene::{BackendChoice, Scene, Surface};
-use relief_shaders::Selection;
-use relief_shaders::cpu::PixelOut;
+use relief_render::scene::BackendChoice::{Cpu, Gpu};
 use relief_tests::accuracy::maps;
 use relief_tests::adapter::has_adapter;
 use relief_tests::maps::fractal;
+use relief_tests::slices::{PlaneView, is_in_middle};
 
 const SIZE: u32 = 160;
 
-/// How far around its middle the plane is looked at: rays there stay over it.
-const MIDDLE: f32 = 0.22;
+const METHODS: [&str; 3] = ["slices-surface", "slices-orthogonal", "slices-screen"];
 
-/// A method's settings.
-type Set<'a> = &'a [(&'a str, f64)];
-
-fn selection(method: &str, set: Set) -> Selection {
-    let mut selection = Selection::method(method).expect("a method");
-    for (key, value) in set {
-        selection.set(key, *value).expect("a setting");
-    }
-    selection
-}
-
-/// A plane of a metre, seen that many degrees above its surface.
-fn pixels(
-    map: &Arc<HeightMap>,
-    degrees: f64,
-    (method, set): (&str, Set),
-    backend: BackendChoice,
-) -> Vec<PixelOut> {
-    let surface = Surface::new(Arc::<Mesh>::new(square(1).expect("a mesh")), Arc::clone(map));
-    let surface = surface.with_selection(selection(method, set));
-    let (sine, cosine) = degrees.to_radians().sin_cos();
-    let eye = DVec3::new(0.3 * cosine, sine, 0.95 * cosine) * 2.0;
-    let camera = Camera::new(eye, DVec3::ZERO, 24.0).expect("a camera");
-    let scene = Scene::builder(surface).size(SIZE, SIZE).samples(1).camera(camera).backend(backend);
-    let scene = scene.build().expect("a scene");
-    render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
-}
-
-fn map(name: &str) -> Arc<HeightMap> {
+fn map(name: &str, scale_m: f64) -> Arc<HeightMap> {
     let map = maps().into_iter().find(|map| map.name == name).expect("a map of the accuracy tables").map;
-    Arc::new(map.with_displacement(0.08, -0.08).expect("lengths"))
+    Arc::new(map.with_displacement(scale_m, -scale_m).expect("lengths"))
 }
 
-fn is_in_middle(pixel: &PixelOut) -> bool {
-    pixel.hit == 1 && (pixel.uv.x - 0.5).abs() < MIDDLE && (pixel.uv.y - 0.5).abs() < MIDDLE
+fn ground(scale_m: f64) -> Arc<HeightMap> {
+    let map = HeightMap::new(1024, 1024, fractal(7, 1024, 1024, 0.5), Wrap::Repeat).expect("a map");
+    Arc::new(map.with_displacement(scale_m, -scale_m).expect("lengths"))
 }
 
-/// Of the pixels in the middle of what one shows: how far off the other's are, in texels; misses are
-/// infinitely far.
-fn texels_apart(of: &[PixelOut], other: &[PixelOut], map: &HeightMap) -> Vec<f32> {
-    let pairs = of.iter().zip(other).filter(|(of, _)| is_in_middle(of));
-    let texels = |(a, b): (&PixelOut, &PixelOut)| {
-        let [x, y] = [a.uv.x - b.uv.x, a.uv.y - b.uv.y];
-        let apart = (x * map.width() as f32).hypot(y * map.height() as f32);
-        if b.hit == 1 { apart } else { f32::INFINITY }
-    };
-    pairs.map(texels).collect()
-}
-
-fn share(apart: &[f32], most: f32) -> f64 {
-    assert!(apart.len() > 1000, "hardly anything is seen: {}", apart.len());
-    apart.iter().filter(|texels| **texels <= most).count() as f64 / apart.len() as f64
+fn view(map: &Arc<HeightMap>, degrees: f64) -> PlaneView<'_> {
+    PlaneView { map, degrees, size: SIZE }
 }
 
 #[test]
 fn slices_of_a_plane_are_the_steps_of_linear_search() {
-    for (name, degrees) in [("cobbles", 60.0), ("spikes", 40.0), ("bricks", 20.0)] {
-        let map = map(name);
+    for (name, degrees) in [("cobbles", 30.0), ("spikes", 50.0), ("bricks", 70.0)] {
+        let map = map(name, 0.08);
+        let view = view(&map, degrees);
         for count in [1.0, 7.0, 32.0] {
-            let of = |method, set: Set| pixels(&map, degrees, (method, set), BackendChoice::Cpu);
-            let steps = of("steep", &[("search.steps", count)]);
-            let slices = of("slices-surface", &[("slices.count", count)]);
-            let same = share(&texels_apart(&steps, &slices, &map), 0.01);
+            let steps = view.pixels("steep", &[("search.steps", count)], Cpu);
+            let slices = view.pixels("slices-surface", &[("slices.count", count)], Cpu);
+            let same = view.share_within(&steps, &slices, 0.01);
             assert!(same >= 0.999, "{name} {degrees} {count}: {same}");
             // Slices that lie at other heights are noticed.
-            let others = of("slices-surface", &[("slices.count", count + 1.0)]);
-            let noticed = 1.0 - share(&texels_apart(&steps, &others, &map), 0.01);
+            let others = view.pixels("slices-surface", &[("slices.count", count + 1.0)], Cpu);
+            let noticed = 1.0 - view.share_within(&steps, &others, 0.01);
             assert!(noticed > 0.01, "{name} {degrees} {count}: {noticed}");
         }
     }
 }
 
 #[test]
-fn sixteen_refined_slices_are_off_less_often_than_sixty_four_plain_ones() {
-    let ground = HeightMap::new(1024, 1024, fractal(7, 1024, 1024, 0.5), Wrap::Repeat).expect("a map");
-    let deep = |map: &HeightMap| Arc::new(map.clone().with_displacement(0.15, -0.15).expect("lengths"));
-    for (name, map, degrees) in [
-        ("ground", deep(&ground), [70.0, 30.0]),
-        ("cobbles", deep(&map("cobbles")), [40.0, 30.0]),
-        ("spikes", deep(&map("spikes")), [40.0, 30.0]),
-    ] {
-        for degrees in degrees {
-            let of = |method, set: Set| pixels(&map, degrees, (method, set), BackendChoice::Cpu);
-            let truth = of("exact", &[]);
-            let off = |set: Set| 1.0 - share(&texels_apart(&truth, &of("slices-surface", set), &map), 0.5);
-            let plain = off(&[("slices.count", 64.0)]);
-            let refined = off(&[("slices.count", 16.0), ("slices.refine", 1.0)]);
-            println!("{name} {degrees}: 64 plain {plain:.4}, 16 refined {refined:.4} off by half a texel");
-            assert!(refined < 0.5 * plain, "{name} {degrees}: {refined} of 16 refined, {plain} of 64 plain");
+fn what_is_seen_lies_between_the_truth_and_the_slice_after_it() {
+    // Broad forms, which no slice misses.
+    let map = HeightMap::from_fn(64, 64, Wrap::Repeat, |i, j| {
+        let wave = |k: u32| (f64::from(k) / 64.0 * std::f64::consts::TAU * 2.0).sin();
+        (0.5 + 0.45 * wave(i) * wave(j)) as f32
+    });
+    let map = Arc::new(map.expect("a map").with_displacement(0.1, -0.1).expect("lengths"));
+    for degrees in [20.0, 60.0] {
+        let view = view(&map, degrees);
+        let truth = view.pixels("exact", &[], Cpu);
+        for method in METHODS {
+            let slices = view.pixels(method, &[("slices.count", 64.0)], Cpu);
+            let along_m = view.along_m(method, 1.0 / 64.0);
+            let seen = view.errors(&truth, &slices, along_m);
+            println!("{method} {degrees}: {seen:?}");
+            assert!(seen.see_through < 0.003, "{method} {degrees}: {seen:?}");
+            let early = truth.iter().zip(&slices).filter(|(truth, slice)| {
+                is_in_middle(truth) && slice.hit == 1 && slice.depth < truth.depth - 1e-4
+            });
+            assert!(early.count() < 30, "{method} {degrees}: hits before the surface");
+            // Twice as many slices are twice as near.
+            let finer = view.pixels(method, &[("slices.count", 128.0)], Cpu);
+            let finer = view.errors(&truth, &finer, along_m).median / seen.median;
+            assert!((0.4..0.6).contains(&finer), "{method} {degrees}: {finer}");
         }
     }
+}
+
+#[test]
+fn sixteen_refined_slices_are_off_less_often_than_sixty_four_plain_ones() {
+    // Where 64 slices are less than a texel apart there is nothing to be gained.
+    let views = [
+        ("ground", ground(0.15), [20.0, 60.0], &METHODS[..]),
+        ("cobbles", map("cobbles", 0.15), [50.0, 60.0], &METHODS[..1]),
+        ("spikes", map("spikes", 0.15), [50.0, 60.0], &METHODS[..1]),
+    ];
+    for (name, map, degrees, methods) in &views {
+        for degrees in *degrees {
+            let view = view(map, degrees);
+            let truth = view.pixels("exact", &[], Cpu);
+            for method in *methods {
+                let off = |set: &[(&str, f64)]| {
+                    1.0 - view.share_within(&truth, &view.pixels(method, set, Cpu), 0.5)
+                };
+                let plain = off(&[("slices.count", 64.0)]);
+                let refined = off(&[("slices.count", 16.0), ("slices.refine", 1.0)]);
+                println!("{name} {degrees} {method}: {plain:.4} of 64 plain, {refined:.4} of 16 refined");
+                assert!(refined < plain, "{name} {degrees} {method}: {refined} and {plain}");
+            }
+        }
+    }
+}
+
+#[test]
+fn upright_slices_close_what_slices_along_the_base_leave_open() {
+    let map = map("spikes", 0.15);
+    let view = PlaneView { size: 2 * SIZE, ..view(&map, 78.0) };
+    let truth = view.pixels("exact", &[], Cpu);
+    let [surface, orthogonal] = ["slices-surface", "slices-orthogonal"].map(|method| {
+        let slices = view.pixels(method, &[("slices.count", 16.0), ("slices.test", 0.0)], Cpu);
+        1.0 - view.share_within(&truth, &slices, 6.0)
+    });
+    println!("off by six texels: {surface:.4} along the base, {orthogonal:.4} upright");
+    assert!(orthogonal < 0.5 * surface, "{orthogonal} upright, {surface} along the base");
 }
 
 #[test]
@@ -120,9 +119,9 @@ fn tests_draw_what_they_say() {
     let heights = |i: u32, _: u32| if i % 16 < 4 { 0.0 } else { 1.0 };
     let map = HeightMap::from_fn(64, 64, Wrap::Repeat, heights).expect("a map");
     let map = Arc::new(map.with_displacement(0.1, -0.1).expect("lengths"));
+    let view = view(&map, 10.0);
     let shown = |test: f64| {
-        let set = [("slices.count", 8.0), ("slices.test", test)];
-        let pixels = pixels(&map, 80.0, ("slices-surface", &set), BackendChoice::Cpu);
+        let pixels = view.pixels("slices-surface", &[("slices.count", 8.0), ("slices.test", test)], Cpu);
         pixels.iter().filter(|pixel| is_in_middle(pixel)).map(|pixel| pixel.height).collect::<Vec<f32>>()
     };
     let (inside, at_least, band) = (shown(0.0), shown(1.0), shown(2.0));
@@ -138,11 +137,13 @@ fn backends_show_the_same_slices() {
     if !has_adapter() {
         return;
     }
-    let map = map("cobbles");
-    for set in [&[("slices.count", 24.0)][..], &[("slices.count", 12.0), ("slices.refine", 2.0)]] {
-        let of = |backend| pixels(&map, 35.0, ("slices-surface", set), backend);
-        let [cpu, gpu] = [BackendChoice::Cpu, BackendChoice::Gpu].map(of);
-        let same = share(&texels_apart(&cpu, &gpu, &map), 0.001);
-        assert!(same >= 0.999, "{set:?}: {same}");
+    let map = map("cobbles", 0.08);
+    let view = view(&map, 55.0);
+    for method in METHODS {
+        for set in [&[("slices.count", 24.0)][..], &[("slices.count", 12.0), ("slices.refine", 2.0)]] {
+            let [cpu, gpu] = [Cpu, Gpu].map(|backend| view.pixels(method, set, backend));
+            let same = view.share_within(&cpu, &gpu, 0.001);
+            assert!(same >= 0.999, "{method} {set:?}: {same}");
+        }
     }
 }

@@ -11,7 +11,7 @@ use relief_compare::{
 use relief_core::registry::UnknownName;
 use relief_render::scene::{BackendChoice, Sampling, SceneSpec};
 use relief_render::{RenderError, Renderer};
-use relief_shaders::{DETAIL, GEOMETRY, REFINE, SEARCH, STAGES, geometry};
+use relief_shaders::{DETAIL, GEOMETRY, REFINE, SEARCH, SLICES, STAGES, geometry};
 use tempfile::TempDir;
 
 use super::scene_arguments::{SceneArguments, of_scene};
@@ -183,7 +183,7 @@ fn settings(spec: &mut SceneSpec) -> Vec<(String, f64)> {
         surface.set.retain(|key, value| {
             let stage = key.split('.').next();
             let is_of_method =
-                [GEOMETRY, SEARCH, REFINE].iter().any(|&place| stage == Some(STAGES[place].key));
+                [GEOMETRY, SLICES, SEARCH, REFINE].iter().any(|&place| stage == Some(STAGES[place].key));
             if is_of_method {
                 taken.push((key.clone(), *value));
             }

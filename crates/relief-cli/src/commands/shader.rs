@@ -122,8 +122,8 @@ fn after_help() -> String {
             text += &format!("  {target} {}: {}\n", profile.name(), profile.title());
         }
     }
-    text + "\nMethods of displaced triangles (vertex, remesh, tessellate) have no shader of their own: \
-            `relief mesh` makes such meshes, and "
+    text + "\nMethods of triangles (vertex, remesh, tessellate, and slices) have no shader of their own: \
+            `relief mesh` makes displaced meshes, and "
         + FACETS
         + " shades them."
 }
@@ -256,7 +256,7 @@ fn of_export(error: ExportError) -> Failure {
             Failure::Usage(format!("--{key}: {error}"))
         }
         ExportError::Displaced { .. } => {
-            Failure::Usage(format!("--method: {error} (relief mesh does the first, {FACETS} the other)"))
+            Failure::Usage(format!("--method: {error} (relief mesh makes meshes, {FACETS} shades them)"))
         }
         ExportError::OnlyCpu { .. } => Failure::Usage(format!("--shadow: {error}")),
         ExportError::Name(_) => Failure::Usage(format!("--name: {error}")),

@@ -3,9 +3,12 @@
 /// Why there are no slices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SliceError {
-    /// None are asked for.
-    #[error("0 slices show nothing: at least 1 is needed")]
-    None,
+    /// Slices would all lie in one place.
+    #[error(
+        "its slices would lie in one place: they need a displacement, and texture coordinates that say how far \
+         they are apart"
+    )]
+    Together,
     /// A corner lies too far away.
     #[error(
         "a corner of a slice lies beyond what 32-bit numbers hold: choose a smaller displacement or mesh"

@@ -2,25 +2,26 @@
 //!
 //! Source: Kautz and Seidel 2001, *Hardware Accelerated Displacement Mapping for Image Based Rendering*,
 //! section 3. A slice is drawn where the height map is as high as the slice; whatever draws it decides that
-//! point by point.
+//! point by point. A new way to slice is a file here and a variant of [`SliceDirection`].
 
 mod error;
+mod orthogonal;
+mod screen;
+mod settings;
 mod surface;
 
 use std::sync::atomic::Ordering;
 
-use relief_core::HeightMap;
+use glam::DVec3;
 use relief_core::mesh::{Mesh, Vertex};
+use relief_core::{HeightMap, SliceAxis};
 
 pub use self::error::SliceError;
+pub use self::settings::{SliceAnchor, SliceDirection, SliceSettings};
 use crate::Watch;
 
-/// Which slices there are.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SliceSettings {
-    /// Slices over the displacement from height 0 to 1, at least 1.
-    pub count: u32,
-}
+/// By how much the lengths of a mesh's tiles are rounded, as a part of a slice's distance.
+const ROUNDING: f64 = 1e-5;
 
 /// A corner of a slice.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,8 +31,10 @@ pub struct SliceVertex {
     pub vertex: Vertex,
     /// Its height, from 0 to 1.
     pub height: f32,
-    /// How far the next slice is, as a height.
-    pub spacing: f32,
+    /// How far the next slice is along its axis.
+    pub step: f32,
+    /// That axis, the same for all corners of a slice.
+    pub axis: SliceAxis,
 }
 
 /// Some slices, or parts of them.
@@ -39,7 +42,7 @@ pub struct SliceVertex {
 pub struct SliceBlock {
     /// The corners.
     pub vertices: Vec<SliceVertex>,
-    /// The corners of each triangle, counter-clockwise where the base is seen from its front.
+    /// The corners of each triangle.
     pub triangles: Vec<[u32; 3]>,
 }
 
@@ -47,24 +50,32 @@ pub struct SliceBlock {
 ///
 /// ```
 /// use relief_core::{HeightMap, Wrap, mesh::torus};
-/// use relief_mesh::{SliceSettings, Slicer, Watch};
+/// use relief_mesh::{SliceDirection, SliceSettings, Slicer, Watch};
 ///
 /// let map = HeightMap::from_fn(64, 32, Wrap::Repeat, |i, j| ((i ^ j) & 8) as f32 / 8.0)?;
 /// let map = map.with_displacement(0.02, 0.0)?;
 /// let base = torus(16, 8)?;
-/// let slicer = Slicer::new(&base, &map, SliceSettings { count: 20 })?;
+/// let slicer = Slicer::new(&base, &map, SliceSettings { count: 20, direction: SliceDirection::Surface })?;
 /// let mut triangles = 0;
-/// slicer.each(&Watch::NOBODY, |block| triangles += block.triangles.len())?;
-/// assert_eq!((triangles, slicer.triangles()), (20 * base.triangles().len(), 20 * 256));
+/// slicer.each(&Watch::NOBODY, |block| triangles += block.triangles.len() as u64)?;
+/// assert_eq!((triangles, slicer.triangles()), (20 * 256, 20 * 256));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Slicer<'a> {
     base: &'a Mesh,
+    direction: SliceDirection,
     /// Metres between the heights 0 and 1, and of the height 0.
     scale_m: f64,
     bias_m: f64,
-    settings: SliceSettings,
+    /// Slices between the heights 0 and 1.
+    layers: u64,
+    /// How far slices of constant `u` and `v` are apart.
+    step_uv: [f64; 2],
+    /// How far slices of constant depth are apart, in metres.
+    spacing_m: f64,
+    vertices: u64,
+    triangles: u64,
 }
 
 impl<'a> Slicer<'a> {
@@ -72,22 +83,60 @@ impl<'a> Slicer<'a> {
     ///
     /// # Errors
     ///
-    /// When there is no slice.
+    /// When slices would lie in one place: there is no displacement, or no texture to say how far they are
+    /// apart.
     pub fn new(base: &'a Mesh, map: &HeightMap, settings: SliceSettings) -> Result<Self, SliceError> {
-        if settings.count == 0 {
-            return Err(SliceError::None);
+        let SliceSettings { count, direction } = settings;
+        let (scale_m, size) = (map.scale_m(), [map.width(), map.height()].map(f64::from));
+        let tile_m = base.tile_m();
+        let texel_m = (tile_m[0] / size[0]).min(tile_m[1] / size[1]);
+        let is_length = |length: f64| length > 0.0 && length.is_finite();
+        let (layers, spacing_m, step_uv) = match count {
+            0 if !is_length(texel_m) => return Err(SliceError::Together),
+            0 => ((scale_m / texel_m - ROUNDING).ceil().max(1.0) as u64, texel_m, size.map(f64::recip)),
+            count => {
+                let spacing_m = scale_m / f64::from(count);
+                (u64::from(count), spacing_m, tile_m.map(|tile_m| spacing_m / tile_m))
+            }
+        };
+        let steps = [step_uv[0], step_uv[1], spacing_m];
+        if direction != SliceDirection::Surface && !steps.into_iter().all(is_length) {
+            return Err(SliceError::Together);
         }
-        Ok(Self { base, scale_m: map.scale_m(), bias_m: map.bias_m(), settings })
+        let bias_m = map.bias_m();
+        let (vertices, triangles) = (0, 0);
+        let slicer =
+            Self { base, direction, scale_m, bias_m, layers, step_uv, spacing_m, vertices, triangles };
+        let (vertices, triangles) = slicer.counted();
+        Ok(Self { vertices, triangles, ..slicer })
     }
 
     /// How many corners its slices have at most.
     pub fn vertices(&self) -> u64 {
-        u64::from(self.settings.count) * self.base.vertices().len() as u64
+        self.vertices
     }
 
     /// How many triangles its slices have at most.
     pub fn triangles(&self) -> u64 {
-        u64::from(self.settings.count) * self.base.triangles().len() as u64
+        self.triangles
+    }
+
+    /// The most corners and triangles that there are.
+    fn counted(&self) -> (u64, u64) {
+        if self.direction == SliceDirection::Surface {
+            let of = |count: usize| self.layers.saturating_mul(count as u64);
+            return (of(self.base.vertices().len()), of(self.base.triangles().len()));
+        }
+        self.numbers().fold((0, 0), |(vertices, triangles): (u64, u64), number| {
+            let (slices, [corners, faces]) = match self.direction_at(number) {
+                SliceDirection::AcrossU => (self.lines(number, 0), [4, 2]),
+                SliceDirection::AcrossV => (self.lines(number, 1), [4, 2]),
+                SliceDirection::Screen(camera, anchor) => (self.planes(number, &camera, anchor), [12, 6]),
+                _ => (self.layers, [3, 1]),
+            };
+            let add = |sum: u64, each: u64| sum.saturating_add(slices.saturating_mul(each));
+            (add(vertices, corners), add(triangles, faces))
+        })
     }
 
     /// Hands over all slices, block by block, always in the same order; the triangles of a block name its own
@@ -97,26 +146,98 @@ impl<'a> Slicer<'a> {
     ///
     /// When it was cancelled, or a corner lies farther away than `f32` can tell.
     pub fn each(&self, watch: &Watch, mut take: impl FnMut(&SliceBlock)) -> Result<(), SliceError> {
-        let count = self.settings.count;
-        for number in 1..=count {
+        let is_whole = self.direction == SliceDirection::Surface;
+        let count = if is_whole { self.layers } else { self.base.triangles().len() as u64 };
+        for number in 0..count {
             if watch.cancel.load(Ordering::Relaxed) {
                 return Err(SliceError::Cancelled);
             }
-            take(&self.of_surface(number)?);
-            (watch.tell)(number as f32 / count as f32);
+            let block =
+                if is_whole { self.of_surface(number + 1)? } else { self.of_triangle(number as u32)? };
+            take(&block);
+            (watch.tell)((number + 1) as f32 / count as f32);
         }
         Ok(())
     }
 
+    /// The numbers of the base's triangles.
+    fn numbers(&self) -> std::ops::Range<u32> {
+        0..self.base.triangles().len() as u32
+    }
+
+    /// The slices over a triangle of the base.
+    fn of_triangle(&self, number: u32) -> Result<SliceBlock, SliceError> {
+        let mut block = SliceBlock::default();
+        match self.direction_at(number) {
+            SliceDirection::AcrossU => self.across(number, 0, &mut block)?,
+            SliceDirection::AcrossV => self.across(number, 1, &mut block)?,
+            SliceDirection::Screen(camera, anchor) => self.facing(number, &camera, anchor, &mut block)?,
+            _ => self.along(number, &mut block)?,
+        }
+        Ok(block)
+    }
+
+    /// The direction of the slices over a triangle, where these may differ: that of which the planes face the
+    /// camera most.
+    fn direction_at(&self, number: u32) -> SliceDirection {
+        let SliceDirection::Facing(camera) = self.direction else { return self.direction };
+        let corners = self.base.corners(number);
+        let mean = |of: fn(&Vertex) -> glam::Vec3| {
+            corners.iter().map(|corner| of(corner).as_dvec3()).sum::<DVec3>() / 3.0
+        };
+        let (normal, tangent, bitangent) = (mean(|v| v.normal), mean(|v| v.tangent), mean(|v| v.bitangent));
+        let middle = mean(|v| v.position) + normal * (self.bias_m + 0.5 * self.scale_m);
+        let view = if camera.is_orthographic() { camera.forward() } else { middle - camera.eye() };
+        let faces = |normal: DVec3| normal.normalize_or_zero().dot(view).abs();
+        let [a, b, c] = [normal, bitangent.cross(normal), normal.cross(tangent)].map(faces);
+        if a >= b.max(c) {
+            SliceDirection::Surface
+        } else if b >= c {
+            SliceDirection::AcrossU
+        } else {
+            SliceDirection::AcrossV
+        }
+    }
+
     /// A corner that lies at a height over a point of the base.
-    fn corner(&self, base: &Vertex, height: f64, spacing: f64) -> Result<SliceVertex, SliceError> {
+    fn corner(
+        &self,
+        base: &Vertex,
+        height: f64,
+        step: f64,
+        axis: SliceAxis,
+    ) -> Result<SliceVertex, SliceError> {
         let metres = self.bias_m + self.scale_m * height;
         let position = (base.position.as_dvec3() + base.normal.as_dvec3() * metres).as_vec3();
         if !position.is_finite() {
             return Err(SliceError::NotFinite);
         }
         let vertex = Vertex { position, ..*base };
-        Ok(SliceVertex { vertex, height: height as f32, spacing: spacing as f32 })
+        Ok(SliceVertex { vertex, height: height as f32, step: step as f32, axis })
+    }
+}
+
+impl SliceBlock {
+    /// Adds a convex polygon.
+    fn push(&mut self, corners: &[SliceVertex]) {
+        let first = self.vertices.len() as u32;
+        self.vertices.extend_from_slice(corners);
+        self.triangles.extend((2..corners.len() as u32).map(|k| [first, first + k - 1, first + k]));
+    }
+}
+
+/// The point between two vertices of the base, that part of the way from the one to the other. Nothing is
+/// normalised. From either end it has the same bits.
+fn between(a: &Vertex, b: &Vertex, part: f64) -> Vertex {
+    let key = |vertex: &Vertex| vertex.position.to_array().map(f32::to_bits);
+    let (a, b, part) = if key(a) <= key(b) { (a, b, part) } else { (b, a, 1.0 - part) };
+    let mixed = |a: glam::Vec3, b: glam::Vec3| a.as_dvec3().lerp(b.as_dvec3(), part).as_vec3();
+    Vertex {
+        position: mixed(a.position, b.position),
+        normal: mixed(a.normal, b.normal),
+        tangent: mixed(a.tangent, b.tangent),
+        bitangent: mixed(a.bitangent, b.bitangent),
+        uv: a.uv.as_dvec2().lerp(b.uv.as_dvec2(), part).as_vec2(),
     }
 }
 

@@ -2,17 +2,30 @@
 //!
 //! Source: Kautz and Seidel 2001, section 3.1.
 
-use super::{SliceBlock, SliceError, Slicer};
+use relief_core::SliceAxis;
+use relief_core::mesh::Vertex;
+
+use super::{SliceBlock, SliceError, SliceVertex, Slicer};
 
 impl Slicer<'_> {
-    /// The slice of that number, from 1 on, from the top: the last one lies at height 0.
-    pub(super) fn of_surface(&self, number: u32) -> Result<SliceBlock, SliceError> {
-        let spacing = f64::from(self.settings.count).recip();
-        let height = 1.0 - f64::from(number) * spacing;
-        let corners = self.base.vertices().iter().map(|vertex| self.corner(vertex, height, spacing));
-        Ok(SliceBlock {
-            vertices: corners.collect::<Result<_, _>>()?,
-            triangles: self.base.triangles().to_vec(),
-        })
+    /// The whole slice of that number, from 1 on, from the top: the last one lies at height 0.
+    pub(super) fn of_surface(&self, number: u64) -> Result<SliceBlock, SliceError> {
+        let corners = self.base.vertices().iter().map(|vertex| self.at_layer(vertex, number));
+        let triangles = self.base.triangles().to_vec();
+        Ok(SliceBlock { vertices: corners.collect::<Result<_, _>>()?, triangles })
+    }
+
+    /// All of them over a triangle of the base.
+    pub(super) fn along(&self, number: u32, block: &mut SliceBlock) -> Result<(), SliceError> {
+        let [a, b, c] = self.base.corners(number);
+        for layer in 1..=self.layers {
+            block.push(&[self.at_layer(a, layer)?, self.at_layer(b, layer)?, self.at_layer(c, layer)?]);
+        }
+        Ok(())
+    }
+
+    fn at_layer(&self, vertex: &Vertex, number: u64) -> Result<SliceVertex, SliceError> {
+        let spacing = (self.layers as f64).recip();
+        self.corner(vertex, 1.0 - number as f64 * spacing, spacing, SliceAxis::Height)
     }
 }

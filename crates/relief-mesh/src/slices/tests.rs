@@ -1,6 +1,8 @@
+use std::collections::HashMap;
 use std::sync::atomic::AtomicBool;
 
 use relief_core::Wrap;
+use relief_core::camera::Camera;
 use relief_core::mesh::{square, torus};
 
 use super::*;
@@ -10,16 +12,33 @@ fn map(scale_m: f64, bias_m: f64) -> HeightMap {
     map.with_displacement(scale_m, bias_m).expect("lengths")
 }
 
+fn camera() -> Camera {
+    Camera::new(DVec3::new(0.7, 0.9, 1.6), DVec3::ZERO, 40.0).expect("a camera")
+}
+
+fn slicer<'a>(base: &'a Mesh, map: &HeightMap, count: u32, direction: SliceDirection) -> Slicer<'a> {
+    Slicer::new(base, map, SliceSettings { count, direction }).expect("slices")
+}
+
 fn blocks(slicer: &Slicer) -> Vec<SliceBlock> {
     let mut blocks = Vec::new();
     slicer.each(&Watch::NOBODY, |block| blocks.push(block.clone())).expect("slices");
+    let count = |of: fn(&SliceBlock) -> usize| blocks.iter().map(of).sum::<usize>() as u64;
+    assert!(count(|block| block.vertices.len()) <= slicer.vertices());
+    assert!(count(|block| block.triangles.len()) <= slicer.triangles());
     blocks
+}
+
+/// Where the base under a corner is.
+fn below(corner: &SliceVertex, map: &HeightMap) -> DVec3 {
+    let metres = map.bias_m() + map.scale_m() * f64::from(corner.height);
+    corner.vertex.position.as_dvec3() - corner.vertex.normal.as_dvec3() * metres
 }
 
 #[test]
 fn slices_of_the_surface_lie_at_equal_heights_down_to_the_floor() {
     let (base, map) = (torus(12, 8).expect("a mesh"), map(0.03, -0.01));
-    let slicer = Slicer::new(&base, &map, SliceSettings { count: 5 }).expect("slices");
+    let slicer = slicer(&base, &map, 5, SliceDirection::Surface);
     let blocks = blocks(&slicer);
     let heights: Vec<f32> = blocks.iter().map(|block| block.vertices[0].height).collect();
     assert_eq!(heights, [0.8, 0.6, 0.4, 0.2, 0.0].map(|height: f64| height as f32));
@@ -30,22 +49,113 @@ fn slices_of_the_surface_lie_at_equal_heights_down_to_the_floor() {
         }
         assert_eq!(block.triangles, base.triangles());
     }
-    let triangles: usize = blocks.iter().map(|block| block.triangles.len()).sum();
-    assert_eq!((triangles as u64, slicer.vertices()), (slicer.triangles(), 5 * base.vertices().len() as u64));
+    assert_eq!(slicer.vertices(), 5 * base.vertices().len() as u64);
+}
+
+#[test]
+fn upright_slices_lie_at_equal_u_or_v_from_the_floor_to_the_top_and_meet() {
+    let (base, map) = (torus(12, 8).expect("a mesh"), map(0.03, -0.01));
+    for (direction, axis) in [(SliceDirection::AcrossU, 0), (SliceDirection::AcrossV, 1)] {
+        let slicer = slicer(&base, &map, 7, direction);
+        let step = 0.03 / 7.0 / base.tile_m()[axis];
+        let mut ends: HashMap<[u32; 3], u32> = HashMap::new();
+        let mut seen = 0;
+        for block in blocks(&slicer) {
+            for quad in block.vertices.chunks(4) {
+                let lines = quad.iter().map(|corner| f64::from(corner.vertex.uv[axis]) / step);
+                for line in lines {
+                    assert!((line - line.round()).abs() < 1e-3, "{line}");
+                }
+                assert_eq!([0, 1, 2, 3].map(|at: usize| quad[at].height), [0.0, 0.0, 1.0, 1.0]);
+                for corner in &quad[..2] {
+                    let place = corner.vertex.position.to_array().map(f32::to_bits);
+                    *ends.entry(place).or_default() += 1;
+                }
+                seen += 1;
+            }
+        }
+        // On a closed mesh each line goes on in the next triangle, from the same point. At the seam it may not.
+        let open = ends.values().filter(|count| **count % 2 == 1).count();
+        assert!(seen > 1000 && open * 50 < ends.len(), "{seen} slices, {open} of {} ends", ends.len());
+    }
+}
+
+#[test]
+fn slices_of_the_screen_lie_at_equal_depths_in_the_space_over_their_triangle() {
+    let (base, map, camera) = (torus(12, 8).expect("a mesh"), map(0.3, -0.1), camera());
+    for anchor in [SliceAnchor::Eye, SliceAnchor::Object] {
+        let slicer = slicer(&base, &map, 9, SliceDirection::Screen(camera, anchor));
+        let depth = |point: DVec3| camera.forward().dot(point - camera.eye());
+        let start = if anchor == SliceAnchor::Eye { 0.0 } else { depth(DVec3::ZERO) };
+        let mut area = 0.0;
+        for block in blocks(&slicer) {
+            for corner in &block.vertices {
+                let plane = (depth(corner.vertex.position.as_dvec3()) - start) / (0.3 / 9.0);
+                assert!((plane - plane.round()).abs() < 1e-4, "{plane}");
+                assert!((-1e-6..=1.0 + 1e-6).contains(&corner.height), "{}", corner.height);
+                assert!(below(corner, &map).is_finite());
+            }
+            for triangle in &block.triangles {
+                let [a, b, c] = triangle.map(|at| block.vertices[at as usize].vertex.position.as_dvec3());
+                area += 0.5 * (b - a).cross(c - a).length();
+            }
+        }
+        // What slices cut out of a space, times their distance, is about its volume.
+        let volume = area * 0.3 / 9.0;
+        let [mut expected, flat] = [0.0, 0.4];
+        for number in 0..base.triangles().len() as u32 {
+            let [a, b, c] = base.corners(number).map(|corner| corner.position.as_dvec3());
+            let normal = base.corners(number)[0].normal.as_dvec3();
+            expected += 0.3 * 0.5 * (b - a).cross(c - a).dot(normal).abs();
+        }
+        assert!((volume / expected - 1.0).abs() < flat, "{volume} of {expected}");
+    }
+}
+
+#[test]
+fn what_faces_the_camera_is_chosen_triangle_by_triangle() {
+    let (base, map) = (square(1).expect("a mesh"), map(0.1, 0.0));
+    let from = |eye: [f64; 3]| {
+        let camera = Camera::new(eye.into(), DVec3::ZERO, 40.0).expect("a camera");
+        let blocks = blocks(&slicer(&base, &map, 4, SliceDirection::Facing(camera)));
+        blocks.iter().flat_map(|block| &block.vertices).map(|corner| corner.axis).collect::<Vec<_>>()
+    };
+    for (eye, axis) in [
+        ([0.1, 9.0, 0.2], SliceAxis::Height),
+        ([9.0, 0.9, 0.1], SliceAxis::U),
+        ([0.1, 0.9, 9.0], SliceAxis::V),
+    ] {
+        let axes = from(eye);
+        assert!(!axes.is_empty() && axes.iter().all(|found| *found == axis), "{eye:?}: {axes:?}");
+    }
+}
+
+#[test]
+fn without_a_count_slices_are_a_texel_apart() {
+    let (base, map) = (square(1).expect("a mesh"), map(0.5, 0.0));
+    let count = |direction| slicer(&base, &map, 0, direction).triangles();
+    assert_eq!(count(SliceDirection::Surface), 4 * 2);
+    // Lines at 0 to 8 eighths over both triangles, two triangles each.
+    assert_eq!(count(SliceDirection::AcrossU), 9 * 2 * 2);
 }
 
 #[test]
 fn what_cannot_be_sliced_is_refused_and_what_is_cancelled_ends() {
     let base = square(1).expect("a mesh");
-    let slicer = |map: &HeightMap, count| Slicer::new(&base, map, SliceSettings { count }).map(|_| ());
-    assert_eq!(slicer(&map(0.1, 0.0), 0), Err(SliceError::None));
-    let huge = map(0.1, 0.0);
-    let many = Slicer::new(&base, &huge, SliceSettings { count: u32::MAX }).expect("a slicer");
-    assert_eq!(many.triangles(), 2 * u64::from(u32::MAX));
-    let cancel = AtomicBool::new(true);
-    let watch = Watch { cancel: &cancel, ..Watch::NOBODY };
-    assert_eq!(many.each(&watch, |_| unreachable!("nothing is made")), Err(SliceError::Cancelled));
+    let flat = map(0.0, 0.0);
+    let refused = |direction| Slicer::new(&base, &flat, SliceSettings { count: 3, direction }).map(|_| ());
+    assert_eq!(refused(SliceDirection::AcrossU), Err(SliceError::Together));
+    assert_eq!(refused(SliceDirection::Screen(camera(), SliceAnchor::Eye)), Err(SliceError::Together));
+    assert_eq!(refused(SliceDirection::Surface), Ok(()));
+    let usual = map(0.1, 0.0);
+    for direction in [SliceDirection::Surface, SliceDirection::AcrossV, SliceDirection::Facing(camera())] {
+        let many = slicer(&base, &usual, 1_000_000_000, direction);
+        assert!(many.triangles() > 1_000_000_000, "{direction:?}: {}", many.triangles());
+        let cancel = AtomicBool::new(true);
+        let watch = Watch { cancel: &cancel, ..Watch::NOBODY };
+        assert_eq!(many.each(&watch, |_| unreachable!("nothing is made")), Err(SliceError::Cancelled));
+    }
     let far = map(1e39, 0.0);
-    let slicer = Slicer::new(&base, &far, SliceSettings { count: 2 }).expect("a slicer");
+    let slicer = slicer(&base, &far, 2, SliceDirection::Surface);
     assert_eq!(slicer.each(&Watch::NOBODY, |_| {}), Err(SliceError::NotFinite));
 }

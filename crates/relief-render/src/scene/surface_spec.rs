@@ -5,7 +5,7 @@ use super::keys::{numbers, parsed, settings};
 use relief_core::Wrap;
 use relief_core::mesh::UvProjection;
 use relief_io::{GreenSign, RawLayout};
-use relief_shaders::{AMBIENT, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES};
+use relief_shaders::{AMBIENT, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -123,7 +123,7 @@ pub(super) const ENVIRONMENT: &str = relief_shaders::ambient::environment::ENTRY
 
 /// Whether that is the key of one of the stages that a method names.
 fn is_of_method(key: &str) -> bool {
-    [GEOMETRY, SEARCH, REFINE].iter().any(|stage| STAGES[*stage].key == key)
+    [GEOMETRY, SLICES, SEARCH, REFINE].iter().any(|stage| STAGES[*stage].key == key)
 }
 
 impl SurfaceSpec {

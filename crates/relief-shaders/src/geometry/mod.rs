@@ -4,6 +4,8 @@
 
 use relief_core::registry::{Entry, Param};
 
+use crate::slice::Slices;
+
 mod none;
 mod remesh;
 mod slices;
@@ -37,8 +39,8 @@ pub enum Geometry {
     Pixels(f32),
     /// The same, cut by a pattern, each point and triangle by itself.
     Tessellated(f32),
-    /// Slices through the relief, so many over its displacement.
-    Slices(u32),
+    /// Slices through the relief.
+    Slices(Slices),
 }
 
 /// How many texels or pixels lie between vertices.

@@ -1,5 +1,6 @@
 use super::*;
 use crate::METHODS;
+use crate::slice::{SliceDirection, Slices};
 
 #[test]
 fn every_method_is_a_valid_selection() {
@@ -88,6 +89,48 @@ fn displaced_triangles_are_shown_by_one_surface_and_searched_by_nothing() {
     let mut unknown = Selection::default();
     let error = unknown.choose("geometry", "vertx").expect_err("no such geometry").to_string();
     assert!(error.contains("did you mean 'vertex'"), "{error}");
+}
+
+#[test]
+fn slices_have_a_surface_of_their_own_and_settings_that_are_told_by_names() {
+    let mut slices = Selection::method("slices-surface").expect("a method");
+    assert_eq!((slices.check(), slices.uses(SLICES)), (Ok(()), true));
+    let expected = |count, direction, with_eye| Some(Geometry::Slices(Slices { count, direction, with_eye }));
+    assert_eq!(slices.geometry(), expected(64, SliceDirection::A, true));
+    assert_eq!(slices.choices[SLICES].entry.name, "at-least");
+    for (key, name) in [("slices.test", "band"), ("slices.direction", "screen"), ("slices.anchor", "object")]
+    {
+        let value = Selection::value_of(key, name).expect("a name");
+        assert_eq!(Selection::name_of(key, value), Some(name));
+        slices.set(key, value).expect("a setting");
+    }
+    slices.set("slices.count", 9.0).expect("a setting");
+    assert_eq!(slices.geometry(), expected(9, SliceDirection::Screen, false));
+    assert_eq!(slices.choices[SLICES].entry.name, "band");
+    slices.set("slices.refine", 3.0).expect("a setting");
+    assert_eq!((slices.refine().name, slices.choices[REFINE].params[0]), ("secant", 3.0));
+    slices.set("slices.refine", 0.0).expect("a setting");
+    assert_eq!((slices.refine().name, slices.check()), ("none", Ok(())));
+    for (stage, name) in [("surface", "plane"), ("search", "linear"), ("detail", "fade"), ("shadow", "entry")]
+    {
+        let mut selection = slices;
+        selection.choose(stage, name).expect("a listed name");
+        assert!(matches!(selection.check(), Err(SelectionError::Surface { .. })), "{stage} {name}");
+    }
+    // Without slices nothing shows them, and their settings change nothing.
+    let mut exact = Selection::exact();
+    exact.set("slices.refine", 3.0).expect("a setting");
+    assert_eq!((exact.refine().name, exact.uses(SLICES)), ("patch", false));
+    exact.choose("surface", "slices").expect("a listed name");
+    assert!(matches!(exact.check(), Err(SelectionError::Surface { .. })));
+    slices.choose("geometry", "none").expect("a geometry");
+    assert_eq!((slices.check(), slices.paths().has_relief()), (Ok(()), true));
+    let unknown = Selection::value_of("slices.test", "insid").expect_err("no such test").to_string();
+    assert!(unknown.contains("did you mean 'inside'"), "{unknown}");
+    assert!(matches!(Selection::value_of("search.steps", "many"), Err(SelectionError::NoNumber { .. })));
+    for bad in [-1.0, 0.5, 3.0, f64::NAN] {
+        assert!(matches!(slices.set("slices.test", bad), Err(SelectionError::Value { .. })), "{bad}");
+    }
 }
 
 #[test]

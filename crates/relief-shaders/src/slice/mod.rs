@@ -12,16 +12,13 @@ mod inside;
 /// All of them.
 pub const ENTRIES: &[Entry] = &[inside::ENTRY, at_least::ENTRY, band::ENTRY];
 
-/// The number of the test `at-least`.
-pub(crate) const AT_LEAST: f32 = entry_place(ENTRIES, "at-least") as f32;
-
 /// The settings of slices, which are the same for all tests. Hosts read them, since they make the slices.
 const PARAMS: &[Param] = &[
     Param {
         name: "count",
-        summary: "slices over the whole displacement",
+        summary: "slices over the whole displacement, others as many metres apart; 0: a texel apart",
         unit: "",
-        min: 1.0,
+        min: 0.0,
         max: 1e9,
         default: 64.0,
         integer: true,
@@ -29,7 +26,7 @@ const PARAMS: &[Param] = &[
     },
     Param {
         name: "refine",
-        summary: "steps of false position between a slice that is drawn and the one before it; 0: the slice alone",
+        summary: "steps of false position between a slice that is drawn and the one before; 0: the slice alone",
         unit: "",
         min: 0.0,
         max: 64.0,
@@ -37,4 +34,64 @@ const PARAMS: &[Param] = &[
         integer: true,
         names: &[],
     },
+    Param::of_names(
+        "direction",
+        "a: along the base; b, c: upright, at equal u or v; auto: of these what faces the eye most, triangle by \
+         triangle; screen: at equal depths",
+        &["auto", "a", "b", "c", "screen"],
+    ),
+    Param::of_names(
+        "anchor",
+        "with what slices at equal depths move: the eye, or the world's origin",
+        &["eye", "object"],
+    ),
 ];
+
+/// How slices run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SliceDirection {
+    /// Of the next three what faces the eye most, triangle by triangle.
+    Auto,
+    /// Along the base.
+    A,
+    /// Upright on the base, at equal `u`.
+    B,
+    /// Upright on the base, at equal `v`.
+    C,
+    /// At equal depths from the eye.
+    Screen,
+}
+
+/// Which slices a selection shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Slices {
+    /// How many there are over the whole displacement; 0: they are a texel apart.
+    pub count: u32,
+    /// How they run.
+    pub direction: SliceDirection,
+    /// Whether those at equal depths move with the eye; else with the world's origin.
+    pub with_eye: bool,
+}
+
+impl Slices {
+    /// Those of the settings, in the order of these.
+    pub(crate) fn of([count, _, direction, anchor]: [f32; 4]) -> Self {
+        let direction = match direction as u32 {
+            0 => SliceDirection::Auto,
+            1 => SliceDirection::A,
+            2 => SliceDirection::B,
+            3 => SliceDirection::C,
+            _ => SliceDirection::Screen,
+        };
+        Self { count: count as u32, direction, with_eye: anchor == 0.0 }
+    }
+}
+
+/// The settings of slices along the base, drawn down to their floor.
+pub(crate) const ALONG_SURFACE: &[(&str, f32)] = &[
+    ("slices.direction", SliceDirection::A as u32 as f32),
+    ("slices.test", entry_place(ENTRIES, "at-least") as f32),
+];
+
+/// The settings of slices at equal depths.
+pub(crate) const ALONG_SCREEN: &[(&str, f32)] = &[("slices.direction", SliceDirection::Screen as u32 as f32)];

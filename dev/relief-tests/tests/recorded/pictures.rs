@@ -8,7 +8,7 @@ use relief_maps::Maps;
 use relief_render::picture::aov;
 use relief_render::render;
 use relief_render::scene::{BackendChoice, SceneSpec, SurfaceSpec, read_scene};
-use relief_shaders::{DETAIL, METHODS, STAGES, Selection};
+use relief_shaders::{DETAIL, METHODS, SLICES, STAGES, Selection};
 
 use crate::hash::Bits;
 
@@ -38,8 +38,11 @@ fn hashes(scene: &str, method: &str, detail: &str, size: [u32; 2]) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(format!("{scene}.toml"));
     let stages = [(STAGES[DETAIL].key.to_owned(), detail.to_owned())].into();
     // What lights see need not be fine.
-    let looks_up = Selection::method(method).expect("a method").light_views().is_some();
-    let set = looks_up.then(|| ("shadow.size".to_owned(), 256.0)).into_iter().collect();
+    let of_method = Selection::method(method).expect("a method");
+    let is_sliced = of_method.uses(SLICES);
+    let set = [(of_method.light_views().is_some(), "shadow.size", 256.0), (is_sliced, "slices.count", 8.0)];
+    let set = set.iter().filter(|(is_set, ..)| *is_set).map(|(_, key, value)| ((*key).to_owned(), *value));
+    let set = set.collect();
     let surface = SurfaceSpec { method: Some(method.to_owned()), stages, set, ..SurfaceSpec::default() };
     let over = SceneSpec {
         backend: Some(BackendChoice::Cpu),

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use relief_core::encoding::cone::HALF_RATIO;
 use relief_core::encoding::seen_normal;
-use relief_core::{FoundState, RayUse, Wrap};
+use relief_core::{FoundState, RayUse, SliceAxis, Wrap};
 use relief_shaders::{LightRayState, MAX_LIGHT_VIEWS, MAX_LIGHTS, MapSlot, STAGES, surface, wgsl};
 
 /// The module's source.
@@ -21,6 +21,9 @@ pub fn module() -> String {
     }
     for ray in RayUse::ALL {
         constant(&format!("RAY_{}", ray.name()), ray as u32);
+    }
+    for axis in SliceAxis::ALL {
+        constant(&format!("SLICES_ALONG_{}", axis.name()), axis as u32);
     }
     for state in LightRayState::ALL {
         constant(&format!("LIGHT_RAY_{}", state.name()), state as u32);

@@ -1,0 +1,109 @@
+//! Slices at equal depths from a camera.
+//!
+//! Source: Kautz and Seidel 2001, section 3.3. The space over a triangle of the base is cut into three
+//! tetrahedra. In each, heights and texture coordinates are linear, so that the corners of what a plane cuts
+//! out say all of it. Which way sides are cut follows from their own ends: neighbours agree.
+
+use glam::DVec3;
+use relief_core::SliceAxis;
+use relief_core::camera::Camera;
+use relief_core::mesh::Vertex;
+
+use super::{SliceAnchor, SliceBlock, SliceError, SliceVertex, Slicer, between};
+
+/// A corner of a tetrahedron: a point of the base with a height, where that lies, and how deep.
+#[derive(Clone, Copy)]
+struct Corner {
+    base: Vertex,
+    height: f64,
+    position: DVec3,
+    depth: f64,
+}
+
+impl Slicer<'_> {
+    /// The corners of the space over a triangle: those on its floor, then those above them.
+    fn prism(&self, number: u32, camera: &Camera) -> [Corner; 6] {
+        let mut corners = self.base.corners(number);
+        corners.sort_by_key(|corner| corner.position.to_array().map(f32::to_bits));
+        std::array::from_fn(|place| {
+            let (base, height) = (*corners[place % 3], (place / 3) as f64);
+            let metres = self.bias_m + self.scale_m * height;
+            let position = base.position.as_dvec3() + base.normal.as_dvec3() * metres;
+            Corner { base, height, position, depth: camera.forward().dot(position - camera.eye()) }
+        })
+    }
+
+    /// The depth of the plane of number 0.
+    fn first_depth(&self, camera: &Camera, anchor: SliceAnchor) -> f64 {
+        match anchor {
+            SliceAnchor::Eye => 0.0,
+            SliceAnchor::Object => camera.forward().dot(-camera.eye()),
+        }
+    }
+
+    /// The numbers of the first and the last plane that meets some of those corners before the eye.
+    fn plane_numbers(&self, corners: &[Corner], start: f64) -> [f64; 2] {
+        let depths = corners.iter().map(|corner| corner.depth);
+        let [low, high] = [f64::min, f64::max].map(|of| depths.clone().reduce(of).unwrap_or(0.0));
+        [low.max(0.0), high].map(|depth| (depth - start) / self.spacing_m).map(f64::floor)
+    }
+
+    /// How many planes there are over a triangle at most.
+    pub(super) fn planes(&self, number: u32, camera: &Camera, anchor: SliceAnchor) -> u64 {
+        let start = self.first_depth(camera, anchor);
+        let [before, last] = self.plane_numbers(&self.prism(number, camera), start);
+        (last - before).max(0.0) as u64
+    }
+
+    /// The slices over a triangle, at equal depths.
+    pub(super) fn facing(
+        &self,
+        number: u32,
+        camera: &Camera,
+        anchor: SliceAnchor,
+        block: &mut SliceBlock,
+    ) -> Result<(), SliceError> {
+        let start = self.first_depth(camera, anchor);
+        let prism = self.prism(number, camera);
+        // Sides are cut from the lower end on the floor to the other end above it, in the order of positions.
+        for tetrahedron in [[0, 1, 2, 5], [0, 1, 4, 5], [0, 3, 4, 5]] {
+            let corners = tetrahedron.map(|place: usize| prism[place]);
+            let [before, last] = self.plane_numbers(&corners, start);
+            for plane in 1..=(last - before).max(0.0) as u64 {
+                let depth = start + (before + plane as f64) * self.spacing_m;
+                self.cut(&corners, depth, block)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// What a plane cuts out of a tetrahedron.
+    fn cut(&self, corners: &[Corner; 4], depth: f64, block: &mut SliceBlock) -> Result<(), SliceError> {
+        let is_behind = corners.map(|corner| corner.depth > depth);
+        let (behind, before): (Vec<usize>, Vec<usize>) = (0..4).partition(|place| is_behind[*place]);
+        let point = |a: usize, b: usize| self.at_depth(&corners[a], &corners[b], depth);
+        match (&behind[..], &before[..]) {
+            (&[one], &[a, b, c]) | (&[a, b, c], &[one]) => {
+                block.push(&[point(one, a)?, point(one, b)?, point(one, c)?]);
+            }
+            (&[a, b], &[c, d]) => block.push(&[point(a, c)?, point(a, d)?, point(b, d)?, point(b, c)?]),
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// The point of an edge at a depth.
+    fn at_depth(&self, a: &Corner, b: &Corner, depth: f64) -> Result<SliceVertex, SliceError> {
+        let part = (depth - a.depth) / (b.depth - a.depth);
+        let position = a.position.lerp(b.position, part).as_vec3();
+        if !position.is_finite() {
+            return Err(SliceError::NotFinite);
+        }
+        Ok(SliceVertex {
+            vertex: Vertex { position, ..between(&a.base, &b.base, part) },
+            height: (a.height + (b.height - a.height) * part) as f32,
+            step: self.spacing_m as f32,
+            axis: SliceAxis::Depth,
+        })
+    }
+}
