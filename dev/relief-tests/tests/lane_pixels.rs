@@ -12,7 +12,7 @@ use relief_shaders::cpu::{
     SurfaceSettings, Triangle, TriangleRays, Vec4,
 };
 use relief_shaders::surface::Proposal;
-use relief_shaders::{AMBIENT, DETAIL, MAX_LIGHTS, MapSlot, SHADOW, STAGES, SURFACE, Selection};
+use relief_shaders::{AMBIENT, DETAIL, MAX_LIGHTS, MapSlot, SHADOW, SLICES, STAGES, SURFACE, Selection};
 use relief_tests::baked::maps_in;
 use relief_tests::one_source::cases::bare_surface;
 use relief_tests::one_source::rays;
@@ -117,10 +117,17 @@ fn surface(surface: usize, detail: usize, number: usize, named: &maps::NamedMap)
         STAGES[stage].entries.iter().map(|entry| entry.name).filter(|name| is_own(name)).collect()
     };
     let (shadows, ambients) = (own(SHADOW), own(AMBIENT));
-    let method = ["relief", "exact", "cone"][number % 3];
+    let surface = STAGES[SURFACE].entries[surface].name;
+    let is_sliced = surface == "slices";
+    let method = if is_sliced { "slices-surface" } else { ["relief", "exact", "cone"][number % 3] };
     let mut selection = Selection::method(method).expect("a method");
+    if is_sliced {
+        for (key, value) in [("slices.test", number % 3), ("slices.refine", number / 3 % 3)] {
+            selection.set(key, value as f64).expect("a setting");
+        }
+    }
     let chosen = [
-        (SURFACE, STAGES[SURFACE].entries[surface].name),
+        (SURFACE, surface),
         (DETAIL, STAGES[DETAIL].entries[detail].name),
         (SHADOW, shadows[number % shadows.len()]),
         (AMBIENT, ambients[number / 2 % ambients.len()]),
@@ -178,7 +185,11 @@ fn pixels_have_the_bits_of_one_by_one() {
         let mut rng = Rng::new(number as u64);
         let map = &surface.height_map;
         let mut counts = [1, 0, 0];
-        for (turn, mut ray) in rays::bent_pixels(map, TRIANGLES, number as u64).into_iter().enumerate() {
+        let pixels = match surface.selection.uses(SLICES) {
+            true => rays::sliced_pixels(map, TRIANGLES, number as u64),
+            false => rays::bent_pixels(map, TRIANGLES, number as u64),
+        };
+        for (turn, mut ray) in pixels.into_iter().enumerate() {
             let is_shell = surface.selection.paths().proposal == Proposal::Shells;
             if is_shell && ray.a.uv.x.abs().max(ray.a.uv.y.abs()) > MOST_TILES {
                 continue;

@@ -6,17 +6,25 @@ use std::sync::Arc;
 
 use relief_core::{HeightMap, Wrap};
 use relief_render::scene::BackendChoice::{Cpu, Gpu};
-use relief_tests::accuracy::maps;
+use relief_shaders::wgsl::Sampling;
 use relief_tests::adapter::has_adapter;
 use relief_tests::maps::fractal;
+use relief_tests::one_source::cases::Case;
+use relief_tests::one_source::compare::Comparison;
+use relief_tests::one_source::{adapter, rays};
 use relief_tests::slices::{PlaneView, is_in_middle};
+use relief_tests::{accuracy, maps};
 
 const SIZE: u32 = 160;
+
+/// Rays a map and setting.
+const RAYS: usize = 10_000;
 
 const METHODS: [&str; 3] = ["slices-surface", "slices-orthogonal", "slices-screen"];
 
 fn map(name: &str, scale_m: f64) -> Arc<HeightMap> {
-    let map = maps().into_iter().find(|map| map.name == name).expect("a map of the accuracy tables").map;
+    let map =
+        accuracy::maps().into_iter().find(|map| map.name == name).expect("a map of the accuracy tables").map;
     Arc::new(map.with_displacement(scale_m, -scale_m).expect("lengths"))
 }
 
@@ -146,4 +154,26 @@ fn backends_show_the_same_slices() {
             assert!(same >= 0.999, "{method} {set:?}: {same}");
         }
     }
+}
+
+#[test]
+fn backends_have_the_same_bits_on_single_slices() {
+    let Some(mut prober) = adapter::prober() else { return };
+    let mut all = Comparison::default();
+    for (number, wrap) in Wrap::ALL.into_iter().enumerate() {
+        let test = number as f64;
+        for (count, steps) in [(16.0, 0.0), (16.0, 1.0), (16.0, 4.0)] {
+            let named = maps::ALL.iter().find(|map| map.name == "natural 101x67").expect("a listed map");
+            let map = named.build(wrap).with_displacement(0.3, -0.1).expect("lengths");
+            let set = [("slices.count", count), ("slices.refine", steps), ("slices.test", test)];
+            let case = Case::of_slices("slices-surface", &set, map);
+            let rays = rays::sliced_pixels(&case.map, RAYS, 17 + number as u64);
+            let cpu = case.on_cpu(&rays);
+            let found = cpu.iter().filter(|probe| probe.found == 1).count();
+            assert!(found * 5 > rays.len(), "{set:?}: hardly anything is met, {found} of {}", rays.len());
+            let gpu = prober.probe(case.surface(), Sampling::Exact, &rays).expect("the probe runs");
+            all = all.plus(Comparison::new(&case, &rays, &cpu, &gpu));
+        }
+    }
+    all.check().expect("the same bits");
 }

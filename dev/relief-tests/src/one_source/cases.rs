@@ -107,6 +107,15 @@ impl Case {
         Self::with(name, map, selection, MapFormat::F32)
     }
 
+    /// Slices by a method, with settings, over a map.
+    pub fn of_slices(method: &str, set: &[(&str, f64)], map: HeightMap) -> Self {
+        let mut selection = Selection::method(method).expect("a method");
+        for (key, value) in set {
+            selection.set(key, *value).expect("a setting");
+        }
+        Self::with(format!("{method} {set:?}"), map, selection, MapFormat::F32)
+    }
+
     /// Another value of a setting, by its key. Maps that the stages read stay as they are.
     pub fn set(&mut self, key: &str, value: f64) {
         self.surface.selection.set(key, value).expect("a setting");

@@ -3,7 +3,7 @@
 use crate::rays::{RayKind, Rays};
 use crate::rng::Rng;
 use glam::{DMat3, DQuat, DVec2, DVec3, Vec3};
-use relief_core::{HeightMap, Path};
+use relief_core::{HeightMap, Path, SliceAxis};
 use relief_shaders::cpu::{Corner, PixelIn, Shell};
 
 /// The kinds of paths that can be view rays; those that do not descend are left out one by one.
@@ -56,6 +56,20 @@ pub fn bent_pixels(map: &HeightMap, count: usize, seed: u64) -> Vec<PixelIn> {
         for corner in [&mut pixel.a, &mut pixel.b, &mut pixel.c] {
             let own = factor * rng.between(0.8, 1.2) * f64::from(pixel.side);
             corner.of_surface = form.map(|number| (number * own).clamp(-1e6, 1e6) as f32).into();
+        }
+    }
+    pixels
+}
+
+/// The same rays at triangles that are slices through the relief: they lie aslant in it, and are told apart by
+/// each of the axes in turn.
+pub fn sliced_pixels(map: &HeightMap, count: usize, seed: u64) -> Vec<PixelIn> {
+    let mut rng = Rng::new(seed ^ 0x51ce);
+    let mut pixels = pixels(map, count, seed);
+    for pixel in &mut pixels {
+        let (step, axis) = (rng.between(0.001, 0.3) as f32, rng.below(SliceAxis::ALL.len() as u32) as f32);
+        for corner in [&mut pixel.a, &mut pixel.b, &mut pixel.c] {
+            corner.of_surface = [rng.between(-0.1, 1.1) as f32, step, axis].into();
         }
     }
     pixels
