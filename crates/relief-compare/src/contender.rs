@@ -2,7 +2,8 @@
 
 use relief_render::scene::Surface;
 use relief_shaders::{
-    GEOMETRY, METHODS, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, SURFACE, Selection, SelectionError,
+    GEOMETRY, METHODS, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, Selection,
+    SelectionError,
 };
 
 /// A method with its settings, under a name.
@@ -17,7 +18,7 @@ pub struct Contender {
 }
 
 /// The parameters that count the steps of a method, by their keys in the order in which they are looked for.
-const STEPS: [&str; 3] = ["search.steps", "search.limit", "refine.steps"];
+const STEPS: [&str; 4] = ["slices.count", "search.steps", "search.limit", "refine.steps"];
 
 impl Contender {
     /// A method of the [table](METHODS) by its name, or a search and a refinement as `linear+true-secant`.
@@ -74,7 +75,9 @@ impl Contender {
     pub fn has(&self, key: &str) -> bool {
         key.split_once('.').is_some_and(|(stage, param)| {
             let place = STAGES.iter().position(|known| known.key == stage);
-            place.is_some_and(|place| self.selection.choices[place].entry.param(param).is_some())
+            place.is_some_and(|place| {
+                self.selection.uses(place) && self.selection.choices[place].entry.param(param).is_some()
+            })
         })
     }
 
@@ -83,13 +86,13 @@ impl Contender {
         self.steps.map_or(self.name.clone(), |steps| format!("{} ({steps})", self.name))
     }
 
-    /// Whether it searches along rays; the others displace triangles.
+    /// Whether it searches along rays; the others make triangles.
     pub fn is_of_rays(&self) -> bool {
         self.selection.geometry().is_none()
     }
 
     /// What is run on a surface: its own geometry, search and refinement, and all else as the surface has it.
-    /// Displaced triangles have a surface and shadows of their own. The search for shadows is the method's
+    /// Displaced triangles and slices have a surface of their own, displaced triangles shadows, too. The search for shadows is the method's
     /// own, unless the surface has one that is not its own method's.
     ///
     /// # Errors
@@ -99,15 +102,18 @@ impl Contender {
         let of_surface = surface.selection();
         let mut selection = *of_surface;
         let own: &[usize] = if self.is_of_rays() {
-            &[GEOMETRY, SEARCH, REFINE]
+            &[GEOMETRY, SLICES, SEARCH, REFINE]
         } else {
-            &[GEOMETRY, SEARCH, REFINE, SURFACE]
+            &[GEOMETRY, SLICES, SEARCH, REFINE, SURFACE]
         };
         for &place in own {
             selection.choices[place] = self.selection.choices[place];
         }
-        let shadow =
-            if self.is_of_rays() || !of_surface.has_shadows() { of_surface } else { &self.selection };
+        let shadow = if self.selection.paths().has_normals_of_relief() || !of_surface.has_shadows() {
+            of_surface
+        } else {
+            &self.selection
+        };
         // Chooses the search for shadows, too.
         selection.choose(STAGES[SHADOW].key, shadow.choices[SHADOW].entry.name)?;
         selection.choices[SHADOW] = shadow.choices[SHADOW];

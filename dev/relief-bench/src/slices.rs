@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use clap::Args;
-use relief_core::{HeightMap, Wrap};
-use relief_io::{HeightOptions, read_height};
+use relief_core::HeightMap;
 use relief_render::scene::BackendChoice;
 use relief_tests::accuracy::maps;
 use relief_tests::slices::PlaneView;
 
+use crate::compare::maps::rock;
 use crate::table::table;
 
 /// What `slices` is given.
@@ -30,17 +30,13 @@ const DEGREES: [f64; 3] = [20.0, 60.0, 80.0];
 /// Slices over the displacement, and steps of false position.
 const COUNTS: [(u32, u32); 5] = [(16, 0), (16, 1), (64, 0), (128, 0), (256, 0)];
 
-/// A map of the folder of the variable `RELIEF_DATA`, where it is set.
-fn of_data(file: &str) -> Option<HeightMap> {
-    let path = std::path::Path::new(&std::env::var_os("RELIEF_DATA")?).join(file);
-    let options = HeightOptions { wrap: Some(Wrap::Repeat), ..HeightOptions::default() };
-    read_height(&path, &options).ok()
-}
+/// The part of the way to the middle by which the eye comes nearer, to see whether slices jump.
+const DOLLY: f64 = 0.001;
 
 /// Prints the table.
 pub fn run(arguments: &Arguments) -> Result<(), String> {
     let shipped = maps().into_iter().filter(|map| ["cobbles", "spikes"].contains(&map.name));
-    let rock = of_data("rock023_alb_ht.png").map(|map| ("rock023", map));
+    let rock = rock()?.map(|map| ("rock023", map));
     let all: Vec<(&str, HeightMap)> = shipped.map(|named| (named.name, named.map)).chain(rock).collect();
     let mut rows = table(&[
         "map",
@@ -54,17 +50,22 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         "p99",
         "fragments",
         "median x fragments",
+        "jump %",
     ]);
     for (name, map) in all {
         let map = map.with_displacement(arguments.scale, -arguments.scale);
         let map = Arc::new(map.map_err(|error| error.to_string())?);
         for degrees in DEGREES {
-            let view = PlaneView { map: &map, degrees, size: arguments.width };
-            let truth = view.pixels("exact", &[], BackendChoice::Cpu);
+            let view = PlaneView { map: &map, degrees, away_m: 2.0, size: arguments.width };
+            let nearer = PlaneView { away_m: 2.0 * (1.0 - DOLLY), ..view };
+            let [truth, truth_after] = [view, nearer].map(|of| of.pixels("exact", &[], BackendChoice::Cpu));
             for (method, (count, steps)) in METHODS.iter().flat_map(|method| COUNTS.map(|of| (*method, of))) {
                 let set = [("slices.count", f64::from(count)), ("slices.refine", f64::from(steps))];
                 let slices = view.pixels(method, &set, BackendChoice::Cpu);
-                let errors = view.errors(&truth, &slices, view.along_m(method, f64::from(count).recip()));
+                let after = nearer.pixels(method, &set, BackendChoice::Cpu);
+                let along_m = view.along_m(method, f64::from(count).recip());
+                let errors = view.errors(&truth, &slices, along_m);
+                let jumps = view.jumps([&truth, &slices], [&truth_after, &after], along_m);
                 let fragments = view.fragments(&truth, view.settings(method, count));
                 rows.add_row([
                     name.to_owned(),
@@ -78,6 +79,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
                     format!("{:.2}", errors.p99),
                     format!("{fragments:.1}"),
                     format!("{:.1}", errors.median * fragments),
+                    format!("{:.1}", 100.0 * jumps),
                 ]);
             }
         }

@@ -24,6 +24,8 @@ pub struct PlaneView<'a> {
     pub map: &'a Arc<HeightMap>,
     /// Degrees from the normal.
     pub degrees: f64,
+    /// Metres from the eye to its middle.
+    pub away_m: f64,
     /// Columns and rows of the picture.
     pub size: u32,
 }
@@ -46,10 +48,10 @@ impl PlaneView<'_> {
     ///
     /// # Panics
     ///
-    /// Never: the eye is two metres away.
+    /// When the eye is no positive number of metres away.
     pub fn camera(&self) -> Camera {
         let (sine, cosine) = self.degrees.to_radians().sin_cos();
-        let eye = DVec3::new(0.3 * sine, cosine, 0.95 * sine) * 2.0;
+        let eye = DVec3::new(0.3 * sine, cosine, 0.95 * sine) * self.away_m;
         Camera::new(eye, DVec3::ZERO, 24.0).expect("a camera")
     }
 
@@ -127,6 +129,26 @@ impl PlaneView<'_> {
         apart.sort_unstable_by(f64::total_cmp);
         let at = |part: f64| apart.get((apart.len() as f64 * part) as usize).copied().unwrap_or(0.0);
         SliceErrors { see_through, late, median: at(0.5), p99: at(0.99) }
+    }
+
+    /// The share of pixels whose slices jump between two pictures: how far behind the truth they lie changes by
+    /// more than a quarter of what slices are apart along the rays.
+    pub fn jumps(
+        &self,
+        [truth, slices]: [&[PixelOut]; 2],
+        [truth_after, after]: [&[PixelOut]; 2],
+        along_m: f64,
+    ) -> f64 {
+        let behind = truth.iter().zip(slices).zip(truth_after.iter().zip(after));
+        let seen =
+            behind.filter(|((a, b), (c, d))| is_in_middle(a) && is_in_middle(c) && b.hit == 1 && d.hit == 1);
+        let (mut jumps, mut count) = (0, 0u32);
+        for ((a, b), (c, d)) in seen {
+            let change = f64::from(b.depth - a.depth) - f64::from(d.depth - c.depth);
+            jumps += u32::from(change.abs() > 0.25 * along_m);
+            count += 1;
+        }
+        f64::from(jumps) / f64::from(count.max(1))
     }
 
     /// How far two hits are apart, in texels; misses are infinitely far.

@@ -34,7 +34,7 @@ fn ground(scale_m: f64) -> Arc<HeightMap> {
 }
 
 fn view(map: &Arc<HeightMap>, degrees: f64) -> PlaneView<'_> {
-    PlaneView { map, degrees, size: SIZE }
+    PlaneView { map, degrees, away_m: 2.0, size: SIZE }
 }
 
 #[test]
@@ -81,6 +81,22 @@ fn what_is_seen_lies_between_the_truth_and_the_slice_after_it() {
             let finer = view.errors(&truth, &finer, along_m).median / seen.median;
             assert!((0.4..0.6).contains(&finer), "{method} {degrees}: {finer}");
         }
+    }
+}
+
+#[test]
+fn error_times_slices_crossed_is_the_same_for_all_ways_to_slice() {
+    let map = map("cobbles", 0.15);
+    for degrees in [20.0, 60.0, 75.0] {
+        let view = view(&map, degrees);
+        let truth = view.pixels("exact", &[], Cpu);
+        let products = METHODS.map(|method| {
+            let slices = view.pixels(method, &[("slices.count", 128.0)], Cpu);
+            view.errors(&truth, &slices, 1.0).median * view.fragments(&truth, view.settings(method, 128))
+        });
+        let [least, most] = [f64::min, f64::max].map(|of| products.into_iter().fold(products[0], of));
+        println!("{degrees}: {products:.2?}");
+        assert!(most < 1.1 * least, "{degrees}: {products:?}");
     }
 }
 

@@ -12,6 +12,14 @@ use crate::table::table;
 /// A map with the level of it that is compared.
 type Named = (&'static str, HeightMap);
 
+/// A scan of rock of 1024x1024 texels, where it is at hand.
+pub fn rock() -> Result<Option<HeightMap>, String> {
+    let Some(folder) = data_dir() else { return Ok(None) };
+    let options = HeightOptions { channel: Some("a".to_owned()), ..HeightOptions::default() };
+    let rock = read_height(&folder.join("rock023_alb_ht.png"), &options);
+    rock.map(Some).map_err(|error| error.to_string())
+}
+
 /// A scan of rock, an elevation model, cobbles, a logo and white noise; the scan where it is at hand.
 fn maps() -> Result<Vec<Named>, String> {
     let sample = |name: &'static str, file: &str, wrap: Wrap| -> Result<Named, String> {
@@ -21,13 +29,9 @@ fn maps() -> Result<Vec<Named>, String> {
             .map_err(|error| error.to_string())
     };
     let mut maps = Vec::new();
-    match data_dir() {
-        Some(folder) => {
-            let options = HeightOptions { channel: Some("a".to_owned()), ..HeightOptions::default() };
-            let rock = read_height(&folder.join("rock023_alb_ht.png"), &options);
-            // As large as the scan that such tables were first made of.
-            maps.push(("rock023", rock.map_err(|error| error.to_string())?.level(2)));
-        }
+    match rock()? {
+        // As large as the scan that such tables were first made of.
+        Some(rock) => maps.push(("rock023", rock.level(2))),
         None => println!("rock023 is left out: RELIEF_DATA names no folder of data.\n"),
     }
     maps.push(sample("jacksboro", "jacksboro.png", Wrap::Mirror)?);

@@ -1,7 +1,7 @@
 //! `compare`: what `relief-compare` finds of all methods on several maps, of their errors against their
 //! times, and of their times against the size of the map, the covered pixels and the triangles.
 
-mod maps;
+pub mod maps;
 mod pixels;
 mod sizes;
 mod times;
