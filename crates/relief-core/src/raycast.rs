@@ -148,8 +148,8 @@ impl RayCaster {
         }
     }
 
-    /// All hits in the order of `(t, triangle)`, found as they are asked for: the first one alone, those after
-    /// it several at a time.
+    /// All hits in the order of `(t, triangle)`, found as they are asked for: the first one alone, those
+    /// after it several at a time.
     pub fn hits<'a>(&'a self, ray: &'a Ray, sides: Sides) -> impl Iterator<Item = SurfaceHit> + 'a {
         self.hits_after(*ray, sides, None)
     }

@@ -44,8 +44,8 @@ pub enum GeometryError {
     Slices(SliceError),
     /// They take more memory than is allowed.
     #[error(
-        "its {triangles} triangles need {} MiB of memory, {} MiB are left for them: choose {setting}, or allow \
-         more memory",
+        "its {triangles} triangles need {} MiB of memory, {} MiB are left for them: choose {setting}, or \
+         allow more memory",
         needed.div_ceil(1 << 20), left >> 20
     )]
     Memory {

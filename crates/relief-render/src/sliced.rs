@@ -31,8 +31,8 @@ pub fn settings(Slices { count, direction, with_eye }: Slices, scene: &Scene) ->
     SliceSettings { count, direction }
 }
 
-/// Slices and the memory that they take, of which there are so many bytes left; the error is none where it was
-/// cancelled.
+/// Slices and the memory that they take, of which there are so many bytes left; the error is none where
+/// it was cancelled.
 pub fn triangles(
     mesh: &Mesh,
     map: &HeightMap,

@@ -270,8 +270,8 @@ pub struct Entered {
     pub facing: rt::Vec3<f32>,
     /// Where the ray may be in a shell: metres from the place where it comes nearest to the triangle.
     pub span: rt::Vec2<f32>,
-    /// As in `Corner`, at the point. Of quadrics positive toward the ray's side, and after that the height that
-    /// the point has in the relief.
+    /// As in `Corner`, at the point. Of quadrics positive toward the ray's side, and after that the height
+    /// that the point has in the relief.
     pub of_surface: rt::Vec4<f32>,
     /// How many texels of the height map's finest level the pixel's footprint is wide; 0 where all is seen in
     /// the finest level.

@@ -6285,8 +6285,8 @@ struct Entered {
     facing: vec3f,
     // Where the ray may be in a shell: metres from the place where it comes nearest to the triangle.
     span: vec2f,
-    // As in `Corner`, at the point. Of quadrics positive toward the ray's side, and after that the height that
-    // the point has in the relief.
+    // As in `Corner`, at the point. Of quadrics positive toward the ray's side, and after that the height
+    // that the point has in the relief.
     of_surface: vec4f,
     // How many texels of the height map's finest level the pixel's footprint is wide; 0 where all is seen in
     // the finest level.
@@ -7393,8 +7393,8 @@ fn surface_quadric_vertical_place(
         name: "SHORTEST",
         sampling: None,
         uses: &[],
-        text: r#"// The length of a segment whose beginning is not known, as a part of its distance: there is no other hit on it
-// than its end.
+        text: r#"// The length of a segment whose beginning is not known, as a part of its distance: there is no other hit
+// on it than its end.
 const SHORTEST = 0.0000005;"#,
     },
     Declaration {
@@ -7448,9 +7448,9 @@ const FARTHEST_M = 1.0e9;"#,
         name: "slice_above",
         sampling: None,
         uses: &["Entered", "FARTHEST_M", "PixelIn", "SHORTEST", "surface_settings", "weights_of"],
-        text: r#"// From a slice of equal height back to the one before: what the texture coordinates and the height change on a
-// metre of the ray, and how many metres these are; zeros where that is not known. The slice before is the
-// triangle moved along its normals.
+        text: r#"// From a slice of equal height back to the one before: what the texture coordinates and the height change
+// on a metre of the ray, and how many metres these are; zeros where that is not known. The slice before
+// is the triangle moved along its normals.
 fn slice_above(pixel: PixelIn, at: Entered, along: f32, far: f32) -> vec4f {
     let upward = select(-1.0, 1.0, dot(pixel.direction, at.normal) < 0.0) * at.of_surface.y;
     let step_m = upward * surface_settings.scale_m;

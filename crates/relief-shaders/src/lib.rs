@@ -2,7 +2,8 @@
 //! for GPUs and translated to Rust for CPUs.
 //!
 //! * [`STAGES`] is the table of the stages; [`geometry`], [`surface`], [`detail`], [`search`], [`refine`],
-//!   [`shade`], [`shadow`], [`ambient`] and [`slice`] list their variants, one file each beside its shader.
+//!   [`shade`], [`shadow`], [`ambient`] and [`mod@slice`] list their variants, one file each
+//!   beside its shader.
 //! * [`METHODS`] names pairs of search and refinement.
 //! * [`wgsl`] assembles shaders as text for any engine; [`bindings`] says what they bind.
 //! * `cpu` (with the feature of that name) is the same shaders as Rust.

@@ -4,8 +4,8 @@ use relief_core::registry::{Publication, UnknownName};
 
 use crate::{DEPTH_OBJECTS, SURVEY, geometry, slice};
 
-/// A published pair of search and refinement, or triangles of their own, of which nothing is searched: displaced
-/// ones, or slices.
+/// A published pair of search and refinement, or triangles of their own, of which nothing is searched:
+/// displaced ones, or slices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Method {
     /// The name on the command line and in scenes.
@@ -255,7 +255,7 @@ pub const METHODS: &[Method] = &[
     },
     Method {
         name: "slices-orthogonal",
-        summary: "slices along the base or upright on it, whichever face the eye, drawn where they are inside the relief",
+        summary: "slices along the base or upright on it, whichever face the eye, drawn inside the relief",
         geometry: geometry::SLICES,
         search: "none",
         refine: "none",
@@ -264,7 +264,7 @@ pub const METHODS: &[Method] = &[
     },
     Method {
         name: "slices-screen",
-        summary: "slices at equal depths from the eye, drawn where they are inside the relief",
+        summary: "slices at equal depths from the eye, drawn inside the relief",
         geometry: geometry::SLICES,
         search: "none",
         refine: "none",

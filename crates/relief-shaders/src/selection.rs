@@ -375,8 +375,8 @@ impl Selection {
         self.check_taken(SEARCH, REFINE)
     }
 
-    /// Whether a stage is asked for anything: the search for shadows is not where no shadow sends rays, and the
-    /// test of slices where there are none.
+    /// Whether a stage is asked for anything: the search for shadows is not where no shadow sends rays,
+    /// and the test of slices where there are none.
     pub fn uses(&self, stage: usize) -> bool {
         match stage {
             SHADOW_SEARCH => !self.choices[SHADOW].entry.states.is_empty(),

@@ -224,8 +224,8 @@ pub const SHADOW_SEARCH: usize = place("shadow-search");
 pub const AMBIENT: usize = place("ambient");
 
 impl Stage {
-    /// The names of a setting's values, from 0 on: of variants where it chooses one, else of a parameter's. None
-    /// where its values are plain numbers.
+    /// The names of a setting's values, from 0 on: of variants where it chooses one, else of a
+    /// parameter's. None where its values are plain numbers.
     pub fn names_of(&self, setting: &str) -> Vec<&'static str> {
         if self.chosen_as == Some(setting) {
             return self.entries.iter().map(|entry| entry.name).collect();
@@ -257,7 +257,8 @@ impl Call {
     }
 }
 
-/// The stage that a setting such as `search.steps` is of, its place in [`STAGES`], and the setting's own name.
+/// The stage that a setting such as `search.steps` is of, its place in [`STAGES`], and the setting's own
+/// name.
 pub fn stage_of_setting(key: &str) -> Option<(usize, &'static Stage, &str)> {
     let (of, name) = key.split_once('.')?;
     let (place, stage) = stage(of)?;

@@ -131,8 +131,8 @@ impl PlaneView<'_> {
         SliceErrors { see_through, late, median: at(0.5), p99: at(0.99) }
     }
 
-    /// The share of pixels whose slices jump between two pictures: how far behind the truth they lie changes by
-    /// more than a quarter of what slices are apart along the rays.
+    /// The share of pixels whose slices jump between two pictures: how far behind the truth they lie
+    /// changes by more than a quarter of what slices are apart along the rays.
     pub fn jumps(
         &self,
         [truth, slices]: [&[PixelOut]; 2],

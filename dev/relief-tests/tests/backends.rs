@@ -45,7 +45,7 @@ fn scene(file: &str, method: &str, stages: &[(&str, &str)], backend: BackendChoi
     let set = [
         (looks_up, "shadow.size", 256.0),
         (is_diced, "geometry.texels", 2.0),
-        (is_sliced, "slices.count", 8.0),
+        (is_sliced, "slices.count", 5.0),
     ];
     let set = set.iter().filter(|(is_set, ..)| *is_set).map(|(_, key, value)| ((*key).to_owned(), *value));
     let set = set.collect();

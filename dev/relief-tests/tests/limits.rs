@@ -8,7 +8,7 @@ use relief_render::mesh::torus;
 use relief_render::scene::{Scene, Surface};
 use relief_render::wgpu::{DeviceDescriptor, Features, Instance, Limits, RequestAdapterOptions};
 use relief_shaders::wgsl::Sampling;
-use relief_shaders::{METHODS, Selection, ambient, detail, shadow, surface};
+use relief_shaders::{METHODS, SLICES, Selection, ambient, detail, shadow, surface};
 use relief_tests::adapter::has_adapter;
 use relief_tests::maps;
 
@@ -30,10 +30,13 @@ fn opened(limits: Limits) -> Option<Gpu> {
 
 /// Every method, and every other stage with one of them.
 fn selections() -> Vec<Selection> {
-    // What lights see need not be fine.
+    // What lights see need not be fine, and slices need not be many.
     let coarse = |mut selection: Selection| {
         if selection.light_views().is_some() {
             selection.set("shadow.size", 64.0).expect("a setting of this shadow");
+        }
+        if selection.uses(SLICES) {
+            selection.set("slices.count", 4.0).expect("a setting of slices");
         }
         selection
     };

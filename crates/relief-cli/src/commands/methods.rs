@@ -190,7 +190,8 @@ fn as_json() -> Value {
             let settings: serde_json::Map<String, Value> =
                 method.settings.iter().map(|&(key, value)| (key.to_owned(), json!(value))).collect();
             json!({
-                "name": method.name, "family": method.family().name(), "geometry": method.geometry, "search": method.search,
+                "name": method.name, "family": method.family().name(),
+                "geometry": method.geometry, "search": method.search,
                 "refine": method.refine,
                 "settings": settings, "summary": method.summary, "source": source(&method.publication),
             })

@@ -5,8 +5,8 @@
 pub enum SliceError {
     /// Slices would all lie in one place.
     #[error(
-        "its slices would lie in one place: they need a displacement, and texture coordinates that say how far \
-         they are apart"
+        "its slices would lie in one place: they need a displacement, and texture coordinates that say how \
+         far they are apart"
     )]
     Together,
     /// A corner lies too far away.

@@ -74,7 +74,8 @@ fn upright_slices_lie_at_equal_u_or_v_from_the_floor_to_the_top_and_meet() {
                 seen += 1;
             }
         }
-        // On a closed mesh each line goes on in the next triangle, from the same point. At the seam it may not.
+        // On a closed mesh each line goes on in the next triangle, from the same point. At the seam it
+        // may not.
         let open = ends.values().filter(|count| **count % 2 == 1).count();
         assert!(seen > 1000 && open * 50 < ends.len(), "{seen} slices, {open} of {} ends", ends.len());
     }

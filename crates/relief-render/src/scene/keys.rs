@@ -31,8 +31,8 @@ where
     array.map(Some)
 }
 
-/// Reads `search.steps = 64` under `[set]`, which TOML takes as a table in a table. Values may have names, as in
-/// `slices.test = "band"`.
+/// Reads `search.steps = 64` under `[set]`, which TOML takes as a table in a table. Values may have
+/// names, as in `slices.test = "band"`.
 pub fn settings<'de, D: Deserializer<'de>>(deserializer: D) -> Result<BTreeMap<String, f64>, D::Error> {
     #[derive(Deserialize)]
     #[serde(untagged, expecting = "a number or a name")]

@@ -12,6 +12,6 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "A slice is drawn where the relief is as high as it is. Between two slices there is nothing, so \
-        that a ray sees the relief as far behind it as slices are apart, and past what is thinner.",
+    argument: "A slice is drawn where the relief is as high as it is. Between two slices there is nothing, \
+        so that a ray sees the relief as far behind it as slices are apart, and past what is thinner.",
 };

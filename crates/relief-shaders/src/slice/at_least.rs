@@ -12,6 +12,6 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "A point of the slice is drawn exactly where it lies on the relief or under it, to the rounding \
-        of f32.",
+    argument: "A point of the slice is drawn exactly where it lies on the relief or under it, to the \
+        rounding of f32.",
 };

@@ -15,6 +15,6 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "Each point of the relief has a slice that is so near. Between neighbours of other heights rays \
-        go through, as in warped pictures.",
+    argument: "Each point of the relief has a slice that is so near. Between neighbours of other heights \
+        rays go through, as in warped pictures.",
 };

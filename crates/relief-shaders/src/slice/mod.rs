@@ -26,7 +26,7 @@ const PARAMS: &[Param] = &[
     },
     Param {
         name: "refine",
-        summary: "steps of false position between a slice that is drawn and the one before; 0: the slice alone",
+        summary: "steps of false position between a slice that is drawn and the one before; 0: none",
         unit: "",
         min: 0.0,
         max: 64.0,
@@ -36,8 +36,8 @@ const PARAMS: &[Param] = &[
     },
     Param::of_names(
         "direction",
-        "a: along the base; b, c: upright, at equal u or v; auto: of these what faces the eye most, triangle by \
-         triangle; screen: at equal depths",
+        "a: along the base; b, c: upright, at equal u or v; auto: of these what faces the eye most, triangle \
+         by triangle; screen: at equal depths",
         &["auto", "a", "b", "c", "screen"],
     ),
     Param::of_names(

@@ -18,8 +18,8 @@ pub const ENTRY: Entry = Entry {
         shadow: Guarantee::Approximate,
     },
     weakened: &[],
-    argument: "A ray ends on the first slice that passes the test, or by a refinement between that one and the \
-        one before it: the first hit lies between both where the relief passed no slice in between.",
+    argument: "A ray ends on the first slice that passes the test, or by a refinement between that one and \
+        the one before it: the first hit lies between both where the relief passed no slice in between.",
 };
 
 /// What it makes of rays.
