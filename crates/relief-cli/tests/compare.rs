@@ -74,6 +74,40 @@ fn a_scene_keeps_its_scale_and_settings_go_to_the_methods_that_have_them() {
 }
 
 #[test]
+fn shadows_distances_and_formats_are_compared_and_told() {
+    let folder = folder();
+    let line = format!(
+        "compare --height map.png --methods bump,cone --shadow none,ray,horizon --set shadow.azimuths=8 \
+         --texels float,unorm8 --distances 1,2 {SMALL} --json"
+    );
+    let answer = json_of(&folder.relief(&line).fine());
+    let pictures = answer["pictures"].as_array().expect("records");
+    // At two scales and from two distances; of bumps the horizon alone is a map.
+    assert_eq!(pictures.len(), 2 * 2 * (2 * 3 + 3 + 1));
+    let words = |key: &str| {
+        let mut words: Vec<String> = pictures.iter().map(|record| record[key].to_string()).collect();
+        words.sort();
+        words.dedup();
+        words
+    };
+    assert_eq!(words("shadow"), ["\"horizon\"", "\"none\"", "\"ray\""]);
+    assert_eq!(words("map_format"), ["\"float\"", "\"unorm8\"", "null"]);
+    assert_eq!(words("distance_m"), ["1.0", "2.0"]);
+    let ran = folder.relief(&line.replace(" --json", " --max-error 9").replace("--texels float,unorm8", ""));
+    assert!(ran.stdout.contains("--shadow "), "{}", ran.stdout);
+}
+
+#[test]
+fn a_scene_of_several_surfaces_is_compared() {
+    let folder = folder();
+    folder.write("two.toml", "height = 'map.png'\n[[surfaces]]\n[[surfaces]]\nposition = [2, 0, 0]\n");
+    let ran = folder.relief(&format!("compare two.toml --methods bump,cone {SMALL} --csv all.csv"));
+    assert!(ran.code == Some(0) && ran.stderr.contains("2 surfaces"), "{}", ran.stderr);
+    let values = std::fs::read_to_string(folder.path("all.csv")).expect("a file");
+    assert_eq!(values.lines().count(), 3);
+}
+
+#[test]
 fn what_cannot_be_compared_is_told_and_nothing_is_written() {
     let folder = with_out();
     folder.write("map.png", Map::constant(0.5).png());
@@ -107,7 +141,15 @@ fn what_cannot_be_compared_is_told_and_nothing_is_written() {
         ("--backend vulkan", 2, "--backend"),
         ("--set search.nothing=1", 2, "search.nothing"),
         ("--height missing.png", 1, "missing.png"),
-        ("two.toml", 1, "2 surfaces"),
+        ("--shadow ray,horizn", 2, "horizon"),
+        ("--shadow ray,none --set shadow.azimuths=8", 2, "shadow.azimuths"),
+        ("--shadow ray,horizon --set shadow.azimuths=-8", 2, "shadow.azimuths"),
+        ("--distances 0", 2, "--distances"),
+        ("--distances NaN", 2, "--distances"),
+        ("--distances 1 --projection orthographic", 2, "--distances"),
+        ("--texels byte", 2, "unorm8"),
+        ("--texels half --budget-ms 5", 2, "--texels"),
+        ("two.toml --budget-ms 5", 2, "one surface"),
         ("-o no/page.html", 1, "no folder"),
         ("-o taken.html", 1, "folder"),
         ("-o page.txt", 2, "html"),

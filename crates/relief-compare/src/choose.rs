@@ -26,7 +26,7 @@ pub struct Candidate {
     /// Texels that 99 of 100 rays keep, at the worst angle, scale and level; of methods that send no rays, in
     /// pictures. Infinite where more than one of 100 misses, or hits what is not there.
     pub p99_texels: f64,
-    /// Milliseconds of a frame: the median, at the worst scale and level.
+    /// Milliseconds of a frame: the median, at the worst scale, level and distance.
     pub frame_ms: f64,
 }
 
@@ -67,20 +67,23 @@ pub fn choose(records: &Records, goal: Goal) -> Tried {
     let mut candidates: Vec<Candidate> = Vec::new();
     for picture in &records.pictures {
         let Some(times) = &picture.times else { continue };
+        let label = picture.method.label();
         let is_same = |known: &Candidate| {
-            (known.method.label(), &known.backend, &known.sampling)
-                == (picture.method.label(), &picture.backend, &picture.sampling)
+            (&known.method.label(), &known.backend, &known.sampling)
+                == (&label, &picture.backend, &picture.sampling)
         };
         if let Some(known) = candidates.iter_mut().find(|known| is_same(known)) {
             known.frame_ms = known.frame_ms.max(times.frame_ms);
             continue;
         }
-        let label = picture.method.label();
-        let rays = records.rays.iter().filter(|record| record.method.label() == label);
+        let of_rays = picture.method.label_of_rays();
+        let rays = records.rays.iter().filter(|record| record.method.label() == of_rays);
         let of_rays = rays.map(|record| kept(&record.error)).reduce(f64::max);
         let of_pictures = || {
             let pictures = records.pictures.iter().filter(|record| record.method.label() == label);
-            pictures.map(|record| kept(&record.error)).fold(0.0, f64::max)
+            // What was not judged keeps nothing.
+            let errors = pictures.map(|record| record.error.as_ref().map_or(f64::INFINITY, kept));
+            errors.fold(0.0, f64::max)
         };
         candidates.push(Candidate {
             method: picture.method.clone(),

@@ -52,10 +52,11 @@ impl<'a> Row<'a> {
         }
     }
 
-    /// How wrong its hits are.
-    pub fn error(&self) -> &'a ErrorRecord {
+    /// How wrong its hits are, if that was judged.
+    pub fn error(&self) -> Option<&'a ErrorRecord> {
         match self {
-            Row::Rays(RayRecord { error, .. }) | Row::Picture(PictureRecord { error, .. }) => error,
+            Row::Rays(record) => Some(&record.error),
+            Row::Picture(record) => record.error.as_ref(),
         }
     }
 
@@ -82,6 +83,10 @@ fn text(text: impl ToString) -> Cell {
 
 fn number(number: Option<f64>) -> Cell {
     number.map_or(Cell::Empty, Cell::Number)
+}
+
+fn error(row: &Row, of: fn(&ErrorRecord) -> f64) -> Cell {
+    number(row.error().map(of))
 }
 
 fn cost(row: &Row, of: fn(&CostRecord) -> f64) -> Cell {
@@ -148,7 +153,16 @@ pub const COLUMNS: &[Column] = &[
     word("search", "search", "how the first hit is bracketed", |row| text(&row.method().search)),
     word("refine", "refinement", "how the bracket is refined", |row| text(&row.method().refine)),
     word("promise", "promise", "what it promises for view rays", |row| text(&row.method().promise)),
+    word("map_format", "maps are", "how the values of its baked maps are stored", |row| {
+        row.method().map_format.as_ref().map_or(Cell::Empty, text)
+    }),
+    word("shadow", "shadow", "what part of a light arrives", |row| {
+        row.method().shadow.as_ref().map_or(Cell::Empty, text)
+    }),
     word("map_size", "map", "columns and rows of the height map", |row| size(row.method().map_size)),
+    figure("map_texels", "map texels", "texels of the height maps", 0, |row| {
+        Cell::Number(row.method().map_texels as f64)
+    }),
     figure("scale_m", "scale m", "metres between heights 0 and 1", 3, |row| {
         Cell::Number(row.method().scale_m)
     }),
@@ -167,39 +181,42 @@ pub const COLUMNS: &[Column] = &[
     figure("samples", "samples", "samples of a pixel", 0, |row| {
         picture(row, |record| Some(record.samples.into()))
     }),
-    figure("rays", "rays", "rays that were compared", 0, |row| Cell::Number(row.error().rays as f64)),
+    figure("distance_m", "distance m", "metres between the eye and what it looks at", 2, |row| {
+        picture(row, |record| record.distance_m)
+    }),
+    figure("rays", "rays", "rays that were compared", 0, |row| error(row, |error| error.rays as f64)),
     share("passed", "passed %", "rays that passed the first hit: missed, or late", |row| {
-        Cell::Number(row.error().passed)
+        error(row, |error| error.passed)
     }),
     share("missed", "missed %", "rays given as misses that truly hit", |row| {
-        Cell::Number(row.error().missed)
+        error(row, |error| error.missed)
     }),
     share("false_hits", "false %", "rays given as hits that truly miss", |row| {
-        Cell::Number(row.error().false_hits)
+        error(row, |error| error.false_hits)
     }),
     share("late", "late %", "hits more than half a texel behind the true one", |row| {
-        Cell::Number(row.error().late)
+        error(row, |error| error.late)
     }),
     share("early", "early %", "hits more than half a texel before the true one", |row| {
-        Cell::Number(row.error().early)
+        error(row, |error| error.early)
     }),
     share("exhausted", "exhausted %", "rays that ran out of steps", |row| {
-        Cell::Number(row.error().exhausted)
+        error(row, |error| error.exhausted)
     }),
     figure("mean_texels", "mean texels", "mean distance from the true hit", 4, |row| {
-        Cell::Number(row.error().mean_texels)
+        error(row, |error| error.mean_texels)
     }),
     figure("median_texels", "median texels", "median distance from the true hit", 4, |row| {
-        Cell::Number(row.error().median_texels)
+        error(row, |error| error.median_texels)
     }),
     figure("p99_texels", "p99 texels", "distance from the true hit that 99 of 100 keep", 3, |row| {
-        Cell::Number(row.error().p99_texels)
+        error(row, |error| error.p99_texels)
     }),
     figure("max_texels", "max texels", "greatest distance from the true hit", 2, |row| {
-        Cell::Number(row.error().max_texels)
+        error(row, |error| error.max_texels)
     }),
     figure("p99_depth_m", "p99 depth m", "difference of depth that 99 of 100 keep", 4, |row| {
-        Cell::Number(row.error().p99_depth_m)
+        error(row, |error| error.p99_depth_m)
     }),
     figure("reads", "reads", "mean reads of a ray", 1, |row| cost(row, |cost| cost.reads)),
     figure("p99_reads", "p99 reads", "reads that 99 of 100 rays keep", 0, |row| {

@@ -2,8 +2,9 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use relief_core::{ByteSize, HeightMap, Lanes};
-use relief_render::scene::{BackendChoice, DEFAULT_MAX_MEMORY, Sampling, Scene, Surface};
+use relief_core::{ByteSize, HeightMap, Lanes, MapFormat};
+use relief_render::scene::{BackendChoice, DEFAULT_MAX_MEMORY, Sampling, Scene};
+use relief_shaders::Choice;
 
 use crate::contender::Contender;
 use crate::error::CompareError;
@@ -53,13 +54,21 @@ impl Machine {
 pub struct Comparison {
     /// The name of the height map, for tables.
     pub name: String,
-    /// The scene: of one surface, with its camera and light. What the surface selects besides geometry,
-    /// search and refinement all methods share; its method is not used.
+    /// The scene, with its camera and light. What its surfaces select besides geometry, search and refinement
+    /// all methods share; their methods are not used where another can be. Of several surfaces the pictures
+    /// are compared, and neither rays nor hits, which belong to one map.
     pub scene: Scene,
     /// The methods.
     pub contenders: Vec<Contender>,
     /// Numbers of steps; methods that have none are compared once. None: as many as each has by itself.
     pub steps: Vec<u32>,
+    /// How the values of baked maps are stored; methods that read none are compared once. None: as 32-bit
+    /// floats.
+    pub map_formats: Vec<MapFormat>,
+    /// Shadows of pictures, as [`shadow`](crate::shadow) gives them. None: those of the scene.
+    pub shadows: Vec<Choice>,
+    /// Metres between the eye and the point that it looks at, along the view. None: the scene's own.
+    pub distances_m: Vec<f64>,
     /// Degrees between rays and the normal, from 0 to below 90, where the surface is flat.
     pub angles_deg: Vec<f64>,
     /// Metres of displacement between heights 0 and 1. None: the scene's own.
@@ -143,6 +152,9 @@ impl Comparison {
             scene,
             contenders: Contender::all(),
             steps: Vec::new(),
+            map_formats: Vec::new(),
+            shadows: Vec::new(),
+            distances_m: Vec::new(),
             angles_deg: ANGLES_DEG.to_vec(),
             scales_m: Vec::new(),
             map_sides: Vec::new(),
@@ -161,7 +173,6 @@ impl Comparison {
     ///
     /// When one is not, there is nothing to compare, or it takes more memory than it may.
     pub fn check(&self) -> Result<(), CompareError> {
-        let surface = self.surface()?;
         if self.contenders.is_empty() {
             return Err(CompareError::Nothing("methods"));
         }
@@ -183,12 +194,20 @@ impl Comparison {
                 return Err(CompareError::Value { what: "an angle", value, must });
             }
         }
-        for &value in &self.scales_m {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(CompareError::Value { what: "a scale", value, must: "above 0 m" });
+        for (what, values) in [("a scale", &self.scales_m), ("a distance", &self.distances_m)] {
+            for &value in values {
+                if !(value > 0.0 && value.is_finite()) {
+                    return Err(CompareError::Value { what, value, must: "above 0 m" });
+                }
             }
         }
-        let levels = self.levels(surface.height_map())?.len();
+        if self.scene.camera().is_orthographic() && !self.distances_m.is_empty() {
+            return Err(CompareError::Orthographic);
+        }
+        let levels = self.map_sides.len().max(1);
+        for surface in self.scene.surfaces() {
+            self.levels(surface.height_map())?;
+        }
         let (needed, limit) = (self.bytes(levels)?, self.max_memory);
         if needed <= limit.0 { Ok(()) } else { Err(CompareError::TooMuchMemory { needed, limit }) }
     }
@@ -197,19 +216,13 @@ impl Comparison {
     fn bytes(&self, levels: usize) -> Result<u64, CompareError> {
         let rays = u64::from(self.rays).saturating_mul(self.angles_deg.len() as u64);
         let pixels = self.scene.size().map(u64::from).iter().product::<u64>();
-        let subjects = levels * self.scales_m.len().max(1);
-        let shown = (self.entrants()?.len() * subjects * self.machines.len()) as u64;
-        let of_pixel = BYTES_PER_PIXEL.saturating_add(BYTES_PER_SHOWN_PIXEL.saturating_mul(shown));
+        let seen = levels * self.scales_m.len().max(1) * self.distances_m.len().max(1);
+        let truths = self.shadows.len().max(1) as u64;
+        let shown = (self.entrants()?.len() * seen * self.machines.len()) as u64 + seen as u64 * truths;
+        let of_truths = BYTES_PER_PIXEL.saturating_mul(truths);
+        let of_pixel = of_truths.saturating_add(BYTES_PER_SHOWN_PIXEL.saturating_mul(shown));
         let pictures = if self.machines.is_empty() { 0 } else { pixels.saturating_mul(of_pixel) };
         Ok(rays.saturating_mul(BYTES_PER_RAY).saturating_add(pictures))
-    }
-
-    /// The surface.
-    pub(crate) fn surface(&self) -> Result<&Surface, CompareError> {
-        match self.scene.surfaces() {
-            [surface] => Ok(surface),
-            several => Err(CompareError::SeveralSurfaces(several.len())),
-        }
     }
 
     /// The levels of the height map that are compared.
@@ -231,7 +244,7 @@ impl Comparison {
         self.map_sides.iter().map(of).collect()
     }
 
-    /// The methods, each with each number of steps that it may take.
+    /// The methods, each with each number of steps that it may take, each format of its maps and each shadow.
     pub(crate) fn entrants(&self) -> Result<Vec<Contender>, CompareError> {
         let mut entrants = Vec::new();
         for contender in &self.contenders {
@@ -242,8 +255,22 @@ impl Comparison {
             if stepped.is_empty() {
                 stepped.push(contender.clone());
             }
-            entrants.append(&mut stepped);
+            let shadowed = stepped.iter().flat_map(|contender| self.with_each_shadow(contender));
+            entrants.extend(shadowed.flat_map(|contender| self.with_each_format(contender)));
         }
         Ok(entrants)
+    }
+
+    fn with_each_shadow(&self, contender: &Contender) -> Vec<Contender> {
+        if self.shadows.is_empty() {
+            return vec![contender.clone()];
+        }
+        self.shadows.iter().map(|&shadow| contender.with_shadow(shadow)).collect()
+    }
+
+    fn with_each_format(&self, contender: Contender) -> Vec<Contender> {
+        let each = self.map_formats.iter().filter_map(|&format| contender.with_map_format(format));
+        let each: Vec<Contender> = each.collect();
+        if each.is_empty() { vec![contender] } else { each }
     }
 }

@@ -1,8 +1,9 @@
 //! What is compared: a method with its settings, under a name.
 
+use relief_core::MapFormat;
 use relief_render::scene::Surface;
 use relief_shaders::{
-    GEOMETRY, METHODS, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, Selection,
+    Choice, GEOMETRY, METHODS, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, Selection,
     SelectionError,
 };
 
@@ -15,6 +16,21 @@ pub struct Contender {
     pub selection: Selection,
     /// How many steps it takes, where it is compared over these.
     pub steps: Option<u32>,
+    /// How the values of its baked maps are stored, where it is compared over that; else as 32-bit floats.
+    pub map_format: Option<MapFormat>,
+    /// Its shadow, where it is compared over these; else its scene's.
+    pub shadow: Option<Choice>,
+}
+
+/// A shadow by its name, with its default settings, for [`Contender::with_shadow`].
+///
+/// # Errors
+///
+/// When there is no such shadow.
+pub fn shadow(name: &str) -> Result<Choice, SelectionError> {
+    let mut selection = Selection::default();
+    selection.choose(STAGES[SHADOW].key, name)?;
+    Ok(selection.choices[SHADOW])
 }
 
 /// The parameters that count the steps of a method, by their keys in the order in which they are looked for.
@@ -43,7 +59,7 @@ impl Contender {
             None => Selection::method(name)?,
         };
         selection.check_pair()?;
-        Ok(Self { name: name.to_owned(), selection, steps: None })
+        Ok(Self { name: name.to_owned(), selection, steps: None, map_format: None, shadow: None })
     }
 
     /// Every method of the [table](METHODS), in its order.
@@ -66,6 +82,24 @@ impl Contender {
         Ok(Some(with))
     }
 
+    /// The same with baked maps of which values are stored so. `None` where it reads none.
+    pub fn with_map_format(&self, format: MapFormat) -> Option<Self> {
+        let of_method = [GEOMETRY, SEARCH, REFINE].map(|place| &self.selection.choices[place]);
+        let reads = of_method.into_iter().chain(&self.shadow).any(|choice| !choice.entry.maps.is_empty());
+        reads.then(|| Self { map_format: Some(format), ..self.clone() })
+    }
+
+    /// How the values of its baked maps are stored.
+    pub(crate) fn format(&self) -> MapFormat {
+        self.map_format.unwrap_or_default()
+    }
+
+    /// The same with a [shadow] of its own.
+    #[must_use]
+    pub fn with_shadow(&self, shadow: Choice) -> Self {
+        Self { shadow: Some(shadow), ..self.clone() }
+    }
+
     /// The key of its steps, as in `search.steps`.
     pub fn steps_key(&self) -> Option<&'static str> {
         STEPS.into_iter().find(|key| self.has(key))
@@ -81,9 +115,10 @@ impl Contender {
         })
     }
 
-    /// The name, with the steps where it has them.
+    /// The name, with what it is compared over: steps, the format of its maps, its shadow.
     pub fn label(&self) -> String {
-        self.steps.map_or(self.name.clone(), |steps| format!("{} ({steps})", self.name))
+        let format = self.map_format.map(MapFormat::name);
+        labelled(&self.name, self.steps, format, self.shadow.map(|shadow| shadow.entry.name))
     }
 
     /// Whether it searches along rays; the others make triangles.
@@ -92,8 +127,9 @@ impl Contender {
     }
 
     /// What is run on a surface: its own geometry, search and refinement, and all else as the surface has it.
-    /// Displaced triangles and slices have a surface of their own, displaced triangles shadows, too. The
-    /// search for shadows is the method's own, unless the surface has one that is not its own method's.
+    /// Displaced triangles and slices have a surface of their own, displaced triangles also a shadow, unless
+    /// one is compared. The search for shadows is the method's own, unless the surface has one that is not its
+    /// own method's.
     ///
     /// # Errors
     ///
@@ -109,14 +145,12 @@ impl Contender {
         for &place in own {
             selection.choices[place] = self.selection.choices[place];
         }
-        let shadow = if self.selection.paths().has_normals_of_relief() || !of_surface.has_shadows() {
-            of_surface
-        } else {
-            &self.selection
-        };
+        let has_relief = self.selection.paths().has_normals_of_relief();
+        let usual = if has_relief || !of_surface.has_shadows() { of_surface } else { &self.selection };
+        let shadow = self.shadow.unwrap_or(usual.choices[SHADOW]);
         // Chooses the search for shadows, too.
-        selection.choose(STAGES[SHADOW].key, shadow.choices[SHADOW].entry.name)?;
-        selection.choices[SHADOW] = shadow.choices[SHADOW];
+        selection.choose(STAGES[SHADOW].key, shadow.entry.name)?;
+        selection.choices[SHADOW] = shadow;
         let another = &of_surface.choices[SHADOW_SEARCH];
         let is_named = ![of_surface.choices[SEARCH].number, Selection::exact().choices[SEARCH].number]
             .contains(&another.number);
@@ -126,6 +160,48 @@ impl Contender {
         selection.check()?;
         Ok(selection)
     }
+
+    /// What is run on each of some surfaces: the method where it can be used, and the others as they are.
+    /// With it the numbers of these, and why it cannot.
+    ///
+    /// # Errors
+    ///
+    /// When it can be used on none; the error is that of the first.
+    pub(crate) fn on_all(&self, surfaces: &[Surface]) -> Result<Used, SelectionError> {
+        let mut used = Used { selections: Vec::new(), others: Vec::new() };
+        for (number, surface) in surfaces.iter().enumerate() {
+            let selection = self.on(surface).unwrap_or_else(|error| {
+                used.others.push((number, error));
+                *surface.selection()
+            });
+            used.selections.push(selection);
+        }
+        if used.others.len() < surfaces.len() {
+            return Ok(used);
+        }
+        used.others.into_iter().next().map_or(Ok(Used::default()), |(_, error)| Err(error))
+    }
+}
+
+/// What is run on some surfaces.
+#[derive(Default)]
+pub(crate) struct Used {
+    /// Of each surface what is run on it.
+    pub selections: Vec<Selection>,
+    /// The numbers of those on which the method is not used, and why.
+    pub others: Vec<(usize, SelectionError)>,
+}
+
+/// A name with what it is compared over.
+pub(crate) fn labelled(
+    name: &str,
+    steps: Option<u32>,
+    map_format: Option<&str>,
+    shadow: Option<&str>,
+) -> String {
+    let steps = steps.map(|steps| steps.to_string());
+    let parts: Vec<&str> = [steps.as_deref(), map_format, shadow].into_iter().flatten().collect();
+    if parts.is_empty() { name.to_owned() } else { format!("{name} ({})", parts.join(", ")) }
 }
 
 #[cfg(test)]
@@ -153,6 +229,33 @@ mod tests {
         assert_eq!(entries("relief", "none")[..4], ["plane", "linear", "binary", "none"]);
         assert_eq!(entries("vertex", "ray")[..4], ["facets", "none", "none", "map"]);
         assert_eq!(entries("vertex", "none")[3], "none");
+    }
+
+    #[test]
+    fn a_shadow_of_its_own_counts_and_is_refused_where_nothing_can_be_made_of_it() {
+        let of = |name: &str, own: &str| {
+            let contender = Contender::named(name).expect("a method").with_shadow(shadow(own).expect("one"));
+            contender
+                .on(&surface("ray"))
+                .map(|it| [SHADOW, SHADOW_SEARCH].map(|at| it.choices[at].entry.name))
+        };
+        assert_eq!(of("cone", "none").ok(), Some(["none", "cone"]));
+        assert_eq!(of("cone", "soft").ok(), Some(["soft", "cone"]));
+        assert_eq!(of("vertex", "scene").map(|names| names[0]).ok(), Some("scene"));
+        assert!(of("vertex", "ray").is_err() && shadow("rays").is_err());
+        let [plane, none] = ["ray", "none"].map(surface);
+        let used = Contender::named("vertex").expect("a method").on_all(&[plane, none]).expect("possible");
+        assert_eq!((used.selections.len(), used.others.len()), (2, 0));
+    }
+
+    #[test]
+    fn maps_have_formats_where_there_are_any() {
+        let half = |name: &str| Contender::named(name).expect("a method").with_map_format(MapFormat::F16);
+        assert_eq!(half("cone").map(|it| it.label()).as_deref(), Some("cone (half)"));
+        assert!(half("relief").is_none() && half("bump").is_none());
+        let bump = Contender::named("bump").expect("a method").with_shadow(shadow("horizon").expect("one"));
+        let label = bump.with_map_format(MapFormat::Unorm8).map(|it| it.label());
+        assert_eq!(label.as_deref(), Some("bump (unorm8, horizon)"));
     }
 
     #[test]

@@ -43,6 +43,8 @@ mod tests {
             psnr_db: Some(30.0),
             cost: Some(Default::default()),
             wave_reads: Some(1.0),
+            distance_m: Some(2.0),
+            error: Some(Default::default()),
             times: Some(TimeRecord { trace_pass_ms: flicker, shade_pass_ms: flicker, ..Default::default() }),
             ..picture
         });
@@ -73,9 +75,12 @@ mod tests {
             let has = |column: &&crate::columns::Column| (column.cell)(&row) != Cell::Empty;
             let mut columns: Vec<String> =
                 COLUMNS.iter().filter(has).map(|column| column.key.to_owned()).collect();
-            // What a record is stands where it is kept, and steps are said of those alone that have them.
+            // What a record is stands where it is kept, and what it is compared over is said of those alone
+            // that are.
             columns.retain(|key| key != "kind");
-            fields.retain(|key| !key.starts_with("steps"));
+            let is_of_some =
+                |key: &String| key.starts_with("steps") || ["map_format", "shadow"].contains(&key.as_str());
+            fields.retain(|key| !is_of_some(key));
             columns.sort();
             fields.sort();
             assert_eq!(columns, fields);

@@ -52,9 +52,9 @@ pub enum CompareError {
         /// The longer sides of the map's levels.
         sides: Vec<u32>,
     },
-    /// Several surfaces hide each other, so that nobody can say which of them a hit is to be compared with.
-    #[error("the scene has {0} surfaces: one at a time can be compared")]
-    SeveralSurfaces(usize),
+    /// An orthographic camera sees the same from everywhere along its view.
+    #[error("an orthographic picture is the same from every distance")]
+    Orthographic,
     /// A method cannot have such settings.
     #[error(transparent)]
     Selection(#[from] SelectionError),

@@ -1,7 +1,7 @@
 //! Displacement methods beside the truth and beside each other: how wrong their hits are, what these cost,
 //! and how their pictures look.
 //!
-//! A [`Comparison`] is a scene of one surface and what is to be compared on it. It gives [`Records`], the
+//! A [`Comparison`] is a scene and what is to be compared on it. It gives [`Records`], the
 //! numbers, and the pictures that they are of; [`page`] makes a page of both that needs nothing else.
 //!
 //! ```
@@ -46,7 +46,7 @@ pub const COBBLES_PNG: &[u8] = include_bytes!("../data/cobbles.png");
 pub use case::{Case, cost, hits, judged};
 pub use choose::{Candidate, Goal, Tried, choose};
 pub use comparison::{Comparison, Machine, MachineBackend, Timing, Watch};
-pub use contender::Contender;
+pub use contender::{Contender, shadow};
 pub use csv::csv;
 pub use error::CompareError;
 pub use page::page;
@@ -54,4 +54,4 @@ pub use record::{
     About, CostRecord, ErrorRecord, LeftOut, MachineRecord, MethodRecord, PictureRecord, RayRecord, Records,
     TimeRecord,
 };
-pub use run::{Compared, Reference, Shown};
+pub use run::{Compared, Reference, Renderers, Shown};

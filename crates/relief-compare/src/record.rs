@@ -3,6 +3,8 @@
 use relief_core::metrics::{CostReport, CostSpread, ErrorReport};
 use serde::{Deserialize, Serialize};
 
+use crate::contender::labelled;
+
 /// What a comparison finds.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Records {
@@ -19,12 +21,14 @@ pub struct Records {
 /// What was compared, and how.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct About {
-    /// The map's name.
+    /// The map's name; of several surfaces the first one's.
     pub map: String,
-    /// Columns and rows of the map.
+    /// Columns and rows of that map.
     pub map_size: [u32; 2],
     /// Metres of a tile along `u` and `v`.
     pub tile_m: [f64; 2],
+    /// How many surfaces the scene has.
+    pub surfaces: usize,
     /// The program and its version.
     pub program: String,
     /// The command that made it; empty where a program did.
@@ -55,6 +59,10 @@ pub struct MethodRecord {
     pub steps: Option<u32>,
     /// The parameter that says so.
     pub steps_key: Option<String>,
+    /// How the values of its baked maps are stored, where it is compared over that; else as 32-bit floats.
+    pub map_format: Option<String>,
+    /// Its shadow, where pictures are compared over these.
+    pub shadow: Option<String>,
     /// The variant of each stage that finds hits.
     pub geometry: String,
     /// The search.
@@ -63,9 +71,11 @@ pub struct MethodRecord {
     pub refine: String,
     /// What it promises for view rays.
     pub promise: String,
-    /// Columns and rows of the height map.
+    /// Columns and rows of the height map; of several surfaces the first one's.
     pub map_size: [u32; 2],
-    /// Metres between heights 0 and 1.
+    /// Texels of all height maps.
+    pub map_texels: u64,
+    /// Metres between heights 0 and 1; of several surfaces the first one's.
     pub scale_m: f64,
     /// Bytes of the baked maps that it reads besides the heights.
     pub map_bytes: u64,
@@ -103,6 +113,8 @@ pub struct PictureRecord {
     pub size: [u32; 2],
     /// Samples of a pixel.
     pub samples: u32,
+    /// Metres between the eye and the point that it looks at, where these are compared.
+    pub distance_m: Option<f64>,
     /// Mean FLIP to the reference.
     pub flip: f64,
     /// Structural similarity to the reference.
@@ -115,9 +127,9 @@ pub struct PictureRecord {
     pub flicker_rms: Option<f64>,
     /// Mean FLIP between these, less that of many samples a pixel.
     pub flicker_flip: Option<f64>,
-    /// How wrong the hits of its pixels' centres are.
+    /// How wrong the hits of its pixels' centres are; nothing where several surfaces hide each other.
     #[serde(flatten)]
-    pub error: ErrorRecord,
+    pub error: Option<ErrorRecord>,
     /// What these cost where the surface is; nothing of displaced triangles, which are not searched, and of
     /// the exact method on the CPU, where a tracer of its own answers.
     #[serde(flatten)]
@@ -240,13 +252,18 @@ impl From<&CostReport> for CostRecord {
 }
 
 impl MethodRecord {
-    /// The name, with the steps where it has them.
+    /// The name, with what it is compared over: steps, the format of its maps, its shadow.
     pub fn label(&self) -> String {
-        self.steps.map_or(self.method.clone(), |steps| format!("{} ({steps})", self.method))
+        labelled(&self.method, self.steps, self.map_format.as_deref(), self.shadow.as_deref())
     }
 
-    /// Bytes of baked maps for a texel of the height map.
+    /// The same without the shadow, of which rays of the view know nothing.
+    pub fn label_of_rays(&self) -> String {
+        labelled(&self.method, self.steps, self.map_format.as_deref(), None)
+    }
+
+    /// Bytes of baked maps for a texel of the height maps.
     pub fn bytes_a_texel(&self) -> f64 {
-        self.map_bytes as f64 / self.map_size.map(f64::from).iter().product::<f64>()
+        self.map_bytes as f64 / self.map_texels as f64
     }
 }

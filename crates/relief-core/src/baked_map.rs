@@ -1,7 +1,10 @@
 //! A baked map as a value: what it is, what it was made from, and its texels.
 
+use std::str::FromStr;
+
 use crate::area_mean::level_count;
 use crate::encoding::code::Codes;
+use crate::registry::UnknownName;
 use crate::{HeightMap, HeightsHash, MAX_SIDE, Metric, Wrap};
 
 /// The most layers of a map, the least that GPUs offer.
@@ -19,9 +22,28 @@ pub enum MapFormat {
     Unorm8,
 }
 
+impl FromStr for MapFormat {
+    type Err = UnknownName;
+
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        let named = |format: &&Self| format.name() == name;
+        let unknown = || UnknownName::new("format", name, Self::ALL.map(Self::name));
+        Self::ALL.iter().find(named).copied().ok_or_else(unknown)
+    }
+}
+
 impl MapFormat {
     /// Every format, the one of the most bits first.
     pub const ALL: [MapFormat; 3] = [MapFormat::F32, MapFormat::F16, MapFormat::Unorm8];
+
+    /// Its name, as in the texels of files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            MapFormat::F32 => "float",
+            MapFormat::F16 => "half",
+            MapFormat::Unorm8 => "unorm8",
+        }
+    }
 
     /// Bytes of a value.
     pub const fn bytes(self) -> u64 {

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use relief_compare::{Compared, Comparison, Contender, Goal, Timing, Tried, choose, csv, page};
+use relief_core::MapFormat;
 
 use super::contest::{Contest, ContestArguments, as_json, compared, of_comparison};
 use super::staged::{Staged, format_of};
@@ -21,9 +22,11 @@ use crate::{interrupt, units, values};
     relief compare --methods relief,occlusion --steps 8,16,32,64 --csv steps.csv\n  \
     relief compare --methods cone,linear+true-secant --angles 60,85 --rays 100000\n  \
     relief compare --height wall.png --backend cpu --budget-ms 40   # the best within 40 ms\n  \
+    relief compare --methods cone,frustum --texels float,half,unorm8 --shadow none,ray,horizon\n  \
+    relief compare --methods relief,cone,vertex --distances 1,2,4,8\n  \
     relief compare scenes/jacksboro.toml --geometry none,vertex --json\n\n\
-    Rays at an angle are compared with the exact first hit; pictures with the exact picture, and their \
-    pixels' hits with its hits. The page sorts its figures and plots any of them against any other, \
+    --geometry and --shadow take several names, too. Rays at an angle are compared with the exact first \
+    hit; pictures with the exact picture, and their pixels' hits with its hits. The page sorts its figures and plots any of them against any other, \
     without network."
 )]
 pub struct Arguments {
@@ -81,6 +84,25 @@ pub struct Arguments {
         help_heading = "What is tried"
     )]
     map_sizes: Vec<u32>,
+    /// Metres from the eye to the point that it looks at, along the view [default: as it is]
+    #[arg(
+        long,
+        value_name = "M,..",
+        value_delimiter = ',',
+        value_parser = units::length,
+        allow_hyphen_values = true,
+        help_heading = "What is tried"
+    )]
+    distances: Vec<f64>,
+    /// How the values of baked maps are stored: float (32 bits), half (16) or unorm8 [default: float]
+    #[arg(
+        long,
+        value_name = "float,half,unorm8",
+        value_delimiter = ',',
+        conflicts_with_all = ["budget_ms", "max_error"],
+        help_heading = "What is tried"
+    )]
+    texels: Vec<MapFormat>,
     /// Rays of a method at an angle [default: 20000]
     #[arg(
         long,
@@ -195,11 +217,18 @@ impl Arguments {
             (true, false) => SCALES_M.to_vec(),
         };
         comparison.map_sides.clone_from(&self.map_sizes);
+        comparison.map_formats.clone_from(&self.texels);
+        comparison.distances_m.clone_from(&self.distances);
         comparison.rays =
             self.rays.unwrap_or(if self.quick { comparison.rays / 10 } else { comparison.rays });
         comparison.flicker_samples = comparison.flicker_samples.filter(|_| !self.quick);
         comparison.timing = comparison.timing.filter(|_| !self.quick);
         if self.goal().is_some() {
+            if comparison.scene.surfaces().len() > 1 {
+                return Err(Failure::usage(
+                    "--budget-ms and --max-error go by the error of hits, which a scene of one surface has",
+                ));
+            }
             // What is chosen is for pictures of this size, and may be any number of steps.
             comparison.timing = Some(Timing { frames: CHOOSING_FRAMES, warm: 1, pixels: 1 });
             comparison.flicker_samples = None;

@@ -11,7 +11,9 @@ use relief_compare::{
 use relief_core::registry::UnknownName;
 use relief_render::scene::{BackendChoice, Sampling, SceneSpec};
 use relief_render::{RenderError, Renderer};
-use relief_shaders::{DETAIL, GEOMETRY, REFINE, SEARCH, SLICES, STAGES, geometry};
+use relief_shaders::{
+    Choice, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SLICES, STAGES, Selection, geometry,
+};
 use tempfile::TempDir;
 
 use super::scene_arguments::{SceneArguments, of_scene};
@@ -54,6 +56,8 @@ pub struct Contest {
     pub spec: SceneSpec,
     /// The methods.
     pub contenders: Vec<Contender>,
+    /// Their shadows, where several are named; else the scene's.
+    shadows: Vec<Choice>,
     /// Where pictures are made.
     pub machines: Vec<Machine>,
     /// The file of the sample map, where no other is given, as long as this lives.
@@ -65,7 +69,8 @@ impl ContestArguments {
     pub fn contest(&self) -> Result<Contest, Failure> {
         let mut spec = self.scene.spec()?;
         let families = self.families(&spec)?;
-        let settings = settings(&mut spec);
+        let shadows = shadows(&mut spec)?;
+        let settings = settings(&mut spec, &[GEOMETRY, SEARCH, REFINE]);
         for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
             surface.stages.remove(STAGES[GEOMETRY].key);
             // All methods see the finest level, unless another is asked for.
@@ -74,7 +79,7 @@ impl ContestArguments {
         }
         let contenders = self.contenders(&families, &settings)?;
         let sample = sample(&mut spec)?;
-        Ok(Contest { spec, contenders, machines: self.machines()?, _sample: sample })
+        Ok(Contest { spec, contenders, shadows, machines: self.machines()?, _sample: sample })
     }
 
     /// The geometries that are tried: all, or those that are named.
@@ -160,6 +165,7 @@ impl Contest {
         let name = map.as_deref().and_then(|path| path.file_stem()).unwrap_or_default();
         let mut comparison = Comparison::new(name.to_string_lossy(), scene);
         comparison.contenders.clone_from(&self.contenders);
+        comparison.shadows.clone_from(&self.shadows);
         comparison.machines.clone_from(&self.machines);
         comparison.lanes = lanes::from_environment()?;
         comparison.max_memory = self.spec.max_memory.unwrap_or(comparison.max_memory);
@@ -176,21 +182,51 @@ impl Contest {
     }
 }
 
-/// Takes the settings of geometries, searches and refinements out of a description: they are the methods'.
-fn settings(spec: &mut SceneSpec) -> Vec<(String, f64)> {
+/// Takes the settings of some stages out of a description: they are those of what is tried.
+fn settings(spec: &mut SceneSpec, stages: &[usize]) -> Vec<(String, f64)> {
     let mut taken = Vec::new();
     for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
         surface.set.retain(|key, value| {
             let stage = key.split('.').next();
-            let is_of_method =
-                [GEOMETRY, SLICES, SEARCH, REFINE].iter().any(|&place| stage == Some(STAGES[place].key));
-            if is_of_method {
+            let is_tried = stages.iter().any(|&place| stage == Some(STAGES[place].key));
+            if is_tried {
                 taken.push((key.clone(), *value));
             }
-            !is_of_method
+            !is_tried
         });
     }
     taken
+}
+
+/// Takes the shadows out of a description that names several, with their settings.
+fn shadows(spec: &mut SceneSpec) -> Result<Vec<Choice>, Failure> {
+    let stage = STAGES[SHADOW].key;
+    let named = spec.each_surface().iter().find_map(|surface| surface.stages.get(stage).cloned());
+    let Some(text) = named.filter(|text| text.contains(',')) else { return Ok(Vec::new()) };
+    for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
+        surface.stages.remove(stage);
+    }
+    let mut selections = Vec::new();
+    for name in text.split(',') {
+        let mut selection = Selection::default();
+        let chosen = selection.choose(stage, name);
+        chosen.map_err(|error| Failure::Usage(format!("--shadow: {error}")))?;
+        selections.push(selection);
+    }
+    for (key, value) in settings(spec, &[SHADOW]) {
+        let name = key.split_once('.').map_or("", |(_, name)| name);
+        let having = |selection: &&mut Selection| selection.choices[SHADOW].entry.param(name).is_some();
+        let mut is_of_one = false;
+        for selection in selections.iter_mut().filter(having) {
+            let set = selection.set(&key, value);
+            set.map_err(|error| Failure::Usage(format!("--set: {error}")))?;
+            is_of_one = true;
+        }
+        if !is_of_one {
+            return Err(Failure::Usage(format!("--set {key}: none of the shadows has such a setting")));
+        }
+    }
+    Ok(selections.iter().map(|selection| selection.choices[SHADOW]).collect())
 }
 
 /// Names the sample map in a description that names none.
@@ -234,6 +270,9 @@ pub fn as_json(records: &Records) -> Result<String, Failure> {
 pub fn of_comparison(error: CompareError) -> Failure {
     match error {
         CompareError::Value { what: "an angle", .. } => Failure::Usage(format!("--angles: {error}")),
+        CompareError::Value { what: "a distance", .. } | CompareError::Orthographic => {
+            Failure::Usage(format!("--distances: {error}"))
+        }
         CompareError::Value { .. } => Failure::Usage(format!("--scales: {error}")),
         CompareError::NoLevel { .. } => Failure::Usage(format!("--map-sizes: {error}")),
         CompareError::Nothing(_) => Failure::usage(error),

@@ -56,14 +56,15 @@ pub fn page(compared: &Compared) -> Result<String, ImageError> {
 }
 
 fn about(about: &About) -> Markup {
-    let About { map, map_size: [columns, rows], tile_m: [u, v], program, command, machines, reference } =
-        about;
+    let About { map, map_size: [columns, rows], tile_m: [u, v], surfaces, .. } = about;
+    let About { program, command, machines, reference, .. } = about;
     html! {
         dl {
             dt { "Map" }
             dd {
                 (map) ", " (columns) " x " (rows) " texels on a tile of "
                 (rounded(*u)) " x " (rounded(*v)) " m"
+                @if *surfaces > 1 { ", the first of " (surfaces) " surfaces" }
             }
             dt { "Truth" }
             dd { "Rays: the cell walk in f64. Pictures: " (reference) "." }
@@ -85,7 +86,7 @@ fn rounded(metres: f64) -> String {
 
 fn plot() -> Markup {
     html! {
-        h2 { "Error against cost" }
+        h2 { "Error, cost and what is compared over" }
         p.controls {
             label { "rows " select #rows {} }
             label { "across " select #across {} }
@@ -154,7 +155,11 @@ fn pictures(records: &Records, shown: &[Shown], references: &[Reference]) -> Res
             of_reference.map(|(record, shown)| picture(record, shown)).collect::<Result<Vec<_>, _>>()?;
         let [columns, rows] = reference.map_size;
         groups.push(html! {
-            h3 { (rounded(reference.scale_m)) " m deep, map of " (columns) " x " (rows) }
+            h3 {
+                (rounded(reference.scale_m)) " m deep, map of " (columns) " x " (rows)
+                ", shadow " (reference.shadow)
+                @if let Some(distance_m) = reference.distance_m { ", from " (rounded(distance_m)) " m" }
+            }
             div.grid {
                 figure {
                     (element(&jpeg(&reference.image)?, "image/jpeg", "reference", reference.image.size()))
@@ -183,8 +188,10 @@ fn picture(record: &PictureRecord, shown: &Shown) -> Result<Markup, ImageError> 
             figcaption {
                 b { (label) } " " (record.backend) " " (record.sampling)
                 " · FLIP " (format!("{:.4}", record.flip))
-                " · p99 " (format!("{:.2}", record.error.p99_texels)) " texels"
-                " · passed " (format!("{:.2}", record.error.passed * 100.0)) " %"
+                @if let Some(error) = &record.error {
+                    " · p99 " (format!("{:.2}", error.p99_texels)) " texels"
+                    " · passed " (format!("{:.2}", error.passed * 100.0)) " %"
+                }
             }
         }
     })

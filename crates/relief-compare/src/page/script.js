@@ -38,23 +38,46 @@ const filtered = () => {
 filter.addEventListener('input', filtered);
 filtered();
 
-// A group of rows is what can be compared: the same rays, or pictures of the same scene.
-const groupOf = (row) => ['kind', 'map_size', 'scale_m', 'angle_deg', 'backend', 'sampling']
-  .map((key) => [columns[at(key)].title, row.cells[at(key)].textContent])
-  .filter(([, text]) => text !== '')
-  .map(([title, text]) => (/^[a-z]+$/.test(text) ? text : `${title} ${text}`)).join(', ');
-const groups = [...new Set([...body.rows].map(groupOf))];
 const [rows, across, up] = ['rows', 'across', 'up'].map((id) => document.getElementById(id));
 const offer = (select, names, chosen) => names.forEach(([key, title]) => {
   select.add(new Option(title, key, key === chosen, key === chosen));
 });
 const named = (keys) => keys.map((key) => [key, columns[at(key)].title]);
-const ofRays = groups.filter((group) => group.startsWith('rays'));
-offer(rows, groups.map((group) => [group, group]), ofRays.length ? ofRays[ofRays.length - 1] : groups[0]);
-offer(across, named(['reads', 'p99_reads', 'wave_reads', 'turns', 'bytes', 'displacement_ms', 'frame_ms',
-  'map_bytes', 'bake_seconds']), 'reads');
+// Figures over which methods are compared, each with the column by which rows are told apart elsewhere.
+const AXES = {
+  map_texels: 'map_size',
+  steps: 'steps',
+  scale_m: 'scale_m',
+  angle_deg: 'angle_deg',
+  distance_m: 'distance_m',
+};
+// NaN where a row has no such figure.
+const figure = (row, key) => {
+  const place = at(key);
+  return row.cells[place].textContent === '' ? NaN : value(row, place) * columns[place].factor;
+};
+// A group of rows is what can be compared: the same rays, or pictures of the same scene, but for what differs
+// along the plot.
+const groupOf = (row) => ['kind', 'map_size', 'scale_m', 'angle_deg', 'distance_m', 'backend', 'sampling']
+  .filter((key) => key !== AXES[across.value])
+  .map((key) => [columns[at(key)].title, row.cells[at(key)].textContent])
+  .filter(([, text]) => text !== '')
+  .map(([title, text]) => (/^[a-z]+$/.test(text) ? text : `${title} ${text}`)).join(', ');
+// The groups that have such figures, and of these the same as before where it is there still.
+const grouped = () => {
+  const before = rows.value;
+  const has = (row) => [across, up].every((select) => Number.isFinite(figure(row, select.value)));
+  const groups = [...new Set([...body.rows].filter(has).map(groupOf))];
+  const ofRays = groups.filter((group) => group.startsWith('rays'));
+  const usual = ofRays.length ? ofRays[ofRays.length - 1] : groups[0];
+  rows.replaceChildren();
+  offer(rows, groups.map((group) => [group, group]), groups.includes(before) ? before : usual);
+};
+const COSTS = ['reads', 'p99_reads', 'wave_reads', 'turns', 'bytes', 'displacement_ms', 'frame_ms',
+  'shadow_ms', 'map_bytes', 'bake_seconds'];
+offer(across, named([...COSTS, ...Object.keys(AXES)]), 'reads');
 offer(up, named(['p99_texels', 'median_texels', 'mean_texels', 'passed', 'flip', 'ssim', 'psnr_db', 'rms',
-  'flicker_rms', 'flicker_flip']), 'p99_texels');
+  'flicker_rms', 'flicker_flip', ...COSTS]), 'p99_texels');
 
 const HIGHER_IS_BETTER = ['ssim', 'psnr_db'];
 const svg = document.getElementById('plot');
@@ -67,29 +90,36 @@ const draw = (name, attributes, text) => {
   if (text !== undefined) element.textContent = text;
   svg.append(element);
 };
-// A scale of logarithms, with 0 a step before the least number.
+// A scale of logarithms; where numbers are not all above 0 these stand a step before the least that is.
 const scale = (numbers, from, to) => {
   const positive = numbers.filter((number) => number > 0);
-  const [least, most] = [Math.min(...positive, 1), Math.max(...positive, 1)].map(Math.log10);
-  const low = Math.floor(least) - 1;
-  const high = Math.max(Math.ceil(most), low + 2);
+  const hasZero = positive.length < numbers.length;
+  const ends = hasZero ? [...positive, 1] : positive;
+  const [least, most] = [Math.min(...ends), Math.max(...ends)].map(Math.log10);
+  const low = Math.floor(least) - (hasZero ? 1 : 0);
+  const high = Math.max(Math.ceil(most), low + (hasZero ? 2 : 1));
   const place = (exponent) => from + (to - from) * (exponent - low) / (high - low);
   const ticks = [];
+  const parts = high - low > 3 ? [1] : [1, 2, 5];
   for (let exponent = low; exponent <= high; exponent += 1) {
-    ticks.push([place(exponent), exponent === low ? '0' : String(Number((10 ** exponent).toPrecision(1)))]);
+    const isZero = hasZero && exponent === low;
+    for (const part of isZero ? [1] : parts) {
+      const at = exponent + Math.log10(part);
+      const written = Number((part * 10 ** exponent).toPrecision(1));
+      const decimal = exponent < -4 ? written.toExponential() : String(written);
+      const label = isZero ? '0' : decimal;
+      if (at <= high) ticks.push([place(at), label]);
+    }
   }
   return { ticks, place: (number) => (number > 0 ? place(Math.log10(number)) : from) };
 };
 const plotted = () => {
-  // NaN where a row has no such figure.
-  const figure = (row, key) => {
-    const place = at(key);
-    return row.cells[place].textContent === '' ? NaN : value(row, place) * columns[place].factor;
-  };
+  const isAxis = across.value in AXES;
   const points = [...body.rows].filter((row) => groupOf(row) === rows.value).map((row) => {
-    const steps = row.cells[at('steps')].textContent;
+    const said = ['steps', 'map_format', 'shadow'].filter((key) => key !== across.value)
+      .map((key) => row.cells[at(key)].textContent).filter(Boolean).join(', ');
     return {
-      name: row.cells[at('method')].textContent + (steps ? ` (${steps})` : ''),
+      name: row.cells[at('method')].textContent + (said ? ` (${said})` : ''),
       x: figure(row, across.value),
       y: figure(row, up.value),
       // Of medians that have them, what the true ones lie between.
@@ -100,7 +130,7 @@ const plotted = () => {
   }).filter((point) => Number.isFinite(point.x) && Number.isFinite(point.y));
   svg.replaceChildren();
   const frontier = document.getElementById('frontier');
-  frontier.textContent = points.length ? '' : 'These rows have no such figures.';
+  frontier.textContent = points.length ? '' : 'No rows have both figures.';
   if (!points.length) return;
   const x = scale(points.map((point) => point.x), MARGIN, WIDTH - MARGIN);
   const y = scale(points.map((point) => point.y), HEIGHT - MARGIN, MARGIN / 2);
@@ -116,12 +146,18 @@ const plotted = () => {
   draw('text', { x: 14, y: 16 }, columns[at(up.value)].title);
   const sign = HIGHER_IS_BETTER.includes(up.value) ? -1 : 1;
   const better = (a, b) => a.x <= b.x && sign * a.y <= sign * b.y && (a.x < b.x || a.y !== b.y);
-  const best = points.filter((point) => !points.some((other) => better(other, point)));
+  const best = isAxis ? [] : points.filter((point) => !points.some((other) => better(other, point)));
   best.sort((a, b) => a.x - b.x || sign * (a.y - b.y));
-  draw('polyline', {
-    points: best.map((point) => `${x.place(point.x)},${y.place(point.y)}`).join(' '),
-    fill: 'none', stroke: '#c2410c', 'stroke-width': 1.5,
+  const line = (of, colour) => draw('polyline', {
+    points: of.map((point) => `${x.place(point.x)},${y.place(point.y)}`).join(' '),
+    fill: 'none', stroke: colour, 'stroke-width': 1.5,
   });
+  line(best, '#c2410c');
+  // Along what is compared over, a line a method, which has its name at the end.
+  const series = isAxis ? [...new Set(points.map((point) => point.name))].map((name) => (
+    points.filter((point) => point.name === name).sort((a, b) => a.x - b.x))) : [];
+  series.forEach((of) => line(of, '#94a3b8'));
+  const ends = series.map((of) => of[of.length - 1]);
   // Names make way for each other, those on the frontier first.
   const named = [];
   for (const point of [...best, ...points.filter((other) => !best.includes(other))]) {
@@ -132,6 +168,7 @@ const plotted = () => {
       draw('line', { x1: from, x2: to, y1: top, y2: top, stroke: '#94a3b8', 'stroke-width': 2 });
     }
     draw('circle', { cx: left, cy: top, r: isBest ? 5 : 4, fill: isBest ? '#c2410c' : '#64748b' });
+    if (isAxis && !ends.includes(point)) continue;
     const wide = 7 * point.name.length + 10;
     const free = (at) => named.every(([l, t, w]) => left > l + w || left + wide < l || Math.abs(at - t) > 12);
     const places = [...Array(10).keys()].flatMap((step) => [top - 5 - 13 * step, top - 5 + 13 * step]);
@@ -143,7 +180,17 @@ const plotted = () => {
     draw('text', { x: left + 8, y: place, 'font-weight': isBest ? 600 : 400 }, point.name);
   }
   const names = best.map((point) => point.name).join(', ');
-  frontier.textContent = `On the frontier, where no other method is better in both: ${names}.`;
+  frontier.textContent = isAxis ? 'A line for each method.'
+    : `On the frontier, where no other method is better in both: ${names}.`;
 };
-[rows, across, up].forEach((select) => select.addEventListener('change', plotted));
+[across, up].forEach((select) => select.addEventListener('change', () => { grouped(); plotted(); }));
+rows.addEventListener('change', plotted);
+// What a page is to show at first may stand in its address, as #across=map_texels&up=frame_ms.
+const asked = new URLSearchParams(location.hash.slice(1));
+[across, up].forEach((select) => {
+  const key = asked.get(select.id);
+  if ([...select.options].some((option) => option.value === key)) select.value = key;
+});
+grouped();
+if ([...rows.options].some((option) => option.value === asked.get('rows'))) rows.value = asked.get('rows');
 plotted();

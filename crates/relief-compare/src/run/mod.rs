@@ -3,15 +3,19 @@
 mod pictures;
 mod rays;
 mod reference;
+mod shadow;
+mod subject;
 mod times;
 
 use relief_core::registry::RayClass;
-use relief_core::{HeightMap, MapIdentity, Metric};
+use relief_core::{MapFormat, MapIdentity};
 use relief_maps::{Maps, Origin, Provided, Watch as MapWatch};
 use relief_render::scene::Surface;
+use relief_render::{RenderError, Renderer};
 use relief_shaders::{GEOMETRY, REFINE, SEARCH, Selection};
 
-use crate::comparison::{Comparison, Watch};
+use self::subject::Subject;
+use crate::comparison::{Comparison, Machine, Watch};
 use crate::contender::Contender;
 use crate::error::CompareError;
 use crate::picture::{Flip, Image};
@@ -42,23 +46,30 @@ pub struct Shown {
 /// A picture that others are compared with.
 #[derive(Clone, Debug)]
 pub struct Reference {
-    /// Columns and rows of the height map.
+    /// Columns and rows of the height map; of several surfaces the first one's.
     pub map_size: [u32; 2],
-    /// Metres between heights 0 and 1.
+    /// Metres between heights 0 and 1; of several surfaces the first one's.
     pub scale_m: f64,
+    /// The name of its shadow; of several surfaces the first one's.
+    pub shadow: String,
+    /// Metres between the eye and the point that it looks at, where these are compared.
+    pub distance_m: Option<f64>,
     /// The picture.
     pub image: Image,
 }
 
 /// The maps that methods read, and how long each took to bake.
 struct Baked {
-    maps: Maps,
-    seconds: Vec<(MapIdentity, f64)>,
+    /// Of each format.
+    maps: Vec<(MapFormat, Maps)>,
+    seconds: Vec<(MapFormat, MapIdentity, f64)>,
 }
 
 /// The maps of a method.
+#[derive(Default)]
 struct MapsOf {
-    provided: Provided,
+    /// What they were made from.
+    identities: Vec<MapIdentity>,
     /// What they take together.
     bytes: u64,
     /// How long they took when they were baked.
@@ -67,38 +78,54 @@ struct MapsOf {
 
 impl Baked {
     fn new() -> Self {
-        Self { maps: Maps::in_memory(), seconds: Vec::new() }
+        Self { maps: Vec::new(), seconds: Vec::new() }
     }
 
-    /// The maps of a method.
+    /// What provides maps of that format.
+    fn maps(&mut self, format: MapFormat) -> &mut Maps {
+        let known = self.maps.iter().position(|(known, _)| *known == format);
+        let place = known.unwrap_or(self.maps.len());
+        if known.is_none() {
+            self.maps.push((format, Maps::in_memory().with_format(format)));
+        }
+        &mut self.maps[place].1
+    }
+
+    /// The maps of a method on a surface, which are counted among those that it reads.
     fn provide(
         &mut self,
         selection: &Selection,
-        heights: &HeightMap,
+        format: MapFormat,
+        surface: &Surface,
+        read: &mut MapsOf,
         watch: &Watch,
-    ) -> Result<MapsOf, CompareError> {
+    ) -> Result<Provided, CompareError> {
         watch.check()?;
         let map_watch = MapWatch { cancel: watch.cancel, ..MapWatch::none() };
-        let provided = self.maps.provide(selection, heights, Metric::UNIT, &map_watch);
+        let maps = self.maps(format);
+        let provided = maps.provide(selection, surface.height_map(), surface.metric(), &map_watch);
         // A bake that was ended is no bake that failed.
         let provided = provided.map_err(|error| watch.check().err().unwrap_or(error.into()))?;
-        let mut different: Vec<&MapIdentity> = Vec::new();
-        let mut bytes = 0;
+        let mut different: Vec<(&MapIdentity, u64)> = Vec::new();
         for (_, map) in provided.maps() {
-            if !different.contains(&map.identity()) {
-                different.push(map.identity());
-                bytes += map.layout().bytes();
+            if !different.iter().any(|(known, _)| *known == map.identity()) {
+                different.push((map.identity(), map.layout().bytes()));
             }
         }
-        let mut seconds = 0.0;
-        for (identity, account) in different.into_iter().zip(provided.accounts()) {
+        for ((identity, bytes), account) in different.into_iter().zip(provided.accounts()) {
             if account.origin == Origin::Bake {
-                self.seconds.push((identity.clone(), account.elapsed.as_secs_f64()));
+                self.seconds.push((format, identity.clone(), account.elapsed.as_secs_f64()));
             }
-            let known = self.seconds.iter().find(|(known, _)| known == identity);
-            seconds += known.map_or(0.0, |(_, seconds)| *seconds);
+            // What several surfaces read is there once.
+            if read.identities.contains(identity) {
+                continue;
+            }
+            read.identities.push(identity.clone());
+            read.bytes += bytes;
+            let known = self.seconds.iter().find(|(of, known, _)| (*of, known) == (format, identity));
+            read.seconds += known.map_or(0.0, |(_, _, seconds)| *seconds);
         }
-        Ok(MapsOf { provided, bytes, seconds })
+        Ok(provided)
     }
 }
 
@@ -108,63 +135,89 @@ impl Comparison {
     /// # Errors
     ///
     /// When a number is not possible, there is nothing to compare, a map cannot be baked, a picture cannot be
-    /// made, or the work was ended. Methods that cannot be used on the surface are
+    /// made, or the work was ended. Methods that cannot be used on the surfaces are
     /// [left out](Records::left_out), with the reason.
     pub fn run(&self, watch: &Watch) -> Result<Compared, CompareError> {
+        self.run_on(&|machine| Renderer::new(machine.backend_choice(), machine.sampling), watch)
+    }
+
+    /// The same with renderers that the caller makes, as on a device that he has opened.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::run`].
+    pub fn run_on(&self, renderers: &Renderers, watch: &Watch) -> Result<Compared, CompareError> {
         self.check()?;
-        let surface = self.surface()?;
+        let surfaces = self.scene.surfaces();
         let mut compared = Compared::default();
+        let left_out = &mut compared.records.left_out;
         let mut usable = Vec::new();
         for contender in self.entrants()? {
-            match contender.on(surface) {
-                Ok(_) => usable.push(contender),
-                Err(error) => {
-                    let (what, reason) = (contender.label(), error.to_string());
-                    compared.records.left_out.push(LeftOut { what, reason });
+            let what = contender.label();
+            match contender.on_all(surfaces) {
+                Ok(used) => {
+                    left_out.extend(used.others.into_iter().map(|(number, error)| LeftOut {
+                        what: format!("{what} on surface {}", number + 1),
+                        reason: error.to_string(),
+                    }));
+                    usable.push(contender);
                 }
+                Err(error) => left_out.push(LeftOut { what, reason: error.to_string() }),
             }
         }
-        let subjects = self.subjects(surface)?;
-        let is_flat = reference::is_flat(surface.mesh());
-        let of_rays = if is_flat && self.rays > 0 { usable.len() } else { 0 };
+        if surfaces.len() > 1 && self.rays > 0 {
+            left_out.push(LeftOut {
+                what: "the error of hits, along rays and in pictures,".to_owned(),
+                reason: format!(
+                    "the scene has {} surfaces that hide each other, and a true hit belongs to one map",
+                    surfaces.len()
+                ),
+            });
+        }
+        let subjects = self.subjects()?;
+        let is_flat = matches!(surfaces, [surface] if reference::is_flat(surface.mesh()));
+        let seen = if self.shadows.is_empty() { usable.clone() } else { without_shadows(&usable) };
+        let of_rays = if is_flat && self.rays > 0 { seen.len() } else { 0 };
+        let truths = self.shadows.len().max(1);
         let of_pictures =
-            if self.machines.is_empty() { 0 } else { 1 + (usable.len() + 1) * self.machines.len() };
+            if self.machines.is_empty() { 0 } else { truths + (usable.len() + 1) * self.machines.len() };
+        let of_pictures = of_pictures * self.distances_m.len().max(1);
         let mut baked = Baked::new();
         let mut done = Done { parts: subjects.len() * (of_rays + of_pictures), done: 0 };
         if of_rays > 0 {
             for subject in &subjects {
-                self.rays(subject, &usable, &mut baked, &mut done, watch, &mut compared.records)?;
+                self.rays(subject, &seen, &mut baked, &mut done, watch, &mut compared.records)?;
             }
         }
-        self.pictures(&subjects, &usable, &mut baked, &mut done, watch, &mut compared)?;
-        let heights = surface.height_map();
+        self.pictures(renderers, &subjects, &usable, &mut baked, &mut done, watch, &mut compared)?;
+        let first = surfaces.first();
+        let map = first.map(Surface::height_map);
         compared.records.about = About {
             map: self.name.clone(),
-            map_size: [heights.width(), heights.height()],
-            tile_m: surface.metric().tile_m,
+            map_size: map.map_or([0; 2], |map| [map.width(), map.height()]),
+            tile_m: first.map_or([0.0; 2], |surface| surface.metric().tile_m),
+            surfaces: surfaces.len(),
             program: format!("relief {}", env!("CARGO_PKG_VERSION")),
-            reference: reference::words(is_flat).to_owned(),
+            reference: reference::words(surfaces).to_owned(),
             ..compared.records.about
         };
         Ok(compared)
     }
+}
 
-    /// The surface at each scale of each level of its map.
-    fn subjects(&self, surface: &Surface) -> Result<Vec<Surface>, CompareError> {
-        let heights = surface.height_map();
-        let (own_scale, own_bias) = (heights.scale_m(), heights.bias_m());
-        let scales = if self.scales_m.is_empty() { vec![own_scale] } else { self.scales_m.clone() };
-        // The relief lies as high above the mesh as it did, in scales.
-        let lift = if own_scale == 0.0 { -1.0 } else { own_bias / own_scale };
-        let mut subjects = Vec::new();
-        for level in self.levels(heights)? {
-            for &scale_m in &scales {
-                let heights = heights.level(level).with_displacement(scale_m, lift * scale_m)?;
-                subjects.push(surface.clone().with_height_map(heights));
-            }
+/// Makes the renderer of a machine.
+pub type Renderers<'a> = dyn Fn(Machine) -> Result<Renderer, RenderError> + 'a;
+
+/// The methods, each once whatever its shadow: rays of the view know nothing of it.
+fn without_shadows(contenders: &[Contender]) -> Vec<Contender> {
+    let mut seen: Vec<Contender> = Vec::new();
+    for contender in contenders {
+        let contender = Contender { shadow: None, ..contender.clone() };
+        if !seen.iter().any(|known| known.label() == contender.label()) {
+            seen.push(contender);
         }
-        Ok(subjects)
     }
+    seen
 }
 
 /// How much of the work is done.
@@ -182,18 +235,21 @@ impl Done {
 }
 
 impl MethodRecord {
-    fn of(contender: &Contender, heights: &HeightMap, maps: &MapsOf) -> Self {
+    fn of(contender: &Contender, subject: &Subject, maps: &MapsOf) -> Self {
         let name = |place: usize| contender.selection.choices[place].entry.name.to_owned();
         Self {
             method: contender.name.clone(),
             steps: contender.steps,
             steps_key: contender.steps.and(contender.steps_key()).map(str::to_owned),
+            map_format: contender.map_format.map(|format| format.name().to_owned()),
+            shadow: contender.shadow.map(|shadow| shadow.entry.name.to_owned()),
             geometry: name(GEOMETRY),
             search: name(SEARCH),
             refine: name(REFINE),
             promise: contender.selection.guarantee(RayClass::View).name().to_owned(),
-            map_size: [heights.width(), heights.height()],
-            scale_m: heights.scale_m(),
+            map_size: subject.map_size,
+            map_texels: subject.map_texels(),
+            scale_m: subject.scale_m,
             map_bytes: maps.bytes,
             bake_seconds: maps.seconds,
         }

@@ -1,16 +1,18 @@
 //! Methods in pictures.
 
-use relief_core::Hit;
 use relief_core::exact::ExactHit;
 use relief_core::metrics::CostReport;
+use relief_core::{Hit, MapFormat};
 use relief_maps::Maps;
 use relief_render::camera::Camera;
 use relief_render::scene::{Scene, Surface};
 use relief_render::{RenderError, Rendered, Renderer};
-use relief_shaders::Selection;
+use relief_shaders::{Choice, SHADOW, SHADOW_SEARCH, Selection};
 
 use super::reference::{hit_of, in_tile_of, is_flat, seen_by_judge, selection, truth};
-use super::{Baked, Compared, Done, Reference, Shown};
+use super::shadow::{has_disc, true_shadow, with_samples};
+use super::subject::{Subject, with_selections};
+use super::{Baked, Compared, Done, MapsOf, Reference, Renderers, Shown};
 use crate::case::judged;
 use crate::comparison::{Comparison, Machine, MachineBackend, Watch};
 use crate::contender::Contender;
@@ -18,7 +20,7 @@ use crate::error::CompareError;
 use crate::picture::{
     Image, PIXELS_PER_DEGREE, flip, peak_signal_to_noise, root_mean_square, structural_similarity,
 };
-use crate::record::{LeftOut, MachineRecord, MethodRecord, PictureRecord};
+use crate::record::{ErrorRecord, LeftOut, MachineRecord, MethodRecord, PictureRecord};
 
 /// How far the second frame is moved to the right, in pixels of the point looked at.
 const STEP_PIXELS: f64 = 0.1;
@@ -26,10 +28,23 @@ const STEP_PIXELS: f64 = 0.1;
 /// What makes reference pictures.
 const EXACT: &str = "exact";
 
-/// What pictures of a subject are compared with.
+/// What is shown: surfaces from a camera, and what their pictures are compared with.
+pub struct Shot<'a> {
+    pub subject: &'a Subject,
+    pub scene: Scene,
+    distance_m: Option<f64>,
+    truths: Vec<Truth>,
+}
+
+/// What pictures with some shadows are compared with.
 struct Truth {
+    /// Of each surface the exact shadow.
+    shadows: Vec<Choice>,
+    /// Its place among all references.
+    reference: usize,
     image: Image,
-    hits: Vec<ExactHit>,
+    /// The hits of the pixels' centres; none of several surfaces.
+    hits: Option<Vec<ExactHit>>,
     /// How much frames change that many samples are taken of.
     still: Option<Change>,
 }
@@ -49,10 +64,11 @@ impl Change {
 }
 
 impl Comparison {
-    /// Adds every method's picture of every subject, on every machine.
+    /// Adds every method's picture of every subject from every distance, on every machine.
     pub(super) fn pictures(
         &self,
-        subjects: &[Surface],
+        make: &Renderers,
+        subjects: &[Subject],
         contenders: &[Contender],
         baked: &mut Baked,
         done: &mut Done,
@@ -61,7 +77,7 @@ impl Comparison {
     ) -> Result<(), CompareError> {
         let mut renderers = Vec::new();
         for &machine in &self.machines {
-            let (renderer, device) = self.renderer(machine)?;
+            let (renderer, device) = self.renderer(make, machine)?;
             compared.records.about.machines.push(MachineRecord {
                 backend: machine.name().to_owned(),
                 sampling: machine.sampling.name().to_owned(),
@@ -72,151 +88,198 @@ impl Comparison {
         if renderers.is_empty() {
             return Ok(());
         }
-        let mut own = self.renderer(Machine::CPU)?.0;
-        for subject in subjects {
-            done.next(watch, EXACT);
-            let truth = self.truth(subject, &mut own, &mut baked.maps, watch)?;
-            let heights = subject.height_map();
-            let (map_size, scale_m) = ([heights.width(), heights.height()], heights.scale_m());
-            compared.references.push(Reference { map_size, scale_m, image: truth.image.clone() });
+        // The truth is the CPU's.
+        let mut own = self.renderer(make, Machine::CPU)?.0;
+        let views = self.views()?;
+        for (subject, (distance_m, scene)) in
+            subjects.iter().flat_map(|subject| views.iter().map(move |view| (subject, view)))
+        {
+            let mut shot =
+                Shot { subject, scene: scene.clone(), distance_m: *distance_m, truths: Vec::new() };
+            for contender in contenders {
+                let shadows = true_shadows(&shot, contender)?;
+                if shot.truth(&shadows).is_none() {
+                    done.next(watch, EXACT);
+                    let truth = self.truth(&shot, shadows, &mut own, baked, watch, compared)?;
+                    shot.truths.push(truth);
+                }
+            }
             for (machine, renderer) in &mut renderers {
-                let first = compared.records.pictures.len();
-                let mut shown = Vec::new();
-                for contender in contenders {
-                    done.next(watch, &contender.name);
-                    if self.picture(subject, contender, *machine, renderer, &truth, baked, watch, compared)? {
-                        shown.push(contender.clone());
-                    }
-                }
-                done.next(watch, "times");
-                let times = self.times(subject, &shown, *machine, renderer, &mut baked.maps, watch)?;
-                if self.timing.is_some() && !times.is_empty() && times.iter().all(Option::is_none) {
-                    let reason = "frames are timed beside bump mapping, of which this surface has none";
-                    compared
-                        .records
-                        .left_out
-                        .push(LeftOut { what: "times".to_owned(), reason: reason.to_owned() });
-                }
-                for (record, times) in compared.records.pictures[first..].iter_mut().zip(times) {
-                    record.times = times;
-                }
+                self.on_machine(&shot, contenders, *machine, renderer, baked, done, watch, compared)?;
             }
         }
         Ok(())
     }
 
-    fn renderer(&self, machine: Machine) -> Result<(Renderer, String), CompareError> {
-        let renderer = Renderer::new(machine.backend_choice(), machine.sampling);
-        let mut renderer = renderer.map_err(|source| of(machine.name(), source))?;
+    /// Adds every method's picture of what is shown, and its times.
+    fn on_machine(
+        &self,
+        shot: &Shot,
+        contenders: &[Contender],
+        machine: Machine,
+        renderer: &mut Renderer,
+        baked: &mut Baked,
+        done: &mut Done,
+        watch: &Watch,
+        compared: &mut Compared,
+    ) -> Result<(), CompareError> {
+        let first = compared.records.pictures.len();
+        let mut shown = Vec::new();
+        for contender in contenders {
+            done.next(watch, &contender.name);
+            if self.picture(shot, contender, machine, renderer, baked, watch, compared)? {
+                shown.push(contender.clone());
+            }
+        }
+        done.next(watch, "times");
+        let times = self.times(shot, &shown, machine, renderer, baked, watch)?;
+        if self.timing.is_some() && !times.is_empty() && times.iter().all(Option::is_none) {
+            let reason = "frames are timed beside bump mapping, of which this surface has none";
+            compared.leave_out("times", reason);
+        }
+        for (record, times) in compared.records.pictures[first..].iter_mut().zip(times) {
+            record.times = times;
+        }
+        Ok(())
+    }
+
+    fn renderer(&self, make: &Renderers, machine: Machine) -> Result<(Renderer, String), CompareError> {
+        let mut renderer = make(machine).map_err(|source| of(machine.name(), source))?;
         renderer.set_lanes(self.lanes);
         let device = renderer.device();
         Ok((renderer, device))
     }
 
-    /// What pictures of a subject are compared with, on the CPU.
+    /// What pictures with such shadows are compared with, on the CPU.
     fn truth(
         &self,
-        subject: &Surface,
+        shot: &Shot,
+        shadows: Vec<Choice>,
         renderer: &mut Renderer,
-        maps: &mut Maps,
+        baked: &mut Baked,
         watch: &Watch,
+        compared: &mut Compared,
     ) -> Result<Truth, CompareError> {
-        let is_flat = is_flat(subject.mesh());
-        let selection = selection(subject, is_flat)?;
-        let scene = self.scene_of(subject, selection, self.scene.samples())?;
-        let rendered = rendered(&scene, renderer, maps, EXACT, watch)?;
-        let hits = if is_flat {
-            rendered.rendering.pixels.iter().map(|pixel| truth(hit_of(pixel))).collect()
-        } else {
-            seen_by_judge(subject, self.scene.camera(), self.scene.size())?
+        let Shot { subject, scene, distance_m, .. } = shot;
+        let maps = baked.maps(MapFormat::F32);
+        let exact = |samples: u32| {
+            let each = subject.surfaces.iter().zip(&shadows);
+            let selections = each.map(|(of, shadow)| selection(of, with_samples(*shadow, samples)));
+            let selections = selections.collect::<Result<Vec<Selection>, _>>()?;
+            with_selections(scene, &subject.surfaces, &selections, samples)
         };
-        let image = Image::of(&rendered.rendering, &self.scene.look())?;
+        let rendered = rendered(&exact(scene.samples())?, renderer, maps, EXACT, watch)?;
+        let hits = match subject.only() {
+            Some(surface) if is_flat(surface.mesh()) => {
+                Some(rendered.rendering.pixels.iter().map(|pixel| truth(hit_of(pixel))).collect())
+            }
+            Some(surface) => Some(seen_by_judge(surface, scene.camera(), scene.size())?),
+            None => None,
+        };
+        let image = Image::of(&rendered.rendering, &scene.look())?;
         let still = match self.flicker_samples {
             Some(samples) => {
-                let scene = self.scene_of(subject, selection, samples)?;
-                let frames = [scene.clone(), moved(&scene)?]
-                    .map(|scene| self.image(&scene, renderer, maps, EXACT, watch));
-                let [first, second] = frames;
-                Some(Change::between(&[first?, second?])?)
+                let scene = exact(samples)?;
+                let first = self.image(&scene, renderer, maps, EXACT, watch)?;
+                let second = self.image(&moved(&scene)?, renderer, maps, EXACT, watch)?;
+                Some(Change::between(&[first, second])?)
             }
             None => None,
         };
-        Ok(Truth { image, hits, still })
+        let reference = compared.references.len();
+        compared.references.push(Reference {
+            map_size: subject.map_size,
+            scale_m: subject.scale_m,
+            shadow: shadows.first().map_or(String::new(), |shadow| shadow.entry.name.to_owned()),
+            distance_m: *distance_m,
+            image: image.clone(),
+        });
+        Ok(Truth { shadows, reference, image, hits, still })
     }
 
-    /// Adds a method's picture, unless it cannot be made of such a surface.
+    /// Adds a method's picture, unless it cannot be made of such surfaces on such a machine.
     fn picture(
         &self,
-        subject: &Surface,
+        shot: &Shot,
         contender: &Contender,
         machine: Machine,
         renderer: &mut Renderer,
-        truth: &Truth,
         baked: &mut Baked,
         watch: &Watch,
         compared: &mut Compared,
     ) -> Result<bool, CompareError> {
-        let heights = subject.height_map();
-        let of_method = baked.provide(&contender.selection, heights, watch)?;
-        let label = contender.label();
-        let scene = self.scene_of(subject, contender.on(subject)?, self.scene.samples())?;
-        let rendered = match rendered(&scene, renderer, &mut baked.maps, &label, watch) {
+        let (label, surfaces) = (contender.label(), &shot.subject.surfaces);
+        let selections = contender.on_all(surfaces)?.selections;
+        let is_of_gpu = machine.backend == MachineBackend::Gpu;
+        if is_of_gpu && selections.iter().any(|selection| selection.rays_through_scene().is_some()) {
+            compared
+                .leave_out(&format!("{label} on a GPU"), "rays go through a whole scene on the CPU alone");
+            return Ok(false);
+        }
+        let Some(truth) = shot.truth(&true_shadows(shot, contender)?) else { return Ok(false) };
+        let mut maps_of = MapsOf::default();
+        for (surface, selection) in surfaces.iter().zip(&selections) {
+            let read = with_shadow_of(&contender.selection, selection);
+            baked.provide(&read, contender.format(), surface, &mut maps_of, watch)?;
+        }
+        let scene = with_selections(&shot.scene, surfaces, &selections, shot.scene.samples())?;
+        let maps = baked.maps(contender.format());
+        let rendered = match rendered(&scene, renderer, maps, &label, watch) {
             Ok(rendered) => rendered,
             // Too many triangles, say: the others can be compared all the same.
             Err(CompareError::Render { source, .. }) if matches!(*source, RenderError::Geometry { .. }) => {
-                compared.records.left_out.push(LeftOut { what: label, reason: source.to_string() });
+                compared.leave_out(&label, &source.to_string());
                 return Ok(false);
             }
             Err(other) => return Err(other),
         };
-        let image = Image::of(&rendered.rendering, &self.scene.look())?;
+        let image = Image::of(&rendered.rendering, &scene.look())?;
         let change = match truth.still {
             Some(still) => {
-                let second = self.image(&moved(&scene)?, renderer, &mut baked.maps, &label, watch)?;
+                let second = self.image(&moved(&scene)?, renderer, maps, &label, watch)?;
                 let own = Change::between(&[image.clone(), second])?;
                 Some(Change { rms: own.rms - still.rms, flip: own.flip - still.flip })
             }
             None => None,
         };
-        let hits: Vec<Hit> = rendered
-            .rendering
-            .pixels
-            .iter()
-            .zip(&truth.hits)
-            .map(|(pixel, truth)| in_tile_of(hit_of(pixel), &truth.hit, heights.wrap()))
-            .collect();
-        let size = self.scene.size();
-        let is_searched = contender.is_of_rays()
-            && !(machine.backend == MachineBackend::Cpu && contender.selection.is_exact());
-        let on_surface = hits.iter().zip(&truth.hits).filter(|(hit, truth)| hit.found || truth.hit.found);
-        let on_surface: Vec<Hit> = on_surface.map(|(hit, _)| *hit).collect();
-        let report = judged(&truth.hits, &hits, heights);
+        let pixels = rendered.rendering.pixels.iter().map(hit_of);
+        let (hits, error): (Vec<Hit>, _) = match shot.subject.only().zip(truth.hits.as_ref()) {
+            Some((surface, truth)) => {
+                let map = surface.height_map();
+                let each = pixels.zip(truth);
+                let hits: Vec<Hit> =
+                    each.map(|(hit, truth)| in_tile_of(hit, &truth.hit, map.wrap())).collect();
+                let error: ErrorRecord = (&judged(truth, &hits, map)).into();
+                (hits, Some(error))
+            }
+            None => (pixels.collect(), None),
+        };
+        let size = scene.size();
+        let is_searched = contender.is_of_rays() && (is_of_gpu || !contender.selection.is_exact());
+        let is_true = |pixel: usize| truth.hits.as_ref().is_some_and(|hits| hits[pixel].hit.found);
+        let on_surface = hits.iter().enumerate().filter(|(pixel, hit)| hit.found || is_true(*pixel));
+        let on_surface: Vec<Hit> = on_surface.map(|(_, hit)| *hit).collect();
         let difference = flip(&truth.image, &image, PIXELS_PER_DEGREE)?;
         compared.records.pictures.push(PictureRecord {
-            method: MethodRecord::of(contender, heights, &of_method),
+            method: MethodRecord::of(contender, shot.subject, &maps_of),
             backend: machine.name().to_owned(),
             sampling: machine.sampling.name().to_owned(),
             size,
-            samples: self.scene.samples(),
+            samples: scene.samples(),
+            distance_m: shot.distance_m,
             flip: difference.mean(),
             ssim: structural_similarity(&truth.image, &image)?,
             psnr_db: peak_signal_to_noise(&truth.image, &image)?,
             rms: root_mean_square(&truth.image, &image)?,
             flicker_rms: change.map(|change| change.rms),
             flicker_flip: change.map(|change| change.flip),
-            error: (&report).into(),
+            error,
             cost: is_searched.then(|| (&CostReport::of(&on_surface, 1)).into()),
             wave_reads: is_searched.then(|| CostReport::of(&hits, size[0] as usize).reads.wave),
             times: None,
         });
-        compared.shown.push(Shown { image, difference, reference: compared.references.len() - 1 });
+        compared.shown.push(Shown { image, difference, reference: truth.reference });
         Ok(true)
-    }
-
-    /// The scene with another surface.
-    fn scene_of(&self, subject: &Surface, selection: Selection, samples: u32) -> Result<Scene, CompareError> {
-        let surface = subject.clone().with_selection(selection);
-        Ok(self.scene.to_builder().surfaces(vec![surface]).samples(samples).build()?)
     }
 
     /// What a scene looks like.
@@ -231,6 +294,44 @@ impl Comparison {
         let rendered = rendered(scene, renderer, maps, method, watch)?;
         Ok(Image::of(&rendered.rendering, &scene.look())?)
     }
+}
+
+impl Shot<'_> {
+    /// What pictures with such true shadows are compared with.
+    fn truth(&self, shadows: &[Choice]) -> Option<&Truth> {
+        let is_same = |(a, b): (&Choice, &Choice)| (a.number, a.params) == (b.number, b.params);
+        self.truths.iter().find(|truth| truth.shadows.iter().zip(shadows).all(is_same))
+    }
+}
+
+impl Compared {
+    /// Notes once what could not be compared.
+    fn leave_out(&mut self, what: &str, reason: &str) {
+        let left_out = LeftOut { what: what.to_owned(), reason: reason.to_owned() };
+        if !self.records.left_out.contains(&left_out) {
+            self.records.left_out.push(left_out);
+        }
+    }
+}
+
+/// Of each surface the exact shadow of what a method has there, or where none is asked for of what the
+/// surface has.
+fn true_shadows(shot: &Shot, contender: &Contender) -> Result<Vec<Choice>, CompareError> {
+    let has_disc = has_disc(&shot.scene);
+    let of = |surface: &Surface| {
+        let shadow = contender.shadow.unwrap_or(surface.selection().choices[SHADOW]);
+        Ok(true_shadow(&shadow, has_disc)?)
+    };
+    shot.subject.surfaces.iter().map(of).collect()
+}
+
+/// What a method selects, with the shadow that it has on a surface: what it reads maps for.
+fn with_shadow_of(method: &Selection, on_surface: &Selection) -> Selection {
+    let mut selection = *method;
+    for place in [SHADOW, SHADOW_SEARCH] {
+        selection.choices[place] = on_surface.choices[place];
+    }
+    selection
 }
 
 /// A picture, unless the work is ended.

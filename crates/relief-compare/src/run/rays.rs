@@ -1,10 +1,10 @@
 //! Methods along rays at given angles.
 
 use relief_core::metrics::CostReport;
-use relief_render::scene::Surface;
 use relief_shaders::cpu::MethodTracer;
 
-use super::{Baked, Done};
+use super::subject::Subject;
+use super::{Baked, Done, MapsOf};
 use crate::case::{Case, hits};
 use crate::comparison::{Comparison, Watch};
 use crate::contender::Contender;
@@ -12,18 +12,20 @@ use crate::error::CompareError;
 use crate::record::{MethodRecord, RayRecord, Records};
 
 impl Comparison {
-    /// Adds every method that searches, at every angle. All of them have the same rays.
+    /// Adds every method that searches, at every angle, where there is one surface. All of them have the same
+    /// rays.
     pub(super) fn rays(
         &self,
-        subject: &Surface,
+        subject: &Subject,
         contenders: &[Contender],
         baked: &mut Baked,
         done: &mut Done,
         watch: &Watch,
         records: &mut Records,
     ) -> Result<(), CompareError> {
-        let heights = &**subject.height_map();
-        let tile_m = subject.metric().tile_m;
+        let Some(surface) = subject.only() else { return Ok(()) };
+        let heights = &**surface.height_map();
+        let tile_m = surface.metric().tile_m;
         let case = |&degrees: &f64| Case::new(heights, tile_m, degrees, self.rays as usize);
         let cases: Vec<Case> = self.angles_deg.iter().map(case).collect();
         for contender in contenders {
@@ -31,9 +33,11 @@ impl Comparison {
             if !contender.is_of_rays() {
                 continue;
             }
-            let maps = baked.provide(&contender.selection, heights, watch)?;
-            let tracer = MethodTracer::over(heights, &contender.selection, maps.provided.slots());
-            let method = MethodRecord::of(contender, heights, &maps);
+            let mut maps = MapsOf::default();
+            let provided =
+                baked.provide(&contender.selection, contender.format(), surface, &mut maps, watch)?;
+            let tracer = MethodTracer::over(heights, &contender.selection, provided.slots());
+            let method = MethodRecord::of(contender, subject, &maps);
             for (case, &angle_deg) in cases.iter().zip(&self.angles_deg) {
                 watch.check()?;
                 let hits = hits(&tracer, &case.paths, self.lanes);

@@ -7,7 +7,7 @@ use relief_render::camera::Camera;
 use relief_render::mesh::Mesh;
 use relief_render::scene::Surface;
 use relief_shaders::cpu::PixelOut;
-use relief_shaders::{STAGES, SURFACE, Selection, SelectionError};
+use relief_shaders::{Choice, STAGES, SURFACE, Selection, SelectionError};
 
 use crate::contender::Contender;
 use crate::error::CompareError;
@@ -29,23 +29,26 @@ pub fn is_flat(mesh: &Mesh) -> bool {
 }
 
 /// What pictures are compared with, in words.
-pub fn words(is_flat: bool) -> &'static str {
-    if is_flat {
-        "the picture of the method exact, on the CPU, and its hits"
-    } else {
-        "the picture of the method exact on the surface prism, on the CPU, and the hits of the exact judge \
-         of displaced meshes"
+pub fn words(surfaces: &[Surface]) -> &'static str {
+    match surfaces {
+        [surface] if is_flat(surface.mesh()) => "the picture of the method exact, on the CPU, and its hits",
+        [_] => {
+            "the picture of the method exact on the surface prism, on the CPU, and the hits of the exact \
+             judge of displaced meshes"
+        }
+        _ => "the picture of the method exact, of curved meshes on the surface prism, on the CPU",
     }
 }
 
-/// What the reference of a surface runs: the exact method, on curved meshes in shells of the triangles.
-pub fn selection(surface: &Surface, is_flat: bool) -> Result<Selection, SelectionError> {
+/// What the reference of a surface runs: the exact method with that shadow, on curved meshes in shells of the
+/// triangles.
+pub fn selection(surface: &Surface, shadow: Choice) -> Result<Selection, SelectionError> {
     let mut selection = *surface.selection();
-    if !is_flat {
+    if !is_flat(surface.mesh()) {
         selection.choose(STAGES[SURFACE].key, "prism")?;
     }
     let prepared = surface.clone().with_selection(selection);
-    Contender::named("exact")?.on(&prepared)
+    Contender::named("exact")?.with_shadow(shadow).on(&prepared)
 }
 
 /// The hit of a pixel's centre, with its depth for `t`.

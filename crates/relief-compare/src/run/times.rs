@@ -3,12 +3,14 @@
 
 use std::time::Duration;
 
-use relief_maps::Maps;
-use relief_render::scene::{Scene, Surface};
+use relief_core::MapFormat;
+use relief_render::scene::Scene;
 use relief_render::{FrameTime, PassTimes, Renderer};
 use relief_shaders::{SHADOW, STAGES, Selection};
 
-use super::pictures::of;
+use super::Baked;
+use super::pictures::{Shot, of};
+use super::subject::with_selections;
 use crate::comparison::{Comparison, Machine, MachineBackend, Timing, Watch};
 use crate::contender::Contender;
 use crate::error::CompareError;
@@ -26,6 +28,7 @@ const PASSES: &str = "wall, timestamps of passes";
 struct Timed {
     name: String,
     scene: Scene,
+    format: MapFormat,
     times: Vec<FrameTime>,
 }
 
@@ -63,35 +66,34 @@ impl Comparison {
     /// The times of the methods on a machine, one for each in their order; none where frames are not timed.
     pub(super) fn times(
         &self,
-        subject: &Surface,
+        shot: &Shot,
         contenders: &[Contender],
         machine: Machine,
         renderer: &mut Renderer,
-        maps: &mut Maps,
+        baked: &mut Baked,
         watch: &Watch,
     ) -> Result<Vec<Option<TimeRecord>>, CompareError> {
         let none = vec![None; contenders.len()];
         let Some(timing) = self.timing else { return Ok(none) };
         let bump = Contender::named(BUMP)?;
         // On some surfaces there is no bump mapping: shells are searched or not there.
-        let Ok(plain) = bump.on(subject).map(without_shadows) else { return Ok(none) };
-        let plain = plain?;
-        let timed = |name: &str, selection: Selection, is_lit: bool| -> Result<Timed, CompareError> {
-            let scene = self.timed_scene(subject, selection, timing, is_lit)?;
-            Ok(Timed { name: name.to_owned(), scene, times: Vec::new() })
+        let Ok(plain) = bump.on_all(&shot.subject.surfaces) else { return Ok(none) };
+        let plain = without_shadows(&plain.selections)?;
+        let timed = |of: &Contender, selections: &[Selection], is_lit: bool| -> Result<Timed, CompareError> {
+            let scene = timed_scene(shot, selections, timing, is_lit)?;
+            Ok(Timed { name: of.label(), scene, format: of.format(), times: Vec::new() })
         };
-        let mut all = vec![timed(BUMP, plain, false)?, timed(BUMP, plain, true)?];
+        let mut all = vec![timed(&bump, &plain, false)?, timed(&bump, &plain, true)?];
         for contender in contenders {
-            let selection = contender.on(subject)?;
-            let name = contender.label();
-            all.push(timed(&name, without_shadows(selection)?, true)?);
-            all.push(timed(&name, selection, true)?);
+            let selections = contender.on_all(&shot.subject.surfaces)?.selections;
+            all.push(timed(contender, &without_shadows(&selections)?, true)?);
+            all.push(timed(contender, &selections, true)?);
         }
         for turn in 0..timing.warm + timing.frames {
             for timed in &mut all {
                 watch.check()?;
                 let mut frame = || {
-                    let time = renderer.time(&timed.scene, maps, watch.cancel);
+                    let time = renderer.time(&timed.scene, baked.maps(timed.format), watch.cancel);
                     // What was stopped did not fail.
                     time.map_err(|source| watch.check().err().unwrap_or_else(|| of(&timed.name, source)))
                 };
@@ -127,28 +129,30 @@ impl Comparison {
         });
         Ok(records.collect())
     }
+}
 
-    /// The scene that is timed: larger, and of one sample a pixel.
-    fn timed_scene(
-        &self,
-        subject: &Surface,
-        selection: Selection,
-        timing: Timing,
-        is_lit: bool,
-    ) -> Result<Scene, CompareError> {
-        let factor = f64::from(timing.pixels).sqrt();
-        let [columns, rows] = self.scene.size().map(|side| (f64::from(side) * factor).round() as u32);
-        let surface = subject.clone().with_selection(selection);
-        let mut scene = self.scene.to_builder().surfaces(vec![surface]).samples(1).size(columns, rows);
-        if !is_lit {
-            scene = scene.lights(Vec::new());
-        }
-        Ok(scene.build()?)
+/// The scene that is timed: larger, and of one sample a pixel.
+fn timed_scene(
+    shot: &Shot,
+    selections: &[Selection],
+    timing: Timing,
+    is_lit: bool,
+) -> Result<Scene, CompareError> {
+    let factor = f64::from(timing.pixels).sqrt();
+    let [columns, rows] = shot.scene.size().map(|side| (f64::from(side) * factor).round() as u32);
+    let scene = with_selections(&shot.scene, &shot.subject.surfaces, selections, 1)?;
+    let mut scene = scene.to_builder().size(columns, rows);
+    if !is_lit {
+        scene = scene.lights(Vec::new());
     }
+    Ok(scene.build()?)
 }
 
 /// The same without shadows.
-fn without_shadows(mut selection: Selection) -> Result<Selection, CompareError> {
-    selection.choose(STAGES[SHADOW].key, "none")?;
-    Ok(selection)
+fn without_shadows(selections: &[Selection]) -> Result<Vec<Selection>, CompareError> {
+    let mut selections = selections.to_vec();
+    for selection in &mut selections {
+        selection.choose(STAGES[SHADOW].key, "none")?;
+    }
+    Ok(selections)
 }

@@ -1,7 +1,8 @@
 //! Errors against times, of methods over their steps: what is as near as what engines ship, and how much
 //! faster.
 
-use relief_compare::{Contender, Machine, PictureRecord, Timing};
+use relief_compare::{Contender, ErrorRecord, Machine, PictureRecord, TimeRecord, Timing};
+use relief_core::MapFormat;
 use relief_render::scene::Sampling;
 use relief_tests::accuracy::maps;
 
@@ -52,13 +53,15 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
     }
     let mut comparison = on_square(named.name, named.map, SIZE, machines)?;
     (comparison.rays, comparison.contenders) = (0, contenders()?);
+    comparison.map_formats = MapFormat::ALL.to_vec();
     comparison.timing = Some(Timing { frames: arguments.frames, warm: 2, pixels: PIXELS });
     let records = compared(&comparison)?;
     for machine in &records.about.machines {
         let on = |record: &&PictureRecord| {
             (&record.backend, &record.sampling) == (&machine.backend, &machine.sampling)
         };
-        let of_machine: Vec<&PictureRecord> = records.pictures.iter().filter(on).collect();
+        let judged = records.pictures.iter().filter(on).filter_map(judged);
+        let of_machine: Vec<Judged> = judged.collect();
         println!(
             "{}, {} sampling, on {}: {} frames of each in turn; displacement is what a frame takes more than \
              one of bump mapping, without shadows\n",
@@ -73,12 +76,11 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
             "95 % sure",
             "frame ms",
         ]);
-        for record in &of_machine {
-            let Some(times) = &record.times else { continue };
+        for (record, error, times) in &of_machine {
             rows.add_row([
                 record.method.label(),
-                format!("{:.3}", 100.0 * record.error.passed),
-                format!("{:.3}", record.error.p99_texels),
+                format!("{:.3}", 100.0 * error.passed),
+                format!("{:.3}", error.p99_texels),
                 format!("{:.1}", record.method.bytes_a_texel()),
                 format!("{:.2}", times.displacement_ms),
                 format!("{:.2} to {:.2}", times.displacement_low_ms, times.displacement_high_ms),
@@ -92,25 +94,23 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
 }
 
 /// Prints how long the fastest method takes that is as near as what engines ship.
-fn ratios(records: &[&PictureRecord]) {
+fn ratios(records: &[Judged]) {
     for (steps, aim) in AIMS {
         let shipped = records
             .iter()
-            .filter(|record| record.method.steps == Some(steps) && record.method.search == "linear");
-        for shipped in shipped {
-            let Some(theirs) = &shipped.times else { continue };
-            let is_as_near = |record: &&&PictureRecord| {
+            .filter(|(record, ..)| record.method.steps == Some(steps) && record.method.search == "linear");
+        for (shipped, most, theirs) in shipped {
+            let is_as_near = |(record, error, _): &&Judged| {
                 record.method.search != "linear"
                     && record.method.method != "bump"
                     && record.method.bytes_a_texel() <= MOST_BYTES
-                    && record.error.passed <= shipped.error.passed
-                    && record.error.p99_texels <= shipped.error.p99_texels.max(1e-3)
-                    && record.error.missed <= shipped.error.missed.max(1e-3)
+                    && error.passed <= most.passed
+                    && error.p99_texels <= most.p99_texels.max(1e-3)
+                    && error.missed <= most.missed.max(1e-3)
             };
-            let timed =
-                records.iter().filter(is_as_near).filter_map(|record| Some((record, record.times.as_ref()?)));
-            let best = timed.min_by(|(_, a), (_, b)| a.displacement_ms.total_cmp(&b.displacement_ms));
-            let Some((best, ours)) = best else {
+            let near = records.iter().filter(is_as_near);
+            let best = near.min_by(|(.., a), (.., b)| a.displacement_ms.total_cmp(&b.displacement_ms));
+            let Some((best, _, ours)) = best else {
                 println!("{}: nothing is as near", shipped.method.label());
                 continue;
             };
@@ -129,4 +129,11 @@ fn ratios(records: &[&PictureRecord]) {
         }
     }
     println!();
+}
+
+/// A picture with its errors and times.
+type Judged<'a> = (&'a PictureRecord, ErrorRecord, &'a TimeRecord);
+
+fn judged(record: &PictureRecord) -> Option<Judged<'_>> {
+    Some((record, record.error?, record.times.as_ref()?))
 }

@@ -51,14 +51,15 @@ fn choice(tried: &Tried, scene: &str, out: &mut dyn Write) -> Result<(), Failure
     {
         let steps = method.steps_key.as_ref().zip(method.steps);
         let steps = steps.map_or(String::new(), |(key, steps)| format!(" --set {key}={steps}"));
+        let shadow = method.shadow.as_ref().map_or(String::new(), |name| format!(" --shadow {name}"));
         let of_method = match method.method.split_once('+') {
             Some((search, refine)) => format!("--search {search} --refine {refine}"),
             None => format!("--method {}", method.method),
         };
         writeln!(
             out,
-            "relief render {scene} {of_method}{steps} --scale {} --backend {backend} --sampling {sampling} \
-             -o picture.png",
+            "relief render {scene} {of_method}{steps}{shadow} --scale {} --backend {backend} \
+             --sampling {sampling} -o picture.png",
             method.scale_m
         )?;
     }
@@ -70,15 +71,20 @@ fn table(records: &Records) -> Table {
     let mut table = Table::new();
     table.load_style(ASCII_MARKDOWN);
     table.set_header(["method", "passed %", "p99 texels", "reads", "FLIP", "map bytes a texel"]);
-    let mut labels: Vec<String> = Vec::new();
-    let methods = records.rays.iter().map(|record| &record.method);
-    for method in methods.chain(records.pictures.iter().map(|record| &record.method)) {
-        if !labels.contains(&method.label()) {
-            labels.push(method.label());
+    // Rays know nothing of shadows: theirs stand beside the pictures with each.
+    let mut labels: Vec<[String; 2]> = Vec::new();
+    for method in records.pictures.iter().map(|record| &record.method) {
+        if !labels.iter().any(|[label, _]| *label == method.label()) {
+            labels.push([method.label(), method.label_of_rays()]);
         }
     }
-    for label in labels {
-        let rays: Vec<_> = records.rays.iter().filter(|record| record.method.label() == label).collect();
+    for label in records.rays.iter().map(|record| record.method.label()) {
+        if !labels.iter().any(|[_, of_rays]| *of_rays == label) {
+            labels.push([label.clone(), label]);
+        }
+    }
+    for [label, of_rays] in labels {
+        let rays: Vec<_> = records.rays.iter().filter(|record| record.method.label() == of_rays).collect();
         let pictures: Vec<_> =
             records.pictures.iter().filter(|record| record.method.label() == label).collect();
         let greatest = |numbers: Vec<f64>, digits: usize| {

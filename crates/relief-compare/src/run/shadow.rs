@@ -1,0 +1,83 @@
+//! Which shadow the reference picture of a shadow has.
+
+use relief_core::registry::Param;
+use relief_render::light::Light;
+use relief_render::scene::Scene;
+use relief_shaders::{Choice, SelectionError};
+
+use crate::contender::shadow;
+
+/// Rays to a light's disc that a pixel of a reference picture sends, of all its samples.
+const DISC_RAYS: u32 = 1024;
+
+/// The fewest of a sample.
+const LEAST_RAYS: u32 = 4;
+
+/// The parameter that counts them.
+const SAMPLES: &str = "samples";
+
+/// Whether a light has a disc.
+pub fn has_disc(scene: &Scene) -> bool {
+    scene.lights().iter().any(|light| match light {
+        Light::Directional { diameter_deg, .. } => *diameter_deg > 0.0,
+        Light::Point { radius_m, .. } => *radius_m > 0.0,
+    })
+}
+
+/// The exact shadow of the kind of light that a shadow stands for: none for none; of shadows that surfaces
+/// throw on each other rays through the whole scene; of shadows of discs, where there are discs, the mean of
+/// many rays to these; of all others a ray to the light's centre.
+pub fn true_shadow(of: &Choice, has_disc: bool) -> Result<Choice, SelectionError> {
+    let name = match of.entry.name {
+        "none" => "none",
+        // Its rays go to as many points of a light as it says.
+        "scene" => return Ok(*of),
+        "map" => "scene",
+        "soft" | "horizon" if has_disc => "soft",
+        _ => "ray",
+    };
+    shadow(name)
+}
+
+/// The same where so many samples of a pixel are taken.
+pub fn with_samples(mut shadow: Choice, samples: u32) -> Choice {
+    if shadow.entry.name == "soft"
+        && let Some((place, Param { max, .. })) = shadow.entry.param(SAMPLES)
+    {
+        let rays = (DISC_RAYS / samples.max(1)).max(LEAST_RAYS);
+        shadow.params[place] = (rays as f32).min(*max);
+    }
+    shadow
+}
+
+#[cfg(test)]
+mod tests {
+    use relief_shaders::{SHADOW, STAGES};
+
+    use super::*;
+
+    #[test]
+    fn every_shadow_has_a_truth_that_is_its_own() {
+        for entry in STAGES[SHADOW].entries {
+            for has_disc in [false, true] {
+                let truth = true_shadow(&shadow(entry.name).expect("a shadow"), has_disc).expect("a truth");
+                let again = true_shadow(&truth, has_disc).expect("a truth");
+                assert_eq!(truth.entry.name, again.entry.name, "{}", entry.name);
+            }
+        }
+        let of = |name: &str, has_disc| {
+            true_shadow(&shadow(name).expect("a shadow"), has_disc).map(|truth| truth.entry.name).ok()
+        };
+        assert_eq!([of("horizon", false), of("horizon", true)], [Some("ray"), Some("soft")]);
+        assert_eq!([of("map", true), of("none", true)], [Some("scene"), Some("none")]);
+    }
+
+    #[test]
+    fn more_samples_need_fewer_rays_each() {
+        let soft = shadow("soft").expect("a shadow");
+        let rays = [1, 4, 16, 4096].map(|samples| with_samples(soft, samples).params[0]);
+        assert_eq!(rays, [256.0, 256.0, 64.0, 4.0]);
+        let ray = shadow("ray").expect("a shadow");
+        assert_eq!(with_samples(ray, 4).params, ray.params);
+    }
+}
