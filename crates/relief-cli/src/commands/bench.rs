@@ -17,7 +17,8 @@ use crate::streams::{Files, answer};
 #[command(
     after_help = "Examples:\n  relief bench                      # all methods on the sample cobbles\n  \
     relief bench scenes/cobbles.toml --methods bump,relief,cone --size 1280x720\n  \
-    relief bench --height wall.png --backend cpu,gpu --sampling exact,fast --json\n\n\
+    relief bench --height wall.png --backend cpu,gpu --sampling exact,fast --json\n  \
+    relief bench --methods bump,cone --shadow none,ray,soft,horizon\n\n\
     Frames have one sample a pixel. Methods take turns, so that what slows the machine for a while slows \
     all of them; medians are given, with what the true ones lie between at 95 in 100. Compiling, \
     uploading, baking and reading back are no part of a frame. What finding the surface takes is what a \
@@ -102,7 +103,8 @@ fn table(records: &Records) -> Table {
     let bump = |of: &PictureRecord| {
         let same = |record: &&PictureRecord| {
             record.method.method == "bump"
-                && (&record.backend, &record.sampling) == (&of.backend, &of.sampling)
+                && (&record.backend, &record.sampling, &record.method.shadow)
+                    == (&of.backend, &of.sampling, &of.method.shadow)
         };
         records.pictures.iter().find(same).and_then(|record| record.times.as_ref())
     };

@@ -70,7 +70,7 @@ impl ContestArguments {
         let mut spec = self.scene.spec()?;
         let families = self.families(&spec)?;
         let shadows = shadows(&mut spec)?;
-        let settings = settings(&mut spec, &[GEOMETRY, SEARCH, REFINE]);
+        let settings = settings(&mut spec, &[GEOMETRY, SLICES, SEARCH, REFINE]);
         for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
             surface.stages.remove(STAGES[GEOMETRY].key);
             // All methods see the finest level, unless another is asked for.
