@@ -100,7 +100,7 @@ fn rays_through_the_scene_are_left_out_on_a_gpu() {
 #[test]
 fn pictures_are_seen_from_every_distance() {
     let mut comparison = comparison(vec![surface()], &["bump", "cone"]);
-    let (camera, usual) = (comparison.scene.camera().clone(), run(&comparison));
+    let (camera, usual) = (*comparison.scene.camera(), run(&comparison));
     let own_m = (camera.eye() - camera.target()).length();
     comparison.distances_m = vec![own_m, 8.0 * own_m];
     let compared = run(&comparison);

@@ -1,13 +1,16 @@
 //! What the papers say about the order of the methods, pair by pair, and whether it holds: a file a paper.
 
+mod descent;
 mod pyramidal;
 mod survey;
 
-use relief_compare::Case;
-use relief_core::metrics::ErrorReport;
-use relief_shaders::Selection;
+use relief_compare::{Case, hits};
+use relief_core::metrics::{ErrorReport, LATE_TEXELS};
+use relief_core::{HeightMap, Hit, Lanes};
+use relief_shaders::cpu::MethodTracer;
+use relief_shaders::{Selection, SlotMaps};
 
-use crate::accuracy::{ANGLES, Named, SCALE_M, case, report_with};
+use crate::accuracy::{ANGLES, Named, SCALE_M, case};
 use crate::baked::{maps_for, slots};
 
 /// A method with settings, such as `occlusion search.steps=64`.
@@ -34,6 +37,8 @@ pub enum Measure {
     Reads,
     /// Bytes of the baked maps that are read.
     MapBytes,
+    /// Share of rays whose hit one more step of the refinement moves by more than half a texel.
+    Unsettled,
 }
 
 /// A claim: at some angles `better` has less of something than a part of what `worse` has.
@@ -65,6 +70,9 @@ pub struct Claim {
 const fn plain(method: &'static str) -> Contender {
     Contender { method, settings: &[] }
 }
+
+/// The pyramid that is descended alone; it is no method, since it is wrong.
+const DESCENT: &str = "a pyramid descended alone";
 
 const fn with(method: &'static str, settings: &'static [(&'static str, f64)]) -> Contender {
     Contender { method, settings }
@@ -129,6 +137,18 @@ impl Contender {
     }
 }
 
+impl Contender {
+    /// Its stages with one more step of the refinement.
+    fn with_another_step(&self) -> Selection {
+        const STEPS: &str = "refine.steps";
+        let set = self.settings.iter().find(|(key, _)| *key == STEPS);
+        let (_, steps) = set.unwrap_or_else(|| panic!("{self}: its steps are not said"));
+        let mut selection = self.selection();
+        selection.set(STEPS, steps + 1.0).unwrap_or_else(|error| panic!("{error}"));
+        selection
+    }
+}
+
 impl std::fmt::Display for Contender {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(self.method)?;
@@ -146,6 +166,7 @@ impl Measure {
             Measure::Off => "off, share",
             Measure::Reads => "reads",
             Measure::MapBytes => "bytes of maps",
+            Measure::Unsettled => "moved, share",
         }
     }
 
@@ -158,6 +179,7 @@ impl Measure {
             Measure::Off => passed + report.early + report.false_hits,
             Measure::Reads => report.mean_reads,
             Measure::MapBytes => map_bytes as f64,
+            Measure::Unsettled => f64::NAN,
         }
     }
 }
@@ -165,6 +187,38 @@ impl Measure {
 /// All claims, paper by paper.
 pub fn claims() -> impl Iterator<Item = &'static Claim> {
     survey::CLAIMS.iter().chain(pyramidal::CLAIMS)
+}
+
+/// What a contender has of a measure, added up over some cases.
+fn total(contender: &Contender, measure: Measure, map: &HeightMap, cases: &[Case]) -> f64 {
+    if contender.method == DESCENT {
+        return cases.iter().map(|case| measure.of(&case.judge(&descent::hits(case)), 0)).sum();
+    }
+    let selection = contender.selection();
+    let baked = maps_for(map, &selection);
+    let bytes = baked.iter().map(|map| map.layout().bytes()).sum();
+    let slots = slots(map, &selection, &baked);
+    let traced = |selection: &Selection, slots: &SlotMaps, case: &Case| {
+        hits(&MethodTracer::over(map, selection, *slots), &case.paths, Lanes::widest())
+    };
+    let of = |case: &Case| {
+        let found = traced(&selection, &slots, case);
+        if measure != Measure::Unsettled {
+            return measure.of(&case.judge(&found), bytes);
+        }
+        moved(&found, &traced(&contender.with_another_step(), &slots, case), map)
+    };
+    cases.iter().map(of).sum()
+}
+
+/// The share of hits that are elsewhere, by more than half a texel, or are none.
+fn moved(hits: &[Hit], others: &[Hit], map: &HeightMap) -> f64 {
+    let texels = [map.width(), map.height()].map(f64::from);
+    let is_elsewhere = |(a, b): &(&Hit, &Hit)| {
+        let [u, v] = [0, 1].map(|axis| (a.uv[axis] - b.uv[axis]) * texels[axis]);
+        a.found != b.found || (a.found && u.hypot(v) > LATE_TEXELS)
+    };
+    hits.iter().zip(others).filter(is_elsewhere).count() as f64 / hits.len().max(1) as f64
 }
 
 /// Measures every claim with that many rays a map and angle.
@@ -179,13 +233,7 @@ pub fn verdicts(maps: &[Named], rays: usize) -> Vec<Verdict> {
             let map = map.clone().with_displacement(claim.scale_m, -claim.scale_m).expect("a length");
             let cases: Vec<Case> = claim.angles.iter().map(|&degrees| case(&map, degrees, rays)).collect();
             for (sum, contender) in sums.iter_mut().zip([claim.better, claim.worse]) {
-                let selection = contender.selection();
-                let baked = maps_for(&map, &selection);
-                let bytes = baked.iter().map(|map| map.layout().bytes()).sum();
-                let slots = slots(&map, &selection, &baked);
-                for case in &cases {
-                    *sum += claim.measure.of(&report_with(case, &selection, &slots), bytes);
-                }
+                *sum += total(&contender, claim.measure, &map, &cases);
             }
         }
         let [better, worse] = sums.map(|sum| sum / (maps.len() * claim.angles.len()) as f64);

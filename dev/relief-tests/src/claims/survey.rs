@@ -1,6 +1,6 @@
 //! Szirmay-Kalos and Umenhoffer 2008, *Displacement Mapping on the GPU - State of the Art*.
 
-use super::{Claim, EXTREME_M, GRAZING, Measure, NORMAL_M, ORDER, STEEP, plain, with};
+use super::{Claim, DESCENT, EXTREME_M, GRAZING, Measure, NORMAL_M, ORDER, STEEP, plain, with};
 
 /// A claim about the order that holds.
 const SURVEY: Claim = Claim { paper: "Szirmay-Kalos and Umenhoffer 2008", ..ORDER };
@@ -54,6 +54,17 @@ pub const CLAIMS: &[Claim] = &[
         text: "iterating the slope correction significantly improves on doing it once",
         better: plain("parallax-iterative"),
         worse: plain("parallax-slope"),
+        ..SURVEY
+    },
+    Claim {
+        section: "4.2.1",
+        text: "at extreme displacement iterations do not converge as halvings do: one more moves hits",
+        better: with("binary-search", &[("refine.steps", 32.0)]),
+        worse: with("parallax-iterative", &[("refine.steps", 32.0)]),
+        factor: 0.01,
+        scale_m: EXTREME_M,
+        measure: Measure::Unsettled,
+        angles: GRAZING,
         ..SURVEY
     },
     Claim {
@@ -135,6 +146,15 @@ pub const CLAIMS: &[Claim] = &[
         worse: plain("exact"),
         measure: Measure::Reads,
         angles: GRAZING,
+        ..SURVEY
+    },
+    Claim {
+        section: "4.3.3",
+        text: "a pyramid that never goes up again passes hits where rays leave a node unnoticed",
+        better: plain("quadtree"),
+        worse: plain(DESCENT),
+        factor: 0.1,
+        measure: Measure::Passed,
         ..SURVEY
     },
     Claim {
