@@ -1,8 +1,12 @@
 //! `compare`: what `relief-compare` finds of all methods on several maps, of their errors against their
-//! times, and of their times against the size of the map, the covered pixels and the triangles.
+//! times, and of their times against the size of the map, the covered pixels and the triangles; what reads
+//! cost, and whether times hold.
 
+mod fetches;
+mod hold;
 pub mod maps;
 mod pixels;
+mod polygons;
 mod sizes;
 mod times;
 
@@ -17,7 +21,7 @@ use relief_shaders::{SHADOW, STAGES, Selection};
 #[derive(Args)]
 pub struct Arguments {
     /// What is printed
-    #[arg(value_enum, default_values = ["maps", "times", "sizes", "pixels"])]
+    #[arg(value_enum, default_values = ["maps", "times", "sizes", "pixels", "polygons", "fetches", "hold"])]
     parts: Vec<Part>,
     /// Rays a map and angle
     #[arg(long, default_value_t = 20_000)]
@@ -40,6 +44,12 @@ enum Part {
     Sizes,
     /// Times over covered pixels and over triangles
     Pixels,
+    /// Two polygons beside triangles at every texel, in time and bytes
+    Polygons,
+    /// What reads cost that depend on others
+    Fetches,
+    /// Whether times hold: two runs in a row, and passes beside their frames
+    Hold,
 }
 
 /// Prints the tables.
@@ -50,6 +60,9 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
             Part::Times => times::run(arguments)?,
             Part::Sizes => sizes::run(arguments)?,
             Part::Pixels => pixels::run(arguments)?,
+            Part::Polygons => polygons::run(arguments)?,
+            Part::Fetches => fetches::run(arguments)?,
+            Part::Hold => hold::run(arguments)?,
         }
     }
     Ok(())
