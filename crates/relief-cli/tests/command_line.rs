@@ -100,6 +100,41 @@ fn settings_reach_the_method() {
 }
 
 #[test]
+fn slices_are_told_by_names_and_too_many_are_refused_before_memory_is_taken() {
+    let folder = Folder::new();
+    folder.write("map.png", Map::hills().png());
+    folder.write("s.toml", "height = 'map.png'\nmethod = 'slices-screen'\nset.slices.test = 'band'\n");
+    folder.write("bad.toml", "height = 'map.png'\nmethod = 'slices-screen'\nset.slices.test = 'bond'\n");
+    let picture = |flags: &str| {
+        let about = json_of(&folder.relief(&format!("render {flags} {SMALL} --json")).fine());
+        assert!(about["covered"].as_u64() > Some(50), "{flags}: {about}");
+        std::fs::read(folder.path("a.exr")).expect("numbers of the picture")
+    };
+    let usual = "--height map.png --method slices-screen";
+    let (band, inside) = (picture("s.toml"), picture("s.toml --set slices.test=inside"));
+    assert!(band == picture(&format!("{usual} --set slices.test=band")) && inside == picture(usual));
+    assert!(band != inside);
+    for count in [0, 1] {
+        picture(&format!("--height map.png --method slices-surface --set slices.count={count}"));
+    }
+    for (flags, code, said) in [
+        ("--set slices.count=1e9", 1, "slices.count"),
+        ("--set slices.count=-1", 2, "slices.count"),
+        ("--set slices.test=bond", 2, "did you mean 'band'"),
+        ("--set slices.direction=nan", 2, "slices.direction"),
+        ("--scale 0", 1, "one place"),
+        ("--surface plane", 2, "slices"),
+        ("--detail fade", 2, "slices"),
+    ] {
+        let refused = folder.relief(&format!("render {usual} {SMALL} {flags}"));
+        let is_so = refused.code == Some(code) && refused.stderr.contains(said);
+        assert!(is_so, "{flags}: {:?} {}", refused.code, refused.stderr);
+    }
+    let refused = folder.relief(&format!("render bad.toml {SMALL}"));
+    assert!(refused.stderr.contains("line 3") && refused.stderr.contains("'band'"), "{}", refused.stderr);
+}
+
+#[test]
 fn heights_come_from_the_channel_range_and_convention_asked_for() {
     let folder = Folder::new();
     let height = |flags: &str| {

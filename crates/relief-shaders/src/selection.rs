@@ -232,12 +232,21 @@ impl Selection {
         if let Ok(number) = text.parse() {
             return Ok(number);
         }
-        let (key, text) = (key.to_owned(), text.to_owned());
-        let names = stage_of_setting(&key).map_or(Vec::new(), |(_, stage, name)| stage.names_of(name));
-        match names.iter().position(|name| *name == text) {
-            Some(place) => Ok(place as f64),
-            None if names.is_empty() => Err(SelectionError::NoNumber { key, text }),
-            None => Err(UnknownName::new("value", &text, names).into()),
+        let no_number = || SelectionError::NoNumber { key: key.to_owned(), text: text.to_owned() };
+        Self::value_named(key, text)?.ok_or_else(no_number)
+    }
+
+    /// The number that a name stands for as a setting's value; none where its values are plain numbers.
+    ///
+    /// # Errors
+    ///
+    /// When its values have other names.
+    pub fn value_named(key: &str, name: &str) -> Result<Option<f64>, UnknownName> {
+        let names = stage_of_setting(key).map_or(Vec::new(), |(_, stage, name)| stage.names_of(name));
+        match names.iter().position(|known| *known == name) {
+            Some(place) => Ok(Some(place as f64)),
+            None if names.is_empty() => Ok(None),
+            None => Err(UnknownName::new("value", name, names)),
         }
     }
 

@@ -11,9 +11,7 @@ use relief_compare::{
 use relief_core::registry::UnknownName;
 use relief_render::scene::{BackendChoice, Sampling, SceneSpec};
 use relief_render::{RenderError, Renderer};
-use relief_shaders::{
-    Choice, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SLICES, STAGES, Selection, geometry,
-};
+use relief_shaders::{Choice, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SLICES, STAGES, Selection, geometry};
 use tempfile::TempDir;
 
 use super::scene_arguments::{SceneArguments, of_scene};

@@ -1,10 +1,8 @@
 //! Values of a scene file's keys, and which keys there are.
 
 use relief_core::ByteSize;
-use relief_shaders::Selection;
 use serde::de::{self, Visitor};
 use serde::{Deserialize, Deserializer, forward_to_deserialize_any};
-use std::collections::BTreeMap;
 use std::fmt::{self, Display};
 use std::str::FromStr;
 
@@ -29,30 +27,6 @@ where
     let array =
         numbers.try_into().map_err(|_| de::Error::invalid_length(given, &format!("{N} numbers").as_str()));
     array.map(Some)
-}
-
-/// Reads `search.steps = 64` under `[set]`, which TOML takes as a table in a table. Values may have
-/// names, as in `slices.test = "band"`.
-pub fn settings<'de, D: Deserializer<'de>>(deserializer: D) -> Result<BTreeMap<String, f64>, D::Error> {
-    #[derive(Deserialize)]
-    #[serde(untagged, expecting = "a number or a name")]
-    enum Value {
-        Number(f64),
-        Name(String),
-    }
-
-    let stages = BTreeMap::<String, BTreeMap<String, Value>>::deserialize(deserializer)?;
-    let flat = stages.into_iter().flat_map(|(stage, settings)| {
-        settings.into_iter().map(move |(name, value)| (format!("{stage}.{name}"), value))
-    });
-    let numbers = flat.map(|(key, value)| match value {
-        Value::Number(number) => Ok((key, number)),
-        Value::Name(name) => {
-            let number = Selection::value_of(&key, &name).map_err(de::Error::custom)?;
-            Ok((key, number))
-        }
-    });
-    numbers.collect()
 }
 
 /// Reads an amount of memory: a number of bytes, or a text such as `4GiB`.

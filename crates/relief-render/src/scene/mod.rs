@@ -17,6 +17,7 @@ mod load_surface;
 mod mesh_choice;
 mod mesh_defaults;
 mod metres;
+mod settings;
 mod spec;
 mod surface;
 mod surface_spec;

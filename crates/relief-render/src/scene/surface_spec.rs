@@ -1,7 +1,8 @@
 //! Descriptions of surfaces, with gaps.
 
 use super::MeshChoice;
-use super::keys::{numbers, parsed, settings};
+use super::keys::{numbers, parsed};
+use super::settings::settings;
 use relief_core::Wrap;
 use relief_core::mesh::UvProjection;
 use relief_io::{GreenSign, RawLayout};
