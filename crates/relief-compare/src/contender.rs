@@ -127,9 +127,9 @@ impl Contender {
     }
 
     /// What is run on a surface: its own geometry, search and refinement, and all else as the surface has it.
-    /// Displaced triangles and slices have a surface of their own, displaced triangles also a shadow, unless
-    /// one is compared. The search for shadows is the method's own, unless the surface has one that is not its
-    /// own method's.
+    /// Displaced triangles and slices have a surface of their own, displaced triangles also a shadow,
+    /// unless one is compared. The search for shadows is the method's own, unless the surface has one that is
+    /// not its own method's.
     ///
     /// # Errors
     ///

@@ -26,8 +26,8 @@ use crate::{interrupt, units, values};
     relief compare --methods relief,cone,vertex --distances 1,2,4,8\n  \
     relief compare scenes/jacksboro.toml --geometry none,vertex --json\n\n\
     --geometry and --shadow take several names, too. Rays at an angle are compared with the exact first \
-    hit; pictures with the exact picture, and their pixels' hits with its hits. The page sorts its figures and plots any of them against any other, \
-    without network."
+    hit; pictures with the exact picture, and their pixels' hits with its hits. The page sorts its figures \
+    and plots any of them against any other, without network."
 )]
 pub struct Arguments {
     /// Page to write

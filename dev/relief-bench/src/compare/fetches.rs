@@ -1,15 +1,12 @@
 //! What a read costs that depends on the one before, beside one that does not: Szirmay-Kalos and Umenhoffer
 //! 2008, section 4.4.2.
 
-use relief_compare::{Machine, PictureRecord, Timing};
-use relief_render::scene::Sampling;
-use relief_tests::accuracy::maps;
+use relief_compare::PictureRecord;
 
-use super::{Arguments, compared, contender, on_square};
+use super::{Arguments, SIZE, compared, contender, timed_cobbles};
 use crate::table::table;
 
-/// Pixels of the pictures, and how many times as many are timed.
-const SIZE: [u32; 2] = [320, 240];
+/// How many times as many pixels are timed.
 const PIXELS: u32 = 4;
 
 /// Steps of the linear search, and those that are added to it, as further ones or as ones of a refinement.
@@ -21,13 +18,7 @@ const REFINEMENTS: [&str; 2] = ["binary", "secant"];
 
 /// Prints a table a machine.
 pub fn run(arguments: &Arguments) -> Result<(), String> {
-    let named =
-        maps().into_iter().find(|named| named.name == "cobbles").ok_or("the sample map is missing")?;
-    let mut machines = vec![Machine::CPU];
-    if arguments.gpu {
-        machines.extend([Sampling::Exact, Sampling::Fast].map(Machine::gpu));
-    }
-    let mut comparison = on_square(named.name, named.map, SIZE, machines)?;
+    let mut comparison = timed_cobbles(arguments, PIXELS)?;
     let mut contenders = Vec::new();
     for refinement in REFINEMENTS {
         let pair = format!("linear+{refinement}");
@@ -36,7 +27,6 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         }
     }
     (comparison.rays, comparison.contenders) = (0, contenders);
-    comparison.timing = Some(Timing { frames: arguments.frames, warm: 2, pixels: PIXELS });
     let records = compared(&comparison)?;
     for machine in &records.about.machines {
         let on = |record: &&PictureRecord| {

@@ -1,13 +1,11 @@
 //! Whether times hold: two runs in a row, bump mapping beside searches, and passes beside their frame.
 
-use relief_compare::{Machine, PictureRecord, Records, TimeRecord, Timing};
-use relief_render::scene::Sampling;
-use relief_tests::accuracy::maps;
+use relief_compare::{PictureRecord, Records, TimeRecord};
 
-use super::{Arguments, compared, contender, on_square};
+use super::{Arguments, compared, contender, timed_cobbles};
 use crate::table::table;
 
-const SIZE: [u32; 2] = [320, 240];
+/// How many times as many pixels are timed.
 const PIXELS: u32 = 8;
 
 const METHODS: [&str; 8] =
@@ -20,16 +18,9 @@ const BESIDE_FRAME: f64 = 0.1;
 
 /// Prints a table a machine, of two runs.
 pub fn run(arguments: &Arguments) -> Result<(), String> {
-    let named =
-        maps().into_iter().find(|named| named.name == "cobbles").ok_or("the sample map is missing")?;
-    let mut machines = vec![Machine::CPU];
-    if arguments.gpu {
-        machines.extend([Sampling::Exact, Sampling::Fast].map(Machine::gpu));
-    }
-    let mut comparison = on_square(named.name, named.map, SIZE, machines)?;
+    let mut comparison = timed_cobbles(arguments, PIXELS)?;
     comparison.contenders = METHODS.iter().map(|name| contender(name, &[])).collect::<Result<_, _>>()?;
     comparison.rays = 0;
-    comparison.timing = Some(Timing { frames: arguments.frames, warm: 2, pixels: PIXELS });
     let runs = [compared(&comparison)?, compared(&comparison)?];
     for machine in &runs[0].about.machines {
         let on = (machine.backend.as_str(), machine.sampling.as_str());

@@ -11,11 +11,12 @@ mod sizes;
 mod times;
 
 use clap::{Args, ValueEnum};
-use relief_compare::{Comparison, Contender, Machine, Records, Watch};
+use relief_compare::{Comparison, Contender, Machine, Records, Timing, Watch};
 use relief_core::HeightMap;
 use relief_render::mesh::square;
-use relief_render::scene::{Scene, Surface};
+use relief_render::scene::{Sampling, Scene, Surface};
 use relief_shaders::{SHADOW, STAGES, Selection};
+use relief_tests::accuracy;
 
 /// What `compare` is given.
 #[derive(Args)]
@@ -68,6 +69,9 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
     Ok(())
 }
 
+/// Columns and rows of pictures whose frames are timed.
+const SIZE: [u32; 2] = [320, 240];
+
 /// How deep the relief is, in tiles.
 const SCALE_M: f64 = 0.1;
 
@@ -86,6 +90,22 @@ fn on_square(
     let scene = Scene::builder(surface).size(size[0], size[1]).samples(1);
     let mut comparison = Comparison::new(name, scene.build().map_err(|error| error.to_string())?);
     (comparison.flicker_samples, comparison.timing, comparison.machines) = (None, None, machines);
+    Ok(comparison)
+}
+
+/// One of cobbles in small pictures, on the CPU and as asked for on a GPU, whose frames are timed; what takes
+/// time with displacement is timed on so many times as many pixels.
+fn timed_cobbles(arguments: &Arguments, pixels: u32) -> Result<Comparison, String> {
+    let named = accuracy::maps()
+        .into_iter()
+        .find(|named| named.name == "cobbles")
+        .ok_or("the sample map is missing")?;
+    let mut machines = vec![Machine::CPU];
+    if arguments.gpu {
+        machines.extend([Sampling::Exact, Sampling::Fast].map(Machine::gpu));
+    }
+    let mut comparison = on_square(named.name, named.map, SIZE, machines)?;
+    comparison.timing = Some(Timing { frames: arguments.frames, warm: 2, pixels });
     Ok(comparison)
 }
 

@@ -1,16 +1,13 @@
 //! Errors against times, of methods over their steps: what is as near as what engines ship, and how much
 //! faster.
 
-use relief_compare::{Contender, ErrorRecord, Machine, PictureRecord, TimeRecord, Timing};
+use relief_compare::{Contender, ErrorRecord, PictureRecord, TimeRecord};
 use relief_core::MapFormat;
-use relief_render::scene::Sampling;
-use relief_tests::accuracy::maps;
 
-use super::{Arguments, compared, contender, on_square};
+use super::{Arguments, compared, contender, timed_cobbles};
 use crate::table::table;
 
-/// Pictures, and frames of twice as many pixels along each side.
-const SIZE: [u32; 2] = [320, 240];
+/// How many times as many pixels are timed: twice as many along each side.
 const PIXELS: u32 = 4;
 
 /// Steps of the methods that engines ship.
@@ -45,16 +42,9 @@ fn contenders() -> Result<Vec<Contender>, String> {
 
 /// Prints the table of each machine, and the ratios that are read off it.
 pub fn run(arguments: &Arguments) -> Result<(), String> {
-    let named =
-        maps().into_iter().find(|named| named.name == "cobbles").ok_or("the sample map is missing")?;
-    let mut machines = vec![Machine::CPU];
-    if arguments.gpu {
-        machines.extend([Sampling::Exact, Sampling::Fast].map(Machine::gpu));
-    }
-    let mut comparison = on_square(named.name, named.map, SIZE, machines)?;
+    let mut comparison = timed_cobbles(arguments, PIXELS)?;
     (comparison.rays, comparison.contenders) = (0, contenders()?);
     comparison.map_formats = MapFormat::ALL.to_vec();
-    comparison.timing = Some(Timing { frames: arguments.frames, warm: 2, pixels: PIXELS });
     let records = compared(&comparison)?;
     for machine in &records.about.machines {
         let on = |record: &&PictureRecord| {
