@@ -144,9 +144,9 @@ pub struct Corner {
     pub bitangent: rt::Vec3<f32>,
     pub uv: rt::Vec2<f32>,
     /// What the surface stage alone knows of it, zeros elsewhere. Of quadrics the one that the base follows
-    /// around the corner: of q(du, dv) = x du² + y du dv + z dv², in metres a tile squared, positive along the
-    /// normal. Of slices the height that they have there, how far apart they are
-    /// along an axis, and which: SLICES_ALONG_*.
+    /// around the corner: of q(du, dv) = x du² + y du dv + z dv², in metres a tile squared, positive along
+    /// the normal. Of slices the height that they have there, how far apart they are along an axis, and which:
+    /// SLICES_ALONG_*.
     pub of_surface: rt::Vec3<f32>,
 }
 impl Corner {
@@ -2756,10 +2756,10 @@ impl<'g> Resources<'g> {
         let bx = (h_1.y() - h_1.x());
         let by_1 = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_107 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
+        let at_108 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
         let z = (path_4.h.x() + (t_8 * (path_4.h.y() + (t_8 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_8) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_107.x())) + (by_1 * at_107.y())) + ((twist * at_107.x()) * at_107.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_107.x() * grid_1.step.y()) + (at_107.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_108.x())) + (by_1 * at_108.y())) + ((twist * at_108.x()) * at_108.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_108.x() * grid_1.step.y()) + (at_108.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -4547,7 +4547,7 @@ impl<'g> Resources<'g> {
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_28 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
+        let uv_29 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
         let tangent_1 = (((pixel_19.a.tangent * wa) + (pixel_19.b.tangent * wb_1)) + (pixel_19.c.tangent * wc_1));
         let bitangent = (((pixel_19.a.bitangent * wa) + (pixel_19.b.bitangent * wb_1)) + (pixel_19.c.bitangent * wc_1));
         let normal_22 = ((((pixel_19.a.normal * wa) + (pixel_19.b.normal * wb_1)) + (pixel_19.c.normal * wc_1)).normalize() * rt::Scalar(pixel_19.side));
@@ -4565,7 +4565,7 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_25;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_15, uv_28, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_15, uv_29, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -4675,11 +4675,11 @@ impl<'g> Resources<'g> {
         let mut at_23: Entered;
 
         let third_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_29 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
+        let uv_30 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_24, along_7);
         let point_16 = (pixel_24.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_24, along_7);
-        let _e21 = self.v_frame_at(pixel_24, third_1, point_16, uv_29, _e20);
+        let _e21 = self.v_frame_at(pixel_24, third_1, point_16, uv_30, _e20);
         at_23 = _e21;
         rt::Scalar(at_23.segments) = rt::Scalar(0u32);
         let _e25 = at_23;
@@ -5122,8 +5122,8 @@ impl<'g> Resources<'g> {
     fn v_passed_by(&self) -> Entered {
         let zero_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let zeros = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let uv_30 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_30, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_30, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let uv_31 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_31, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_31, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shell_point_from(
         &self,
@@ -5694,7 +5694,7 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_triangle_distance(pixel_39, _e2);
         let point_17 = (pixel_39.origin + (pixel_39.direction * _e5));
         let _e8 = self.v_triangle_weights(pixel_39, _e2, point_17);
-        let uv_31 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
+        let uv_32 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
         let tangent_3 = (((pixel_39.a.tangent * _e8.x()) + (pixel_39.b.tangent * _e8.y())) + (pixel_39.c.tangent * _e8.z()));
         let bitangent_2 = (((pixel_39.a.bitangent * _e8.x()) + (pixel_39.b.bitangent * _e8.y())) + (pixel_39.c.bitangent * _e8.z()));
         let sum_5 = ((((pixel_39.a.normal * _e8.x()) + (pixel_39.b.normal * _e8.y())) + (pixel_39.c.normal * _e8.z())) * rt::Scalar(pixel_39.side));
@@ -5702,14 +5702,14 @@ impl<'g> Resources<'g> {
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            let _e77 = self.v_is_on_map(uv_31);
+            let _e77 = self.v_is_on_map(uv_32);
             local_34 = _e77;
         } else {
             local_34 = rt::Scalar(false);
         }
         let _e79 = local_34;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_17, uv_31, tangent_3, bitangent_2, sum_5.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_17, uv_32, tangent_3, bitangent_2, sum_5.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
@@ -5731,7 +5731,7 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
         let point_18 = (pixel_40.origin + (pixel_40.direction * _e5));
         let _e8 = self.v_triangle_weights(pixel_40, _e2, point_18);
-        let uv_32 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
+        let uv_33 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
         let tangent_4 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
         let bitangent_3 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
         let raw_ = (((pixel_40.a.normal * _e8.x()) + (pixel_40.b.normal * _e8.y())) + (pixel_40.c.normal * _e8.z()));
@@ -5751,14 +5751,14 @@ impl<'g> Resources<'g> {
         }
         let _e105 = local_35;
         if rt::Scalar::into_branch_condition(_e105) {
-            let _e108 = self.v_is_on_map(uv_32);
+            let _e108 = self.v_is_on_map(uv_33);
             local_36 = _e108;
         } else {
             local_36 = rt::Scalar(false);
         }
         let _e110 = local_36;
         let _e116 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e110), (point_18 - (raw_ * height_m)), uv_32, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e116), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_4, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e110), (point_18 - (raw_ * height_m)), uv_33, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e116), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_4, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_enter_stage(&self, pixel_41: PixelIn) -> Entered {
         rt::into(self.v_surface_enter_stage(pixel_41))
@@ -6525,7 +6525,7 @@ impl<'g> Resources<'g> {
         let _e34 = self.v_ordered(pixel_48, rt::Scalar(2u32));
         let w_4 = chosen_1.weights;
         let g = chosen_1.change;
-        let uv_33 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
+        let uv_34 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
         let _e61 = self.v_shell_slack(pixel_48, _e6);
         let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
@@ -6540,10 +6540,10 @@ impl<'g> Resources<'g> {
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_3;
-            let _e96 = self.v_inside_unit(uv_33.x(), duv_7.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_34.x(), duv_7.x(), _e95);
             inside_3 = _e96;
             let _e99 = inside_3;
-            let _e100 = self.v_inside_unit(uv_33.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_34.y(), duv_7.y(), _e99);
             inside_3 = _e100;
         }
         let whole_1 = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -6554,7 +6554,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_20 = <Path>::new((uv_33 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_39.metric, RAY_VIEW, rt::Scalar(at_39.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
+        path_20 = <Path>::new((uv_34 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_39.metric, RAY_VIEW, rt::Scalar(at_39.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
         let _e158 = rt::Scalar(path_20.exit);
         if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
             let _e161 = path_20;
@@ -8637,8 +8637,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_11;
                         let _e119 = t_23;
-                        let at_108 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_3 = at_108.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_108), forward_3);
+                        let at_109 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_3 = at_109.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_109), forward_3);
                         let _e131 = t_23;
                         let far_8 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_3;
@@ -8812,8 +8812,8 @@ impl<'g> Resources<'g> {
                     let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_12;
                     let _e49 = t_25;
-                    let at_109 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_109);
+                    let at_110 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_110);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_25;
                     next_2 = _e54;
@@ -10473,10 +10473,10 @@ impl<'g> Resources<'g> {
         view_7: LightView,
         point_7: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_110 = <rt::Vec4<f32>>::new_31(point_7, rt::Scalar(1f32));
-        let depth_7 = view_7.depth.dot(at_110);
+        let at_111 = <rt::Vec4<f32>>::new_31(point_7, rt::Scalar(1f32));
+        let depth_7 = view_7.depth.dot(at_111);
         let over_2 = rt::Scalar(1f32).select(depth_7, rt::Scalar(view_7.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_7.column.dot(at_110), view_7.row.dot(at_110)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_7.column.dot(at_111), view_7.row.dot(at_111)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
     }
     pub(crate) fn patch_normal(
         &self,
@@ -11767,85 +11767,102 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_pixel_direction(point_9);
         return <PixelIn>::new(_e6, _e7, side_3, a_14, b_14, c_9, shell_4);
     }
+    pub(crate) fn placed_over(
+        &self,
+        at_87: Entered,
+        uv_27: impl rt::Into<rt::Vec2<f32>>,
+    ) -> Entered {
+        rt::into(self.v_placed_over(at_87, rt::into(uv_27)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_placed_over(
+        &self,
+        at_87: Entered,
+        uv_27: rt::Vec2<f32>,
+    ) -> Entered {
+        let mut placed: Entered;
+
+        let aside_9 = (uv_27 - at_87.uv);
+        let _e6 = rt::Scalar(self.surface_settings.bias_m);
+        let _e9 = rt::Scalar(self.surface_settings.scale_m);
+        let _e11 = self.v_height_at(uv_27, rt::Scalar(at_87.level));
+        let height_17 = (_e6 + (_e9 * _e11));
+        placed = at_87;
+        placed.point = (((at_87.point + (at_87.tangent * aside_9.x())) + (at_87.bitangent * aside_9.y())) + (at_87.normal * height_17));
+        placed.uv = uv_27;
+        let _e29 = placed;
+        return _e29;
+    }
     pub(crate) fn surface_plane_place(
         &self,
         pixel_70: PixelIn,
-        at_87: Entered,
+        at_88: Entered,
         path_67: Path,
         hit_33: Hit,
         params_69: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_70, at_87, path_67, hit_33, rt::into(params_69)))
+        rt::into(self.v_surface_plane_place(pixel_70, at_88, path_67, hit_33, rt::into(params_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_place(
         &self,
         pixel_70: PixelIn,
-        at_87: Entered,
+        at_88: Entered,
         path_67: Path,
         hit_33: Hit,
         params_69: rt::Vec4<f32>,
     ) -> Entered {
-        let mut placed: Entered;
-
-        let aside_9 = (hit_33.uv - at_87.uv);
-        let _e10 = rt::Scalar(self.surface_settings.bias_m);
-        let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_33.uv, rt::Scalar(at_87.level));
-        let height_17 = (_e10 + (_e13 * _e16));
-        placed = at_87;
-        placed.point = (((at_87.point + (at_87.tangent * aside_9.x())) + (at_87.bitangent * aside_9.y())) + (at_87.normal * height_17));
-        placed.uv = hit_33.uv;
-        let _e35 = placed;
-        return _e35;
+        let _e6 = self.v_placed_over(at_88, hit_33.uv);
+        return _e6;
     }
     pub(crate) fn placed_at(
         &self,
         pixel_71: PixelIn,
-        at_88: Entered,
+        at_89: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_10: impl rt::Into<rt::Vec3<f32>>,
-        uv_27: impl rt::Into<rt::Vec2<f32>>,
+        uv_28: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_71, at_88, rt::into(weights_4), rt::into(point_10), rt::into(uv_27)))
+        rt::into(self.v_placed_at(pixel_71, at_89, rt::into(weights_4), rt::into(point_10), rt::into(uv_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_at(
         &self,
         pixel_71: PixelIn,
-        at_88: Entered,
+        at_89: Entered,
         weights_4: rt::Vec3<f32>,
         point_10: rt::Vec3<f32>,
-        uv_27: rt::Vec2<f32>,
+        uv_28: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_71, weights_4, point_10, uv_27, at_88.facing);
+        let _e6 = self.v_frame_at(pixel_71, weights_4, point_10, uv_28, at_89.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_88.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_88.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_88.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_89.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_89.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_89.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_prism_place(
         &self,
         pixel_72: PixelIn,
-        at_89: Entered,
+        at_90: Entered,
         path_68: Path,
         hit_34: Hit,
         params_70: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_72, at_89, path_68, hit_34, rt::into(params_70)))
+        rt::into(self.v_surface_prism_place(pixel_72, at_90, path_68, hit_34, rt::into(params_70)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_prism_place(
         &self,
         pixel_72: PixelIn,
-        at_89: Entered,
+        at_90: Entered,
         path_68: Path,
         hit_34: Hit,
         params_70: rt::Vec4<f32>,
@@ -11856,27 +11873,27 @@ impl<'g> Resources<'g> {
         let s_4 = ((rt::Scalar(path_68.start) + rt::Scalar(hit_34.t)) - _e7);
         let _e15 = self.v_point_of_way(pixel_72, _e8, (along_38 * s_4), rt::Scalar(hit_34.height));
         let weights_6 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_72, at_89, weights_6, (pixel_72.origin + (along_38 * (rt::Scalar(path_68.start) + rt::Scalar(hit_34.t)))), hit_34.uv);
+        let _e24 = self.v_placed_at(pixel_72, at_90, weights_6, (pixel_72.origin + (along_38 * (rt::Scalar(path_68.start) + rt::Scalar(hit_34.t)))), hit_34.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_90: Entered,
+        at_91: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_90, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_91, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_frame(
         &self,
-        at_90: Entered,
+        at_91: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
         let mut local_80: rt::Scalar<bool>;
 
-        placed_2 = at_90;
-        let _e5 = self.v_quadric_slope(at_90.of_surface.xyz(), aside);
+        placed_2 = at_91;
+        let _e5 = self.v_quadric_slope(at_91.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
             local_80 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
@@ -11887,13 +11904,13 @@ impl<'g> Resources<'g> {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_5 = at_90.metric;
+        let m_5 = at_91.metric;
         let area_6 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
         let along_t = (((_e5.x() * m_5.z()) - (_e5.y() * m_5.y())) / area_6);
         let along_b = (((_e5.y() * m_5.x()) - (_e5.x() * m_5.y())) / area_6);
-        placed_2.tangent = (at_90.tangent + (at_90.normal * _e5.x()));
-        placed_2.bitangent = (at_90.bitangent + (at_90.normal * _e5.y()));
-        placed_2.normal = ((at_90.normal - (at_90.tangent * along_t)) - (at_90.bitangent * along_b)).normalize();
+        placed_2.tangent = (at_91.tangent + (at_91.normal * _e5.x()));
+        placed_2.bitangent = (at_91.bitangent + (at_91.normal * _e5.y()));
+        placed_2.normal = ((at_91.normal - (at_91.tangent * along_t)) - (at_91.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_3 = _e63.dot(_e65);
@@ -11910,26 +11927,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
         pixel_73: PixelIn,
-        at_91: Entered,
+        at_92: Entered,
         path_69: Path,
         hit_35: Hit,
         params_71: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_73, at_91, path_69, hit_35, rt::into(params_71)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_73, at_92, path_69, hit_35, rt::into(params_71)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_place(
         &self,
         pixel_73: PixelIn,
-        at_91: Entered,
+        at_92: Entered,
         path_69: Path,
         hit_35: Hit,
         params_71: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_91, (hit_35.uv - at_91.uv));
+        let _e8 = self.v_quadric_frame(at_92, (hit_35.uv - at_92.uv));
         placed_3 = _e8;
         placed_3.point = (pixel_73.origin + (pixel_73.direction.normalize() * (rt::Scalar(path_69.start) + rt::Scalar(hit_35.t))));
         placed_3.uv = hit_35.uv;
@@ -11939,36 +11956,36 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_place(
         &self,
         pixel_74: PixelIn,
-        at_92: Entered,
+        at_93: Entered,
         path_70: Path,
         hit_36: Hit,
         params_72: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_74, at_92, path_70, hit_36, rt::into(params_72)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_74, at_93, path_70, hit_36, rt::into(params_72)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
         pixel_74: PixelIn,
-        at_92: Entered,
+        at_93: Entered,
         path_70: Path,
         hit_36: Hit,
         params_72: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_10 = (hit_36.uv - at_92.uv);
+        let aside_10 = (hit_36.uv - at_93.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_36.uv, rt::Scalar(at_92.level));
+        let _e16 = self.v_height_at(hit_36.uv, rt::Scalar(at_93.level));
         let height_18 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_92.of_surface.xyz(), aside_10);
-        let lifted_2 = (((_e19 - at_92.of_surface.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_92, aside_10);
+        let _e27 = self.v_quadric_at(at_93.of_surface.xyz(), aside_10);
+        let lifted_2 = (((_e19 - at_93.of_surface.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_93, aside_10);
         placed_4 = _e29;
-        placed_4.point = (((at_92.point + (at_92.tangent * aside_10.x())) + (at_92.bitangent * aside_10.y())) + (at_92.normal * (height_18 + lifted_2)));
+        placed_4.point = (((at_93.point + (at_93.tangent * aside_10.x())) + (at_93.bitangent * aside_10.y())) + (at_93.normal * (height_18 + lifted_2)));
         placed_4.uv = hit_36.uv;
         let _e47 = placed_4;
         return _e47;
@@ -11976,18 +11993,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_place(
         &self,
         pixel_75: PixelIn,
-        at_93: Entered,
+        at_94: Entered,
         path_71: Path,
         hit_37: Hit,
         params_73: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_75, at_93, path_71, hit_37, rt::into(params_73)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_75, at_94, path_71, hit_37, rt::into(params_73)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
         pixel_75: PixelIn,
-        at_93: Entered,
+        at_94: Entered,
         path_71: Path,
         hit_37: Hit,
         params_73: rt::Vec4<f32>,
@@ -12029,143 +12046,133 @@ impl<'g> Resources<'g> {
         let _e47 = nearest.change;
         let weights_7 = (_e45 + (_e47 * t_38));
         let point_21 = (pixel_75.origin + (along_39 * (rt::Scalar(path_71.start) + rt::Scalar(hit_37.t))));
-        let _e58 = self.v_placed_at(pixel_75, at_93, weights_7.xyz(), point_21, hit_37.uv);
+        let _e58 = self.v_placed_at(pixel_75, at_94, weights_7.xyz(), point_21, hit_37.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
         pixel_76: PixelIn,
-        at_94: Entered,
+        at_95: Entered,
         path_72: Path,
         hit_38: Hit,
         params_74: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_76, at_94, path_72, hit_38, rt::into(params_74)))
+        rt::into(self.v_surface_facets_place(pixel_76, at_95, path_72, hit_38, rt::into(params_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_place(
         &self,
         pixel_76: PixelIn,
-        at_94: Entered,
+        at_95: Entered,
         path_72: Path,
         hit_38: Hit,
         params_74: rt::Vec4<f32>,
     ) -> Entered {
-        return at_94;
+        return at_95;
     }
     pub(crate) fn surface_slices_place(
         &self,
         pixel_77: PixelIn,
-        at_95: Entered,
+        at_96: Entered,
         path_73: Path,
         hit_39: Hit,
         params_75: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_77, at_95, path_73, hit_39, rt::into(params_75)))
+        rt::into(self.v_surface_slices_place(pixel_77, at_96, path_73, hit_39, rt::into(params_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_place(
         &self,
         pixel_77: PixelIn,
-        at_95: Entered,
+        at_96: Entered,
         path_73: Path,
         hit_39: Hit,
         params_75: rt::Vec4<f32>,
     ) -> Entered {
-        let mut placed_5: Entered;
-
-        let aside_12 = (hit_39.uv - at_95.uv);
-        let _e10 = rt::Scalar(self.surface_settings.bias_m);
-        let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_39.uv, rt::Scalar(at_95.level));
-        let height_19 = (_e10 + (_e13 * _e16));
-        placed_5 = at_95;
-        placed_5.point = (((at_95.point + (at_95.tangent * aside_12.x())) + (at_95.bitangent * aside_12.y())) + (at_95.normal * height_19));
-        placed_5.uv = hit_39.uv;
-        let _e35 = placed_5;
-        return _e35;
+        let _e6 = self.v_placed_over(at_96, hit_39.uv);
+        return _e6;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_78: PixelIn, at_96: Entered, path_74: Path, hit_40: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_78, at_96, path_74, hit_40))
+    pub(crate) fn surface_place_stage(&self, pixel_78: PixelIn, at_97: Entered, path_74: Path, hit_40: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_78, at_97, path_74, hit_40))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_78: PixelIn, at_96: Entered, path_74: Path, hit_40: Hit) -> Entered {
+    fn v_surface_place_stage(&self, pixel_78: PixelIn, at_97: Entered, path_74: Path, hit_40: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_78, at_96, path_74, hit_40, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_78, at_97, path_74, hit_40, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_78, at_96, path_74, hit_40, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_78, at_97, path_74, hit_40, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_78, at_96, path_74, hit_40, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_78, at_97, path_74, hit_40, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_78, at_96, path_74, hit_40, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_78, at_97, path_74, hit_40, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_78, at_96, path_74, hit_40, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_78, at_97, path_74, hit_40, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_78, at_96, path_74, hit_40, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_78, at_97, path_74, hit_40, _e43);
                 return _e44;
             }
             _ => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_78, at_96, path_74, hit_40, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_78, at_97, path_74, hit_40, _e49);
                 return _e50;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_79: PixelIn, at_97: Entered, path_75: Path, hit_41: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_79, at_97, path_75, hit_41))
+    pub(crate) fn place_on_segment(&self, pixel_79: PixelIn, at_98: Entered, path_75: Path, hit_41: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_79, at_98, path_75, hit_41))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_place_on_segment(&self, pixel_79: PixelIn, at_97: Entered, path_75: Path, hit_41: Hit) -> Entered {
-        let mut placed_6: Entered;
+    fn v_place_on_segment(&self, pixel_79: PixelIn, at_98: Entered, path_75: Path, hit_41: Hit) -> Entered {
+        let mut placed_5: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_79, at_97, path_75, hit_41);
-        placed_6 = _e4;
+        let _e4 = self.v_surface_place_stage(pixel_79, at_98, path_75, hit_41);
+        placed_5 = _e4;
         let _e7 = self.v_depth_on_ray(pixel_79, path_75, hit_41);
-        rt::Scalar(placed_6.depth) = _e7;
-        let _e8 = placed_6;
+        rt::Scalar(placed_5.depth) = _e7;
+        let _e8 = placed_5;
         return _e8;
     }
     pub(crate) fn place_hit(
         &self,
         pixel_80: PixelIn,
-        at_98: Entered,
+        at_99: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
         hit_42: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_80, at_98, rt::into(segment), hit_42))
+        rt::into(self.v_place_hit(pixel_80, at_99, rt::into(segment), hit_42))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_place_hit(
         &self,
         pixel_80: PixelIn,
-        at_98: Entered,
+        at_99: Entered,
         segment: rt::Scalar<u32>,
         hit_42: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_80, at_98, segment);
-        let _e5 = self.v_place_on_segment(pixel_80, at_98, _e4, hit_42);
+        let _e4 = self.v_segment_of(pixel_80, at_99, segment);
+        let _e5 = self.v_place_on_segment(pixel_80, at_99, _e4, hit_42);
         return _e5;
     }
     pub(crate) fn toward_light(
@@ -12194,25 +12201,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn point_of_light(
         &self,
-        at_99: Entered,
+        at_100: Entered,
         hit_43: Hit,
         number_12: impl rt::Into<rt::Scalar<u32>>,
         k_24: impl rt::Into<rt::Scalar<u32>>,
         count_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_99, hit_43, rt::into(number_12), rt::into(k_24), rt::into(count_5)))
+        rt::into(self.v_point_of_light(at_100, hit_43, rt::into(number_12), rt::into(k_24), rt::into(count_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_light(
         &self,
-        at_99: Entered,
+        at_100: Entered,
         hit_43: Hit,
         number_12: rt::Scalar<u32>,
         k_24: rt::Scalar<u32>,
         count_5: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_12, at_99.point);
+        let _e6 = self.v_toward_light(number_12, at_100.point);
         if rt::Scalar::into_branch_condition(count_5.elementwise_gt(rt::Scalar(0u32))) {
             let _e9 = self.v_seed_of(hit_43);
             let _e10 = self.v_point_of_disc(_e6, _e9, k_24, count_5);
@@ -12222,26 +12229,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_100: Entered,
+        at_101: Entered,
         hit_44: Hit,
         number_13: impl rt::Into<rt::Scalar<u32>>,
         k_25: impl rt::Into<rt::Scalar<u32>>,
         count_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_100, hit_44, rt::into(number_13), rt::into(k_25), rt::into(count_6)))
+        rt::into(self.v_ray_to_light(at_101, hit_44, rt::into(number_13), rt::into(k_25), rt::into(count_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ray_to_light(
         &self,
-        at_100: Entered,
+        at_101: Entered,
         hit_44: Hit,
         number_13: rt::Scalar<u32>,
         k_25: rt::Scalar<u32>,
         count_6: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_100, hit_44, number_13, k_25, count_6);
-        let _e6 = self.v_light_ray(at_100, hit_44, _e5);
+        let _e5 = self.v_point_of_light(at_101, hit_44, number_13, k_25, count_6);
+        let _e6 = self.v_light_ray(at_101, hit_44, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
@@ -12270,16 +12277,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_101: Entered,
+        at_102: Entered,
         seen_2: SeenNormals,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_101, seen_2, rt::into(toward_2)))
+        rt::into(self.v_seen_cosine(at_102, seen_2, rt::into(toward_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_101: Entered,
+        at_102: Entered,
         seen_2: SeenNormals,
         toward_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -12288,7 +12295,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_2.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_2.normal.dot(toward_2).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_101, toward_2);
+        let _e10 = self.v_to_tangent_space(at_102, toward_2);
         let middle_15 = seen_2.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_15, seen_2.along.dot(_e10), seen_2.across.dot(_e10));
         let one_1 = (rt::Scalar(seen_2.middle_seen) * middle_15.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
@@ -12437,19 +12444,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn reflected_light(
         &self,
-        at_102: Entered,
+        at_103: Entered,
         hit_45: Hit,
         seen_3: SeenNormals,
         view_15: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_102, hit_45, seen_3, rt::into(view_15), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_103, hit_45, seen_3, rt::into(view_15), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_102: Entered,
+        at_103: Entered,
         hit_45: Hit,
         seen_3: SeenNormals,
         view_15: rt::Vec3<f32>,
@@ -12462,7 +12469,7 @@ impl<'g> Resources<'g> {
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_102, hit_45, (seen_3.normal * rt::Scalar(seen_3.length)), view_15, diffuse);
+        let _e20 = self.v_ambient_stage(at_103, hit_45, (seen_3.normal * rt::Scalar(seen_3.length)), view_15, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
@@ -12474,8 +12481,8 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e29 = k_26;
-                    let _e31 = self.v_toward_light(_e29, at_102.point);
-                    let _e33 = self.v_seen_cosine(at_102, seen_3, _e31.direction);
+                    let _e31 = self.v_toward_light(_e29, at_103.point);
+                    let _e33 = self.v_seen_cosine(at_103, seen_3, _e31.direction);
                     let _e37 = self.v_shade_stage(seen_3.normal, rt::Scalar(seen_3.length), _e33, view_15, _e31.direction, diffuse);
                     let _e38 = light_16;
                     let _e41 = k_26;
@@ -12509,61 +12516,61 @@ impl<'g> Resources<'g> {
     pub(crate) fn shade_hit(
         &self,
         origin_2: impl rt::Into<rt::Vec3<f32>>,
-        at_103: Entered,
+        at_104: Entered,
         hit_46: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_2), at_103, hit_46, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_2), at_104, hit_46, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(
         &self,
         origin_2: rt::Vec3<f32>,
-        at_103: Entered,
+        at_104: Entered,
         hit_46: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_46.found).elementwise_eq(rt::Scalar(0u32))) {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_46.cost.x(), hit_46.cost.y(), hit_46.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_46.uv, rt::Scalar(at_103.level));
-        let view_18 = (origin_2 - at_103.point).normalize();
-        let _e49 = self.v_mesostructure_normals(at_103, hit_46.uv, view_18);
-        let _e52 = self.v_color_or_white(hit_46.uv, rt::Scalar(at_103.footprint));
-        let _e53 = self.v_reflected_light(at_103, hit_46, _e49, view_18, _e52, visible_1);
+        let _e44 = self.v_height_at(hit_46.uv, rt::Scalar(at_104.level));
+        let view_18 = (origin_2 - at_104.point).normalize();
+        let _e49 = self.v_mesostructure_normals(at_104, hit_46.uv, view_18);
+        let _e52 = self.v_color_or_white(hit_46.uv, rt::Scalar(at_104.footprint));
+        let _e53 = self.v_reflected_light(at_104, hit_46, _e49, view_18, _e52, visible_1);
         let _e58 = self.frame.forward;
-        let depth_9 = (at_103.point - origin_2).dot(_e58.xyz());
+        let depth_9 = (at_104.point - origin_2).dot(_e58.xyz());
         let _e63 = self.v_height_size(rt::Scalar(0u32));
         let _e69 = self.v_cell_of(((hit_46.uv * _e63) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e89 = self.v_z_of(rt::Scalar(at_103.depth));
+        let _e89 = self.v_z_of(rt::Scalar(at_104.depth));
         let _e92 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e53, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_46.exhausted), hit_46.uv, _e44, at_103.point, _e49.normal, depth_9, rt::Scalar(hit_46.t), _e69.to_i32(), hit_46.cost.x(), hit_46.cost.y(), hit_46.cost.z(), visible_1[0usize].x(), rt::Scalar(at_103.level), _e89, _e92);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e53, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_46.exhausted), hit_46.uv, _e44, at_104.point, _e49.normal, depth_9, rt::Scalar(hit_46.t), _e69.to_i32(), hit_46.cost.x(), hit_46.cost.y(), hit_46.cost.z(), visible_1[0usize].x(), rt::Scalar(at_104.level), _e89, _e92);
     }
     pub(crate) fn visible_light(
         &self,
-        at_104: Entered,
+        at_105: Entered,
         hit_47: Hit,
         number_14: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_104, hit_47, rt::into(number_14)))
+        rt::into(self.v_visible_light(at_105, hit_47, rt::into(number_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_visible_light(
         &self,
-        at_104: Entered,
+        at_105: Entered,
         hit_47: Hit,
         number_14: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_14, at_104.point);
-        let _e5 = self.v_shadow_stage(at_104, hit_47, _e4);
+        let _e4 = self.v_toward_light(number_14, at_105.point);
+        let _e5 = self.v_shadow_stage(at_105, hit_47, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_105: Entered, hit_48: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_105, hit_48))
+    pub(crate) fn visible_lights(&self, at_106: Entered, hit_48: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_106, hit_48))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_105: Entered, hit_48: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_106: Entered, hit_48: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut k_27: rt::Scalar<u32> = rt::Scalar(0u32);
 
@@ -12582,7 +12589,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e15 = k_27;
                     let _e17 = k_27;
-                    let _e18 = self.v_visible_light(at_105, hit_48, _e17);
+                    let _e18 = self.v_visible_light(at_106, hit_48, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e23 = k_27;
                     k_27 = (_e23 + rt::Scalar(1u32));
@@ -12630,10 +12637,10 @@ impl<'g> Resources<'g> {
         a_16: BaseSite,
         b_16: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
-        at_106: impl rt::Into<rt::Scalar<u32>>,
+        at_107: impl rt::Into<rt::Scalar<u32>>,
         parts_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_106), rt::into(parts_2)))
+        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_107), rt::into(parts_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12642,11 +12649,11 @@ impl<'g> Resources<'g> {
         a_16: BaseSite,
         b_16: BaseSite,
         shares: rt::Vec2<f32>,
-        at_106: rt::Scalar<u32>,
+        at_107: rt::Scalar<u32>,
         parts_2: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_2 - at_106).to_f32() * shares.x());
-        let of_b = (at_106.to_f32() * shares.y());
+        let of_a = ((parts_2 - at_107).to_f32() * shares.x());
+        let of_b = (at_107.to_f32() * shares.y());
         let sum_6 = (of_a + of_b);
         let _e17 = self.v_weighted_site(a_16, b_16, b_16, <rt::Vec3<f32>>::from_scalars((of_a / sum_6), (of_b / sum_6), rt::Scalar(0f32)));
         return _e17;
@@ -12715,9 +12722,9 @@ impl<'g> Resources<'g> {
         let down_3 = (grid_11.middle.y() - ((grid_11.up.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e42));
         let far_14 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_111 = <rt::Vec3<f32>>::from_scalars(right_3, down_3, _e49).clamp((-far_14), far_14);
+        let at_112 = <rt::Vec3<f32>>::from_scalars(right_3, down_3, _e49).clamp((-far_14), far_14);
         let _e60 = share;
-        return <Voxel>::new((at_111 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
+        return <Voxel>::new((at_112 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
     }
 }
 

@@ -2192,6 +2192,21 @@ fn inside_unit(x0: f32, dx: f32, interval: vec2f) -> vec2f {
 }"#,
     },
     Declaration {
+        module: "shared/displacement",
+        name: "placed_over",
+        sampling: None,
+        uses: &["Entered", "height_at", "surface_settings"],
+        text: r#"// The place of the relief over a point beside the one at which the ray is on the base, in the frame there.
+fn placed_over(at: Entered, uv: vec2f) -> Entered {
+    let aside = uv - at.uv;
+    let height = surface_settings.bias_m + surface_settings.scale_m * height_at(uv, at.level);
+    var placed = at;
+    placed.point = at.point + at.tangent * aside.x + at.bitangent * aside.y + at.normal * height;
+    placed.uv = uv;
+    return placed;
+}"#,
+    },
+    Declaration {
         module: "shared/environment",
         name: "COSINES",
         sampling: None,
@@ -6223,9 +6238,9 @@ struct Corner {
     bitangent: vec3f,
     uv: vec2f,
     // What the surface stage alone knows of it, zeros elsewhere. Of quadrics the one that the base follows
-    // around the corner: of q(du, dv) = x du² + y du dv + z dv², in metres a tile squared, positive along the
-    // normal. Of slices the height that they have there, how far apart they are
-    // along an axis, and which: SLICES_ALONG_*.
+    // around the corner: of q(du, dv) = x du² + y du dv + z dv², in metres a tile squared, positive along
+    // the normal. Of slices the height that they have there, how far apart they are along an axis, and which:
+    // SLICES_ALONG_*.
     of_surface: vec3f,
 }"#,
     },
@@ -6628,15 +6643,10 @@ fn surface_facets_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) ->
         module: "surface/plane",
         name: "surface_plane_place",
         sampling: None,
-        uses: &["Entered", "Hit", "Path", "PixelIn", "height_at", "surface_settings"],
+        uses: &["Entered", "Hit", "Path", "PixelIn", "placed_over"],
         text: r#"// On the surface, whatever the height of the path there, in the frame of the base point.
 fn surface_plane_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
-    let aside = hit.uv - at.uv;
-    let height = surface_settings.bias_m + surface_settings.scale_m * height_at(hit.uv, at.level);
-    var placed = at;
-    placed.point = at.point + at.tangent * aside.x + at.bitangent * aside.y + at.normal * height;
-    placed.uv = hit.uv;
-    return placed;
+    return placed_over(at, hit.uv);
 }"#,
     },
     Declaration {
@@ -7568,15 +7578,10 @@ fn surface_slices_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) ->
         module: "surface/slices",
         name: "surface_slices_place",
         sampling: None,
-        uses: &["Entered", "Hit", "Path", "PixelIn", "height_at", "surface_settings"],
+        uses: &["Entered", "Hit", "Path", "PixelIn", "placed_over"],
         text: r#"// On the surface above the hit, in the frame of the point of the base under the slice.
 fn surface_slices_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
-    let aside = hit.uv - at.uv;
-    let height = surface_settings.bias_m + surface_settings.scale_m * height_at(hit.uv, at.level);
-    var placed = at;
-    placed.point = at.point + at.tangent * aside.x + at.bitangent * aside.y + at.normal * height;
-    placed.uv = hit.uv;
-    return placed;
+    return placed_over(at, hit.uv);
 }"#,
     },
     Declaration {

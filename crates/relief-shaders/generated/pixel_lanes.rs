@@ -3448,18 +3448,24 @@ stage! { pub(super) fn pixel_direction(r: &Resources<'_>, pixel_a0: Vec2<F>) -> 
 stage! { pub(super) fn pixel_eye(r: &Resources<'_>, pixel_a0: Vec2<F>) -> Vec3<F> {
     return Vec3 { x: add(add(splat(r.frame.eye.x), mul(splat(r.frame.eye_right.x), pixel_a0.x)), mul(splat(r.frame.eye_down.x), pixel_a0.y)), y: add(add(splat(r.frame.eye.y), mul(splat(r.frame.eye_right.y), pixel_a0.x)), mul(splat(r.frame.eye_down.y), pixel_a0.y)), z: add(add(splat(r.frame.eye.z), mul(splat(r.frame.eye_right.z), pixel_a0.x)), mul(splat(r.frame.eye_down.z), pixel_a0.y)) };
 } }
-lanes! { fn surface_plane_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+lanes! { fn placed_over(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>) -> Entered {
     let mut ex = within;
     let mut ret: Entered = zero_entered();
     let mut placed_v0: Entered = zero_entered();
-    let aside_7 = Vec2 { x: sub(hit_a3.uv.x, at_a1.uv.x), y: sub(hit_a3.uv.y, at_a1.uv.y) };
-    let e_16 = height_at_ll(r, ex, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y }, at_a1.level);
-    let height_18 = add(splat(r.surface_settings.bias_m), mul(splat(r.surface_settings.scale_m), e_16));
-    placed_v0 = *at_a1;
-    placed_v0.point = Vec3 { x: add(add(add(at_a1.point.x, mul(at_a1.tangent.x, aside_7.x)), mul(at_a1.bitangent.x, aside_7.y)), mul(at_a1.normal.x, height_18)), y: add(add(add(at_a1.point.y, mul(at_a1.tangent.y, aside_7.x)), mul(at_a1.bitangent.y, aside_7.y)), mul(at_a1.normal.y, height_18)), z: add(add(add(at_a1.point.z, mul(at_a1.tangent.z, aside_7.x)), mul(at_a1.bitangent.z, aside_7.y)), mul(at_a1.normal.z, height_18)) };
-    placed_v0.uv = Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y };
-    let e_35 = placed_v0;
-    return e_35;
+    let aside_3 = Vec2 { x: sub(uv_a1.x, at_a0.uv.x), y: sub(uv_a1.y, at_a0.uv.y) };
+    let e_11 = height_at_ll(r, ex, uv_a1, at_a0.level);
+    let height_13 = add(splat(r.surface_settings.bias_m), mul(splat(r.surface_settings.scale_m), e_11));
+    placed_v0 = *at_a0;
+    placed_v0.point = Vec3 { x: add(add(add(at_a0.point.x, mul(at_a0.tangent.x, aside_3.x)), mul(at_a0.bitangent.x, aside_3.y)), mul(at_a0.normal.x, height_13)), y: add(add(add(at_a0.point.y, mul(at_a0.tangent.y, aside_3.x)), mul(at_a0.bitangent.y, aside_3.y)), mul(at_a0.normal.y, height_13)), z: add(add(add(at_a0.point.z, mul(at_a0.tangent.z, aside_3.x)), mul(at_a0.bitangent.z, aside_3.y)), mul(at_a0.normal.z, height_13)) };
+    placed_v0.uv = uv_a1;
+    let e_29 = placed_v0;
+    return e_29;
+} }
+lanes! { fn surface_plane_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let e_6 = placed_over(r, ex, at_a1, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y });
+    return e_6;
 } }
 stage! { fn surface_prism_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
     if none(within) { return zero_entered(); }
@@ -3573,15 +3579,8 @@ lanes! { fn surface_facets_place(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &
 lanes! { fn surface_slices_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
     let mut ex = within;
     let mut ret: Entered = zero_entered();
-    let mut placed_v0: Entered = zero_entered();
-    let aside_7 = Vec2 { x: sub(hit_a3.uv.x, at_a1.uv.x), y: sub(hit_a3.uv.y, at_a1.uv.y) };
-    let e_16 = height_at_ll(r, ex, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y }, at_a1.level);
-    let height_18 = add(splat(r.surface_settings.bias_m), mul(splat(r.surface_settings.scale_m), e_16));
-    placed_v0 = *at_a1;
-    placed_v0.point = Vec3 { x: add(add(add(at_a1.point.x, mul(at_a1.tangent.x, aside_7.x)), mul(at_a1.bitangent.x, aside_7.y)), mul(at_a1.normal.x, height_18)), y: add(add(add(at_a1.point.y, mul(at_a1.tangent.y, aside_7.x)), mul(at_a1.bitangent.y, aside_7.y)), mul(at_a1.normal.y, height_18)), z: add(add(add(at_a1.point.z, mul(at_a1.tangent.z, aside_7.x)), mul(at_a1.bitangent.z, aside_7.y)), mul(at_a1.normal.z, height_18)) };
-    placed_v0.uv = Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y };
-    let e_35 = placed_v0;
-    return e_35;
+    let e_6 = placed_over(r, ex, at_a1, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y });
+    return e_6;
 } }
 lanes! { fn surface_place_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Entered {
     let mut ex = within;

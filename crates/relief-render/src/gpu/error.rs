@@ -55,7 +55,9 @@ pub enum GpuError {
         height: u32,
     },
     /// The mesh does not fit the adapter's buffers.
-    #[error("the mesh has {count} triangles, the GPU takes at most {limit}; use a coarser mesh or the CPU")]
+    #[error(
+        "the mesh has {count} triangles, the GPU takes at most {limit}; use a coarser mesh, fewer slices or the CPU"
+    )]
     TooManyTriangles {
         /// Triangles of the mesh.
         count: usize,
@@ -63,7 +65,9 @@ pub enum GpuError {
         limit: u64,
     },
     /// The mesh's vertices do not fit the adapter's buffers.
-    #[error("the mesh has {count} vertices, the GPU takes at most {limit}; use a coarser mesh or the CPU")]
+    #[error(
+        "the mesh has {count} vertices, the GPU takes at most {limit}; use a coarser mesh, fewer slices or the CPU"
+    )]
     TooManyVertices {
         /// Vertices of the mesh.
         count: usize,

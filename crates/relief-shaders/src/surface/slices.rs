@@ -12,11 +12,7 @@ pub const ENTRY: Entry = Entry {
     maps: &[],
     params: &[],
     states: &[],
-    guarantee: Guarantees {
-        view: Guarantee::Approximate,
-        bent: Guarantee::Approximate,
-        shadow: Guarantee::Approximate,
-    },
+    guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "A ray ends on the first slice that passes the test, or by a refinement between that one and \
         the one before it: the first hit lies between both where the relief passed no slice in between.",
