@@ -56,7 +56,8 @@ pub enum GpuError {
     },
     /// The mesh does not fit the adapter's buffers.
     #[error(
-        "the mesh has {count} triangles, the GPU takes at most {limit}; use a coarser mesh, fewer slices or the CPU"
+        "the mesh has {count} triangles, the GPU takes at most {limit}; use a coarser mesh, fewer \
+         slices or the CPU"
     )]
     TooManyTriangles {
         /// Triangles of the mesh.
@@ -66,7 +67,8 @@ pub enum GpuError {
     },
     /// The mesh's vertices do not fit the adapter's buffers.
     #[error(
-        "the mesh has {count} vertices, the GPU takes at most {limit}; use a coarser mesh, fewer slices or the CPU"
+        "the mesh has {count} vertices, the GPU takes at most {limit}; use a coarser mesh, fewer \
+         slices or the CPU"
     )]
     TooManyVertices {
         /// Vertices of the mesh.
