@@ -21,6 +21,7 @@ mod lanes;
 pub mod mesh;
 mod metric;
 pub mod metrics;
+pub mod object;
 mod path;
 mod pyramid;
 pub mod raycast;

@@ -21,6 +21,22 @@ impl Default for Placement {
     }
 }
 
+impl Placement {
+    /// How it turns.
+    ///
+    /// # Errors
+    ///
+    /// When a number is not finite or the size is not positive.
+    pub fn turn(&self) -> Result<DMat3, MeshError> {
+        let Placement { position_m, rotation_degrees, size } = *self;
+        if !(position_m.is_finite() && rotation_degrees.is_finite() && size.is_finite() && size > 0.0) {
+            return Err(MeshError::BadPlacement);
+        }
+        let [x, y, z] = rotation_degrees.to_array().map(f64::to_radians);
+        Ok(DMat3::from_euler(EulerRot::ZYX, z, y, x))
+    }
+}
+
 impl Mesh {
     /// The mesh in its place. Tiles grow with its size: tangents and bitangents are as long as one tile.
     ///
@@ -28,15 +44,11 @@ impl Mesh {
     ///
     /// When a number is not finite, the size is not positive, or the mesh is no longer finite there.
     pub fn placed(self, placement: &Placement) -> Result<Self, MeshError> {
-        let Placement { position_m, rotation_degrees, size } = *placement;
+        let Placement { position_m, size, .. } = *placement;
         if *placement == Placement::default() {
             return Ok(self);
         }
-        if !(position_m.is_finite() && rotation_degrees.is_finite() && size.is_finite() && size > 0.0) {
-            return Err(MeshError::BadPlacement);
-        }
-        let [x, y, z] = rotation_degrees.to_array().map(f64::to_radians);
-        let turn = DMat3::from_euler(EulerRot::ZYX, z, y, x);
+        let turn = placement.turn()?;
         let larger = turn * size;
         let place = |vertex: &Vertex| Vertex {
             position: (larger * vertex.position.as_dvec3() + position_m).as_vec3(),

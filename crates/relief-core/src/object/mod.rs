@@ -1,0 +1,207 @@
+//! Objects that are known from images with depth: the exact answer.
+//!
+//! Kautz and Seidel 2001, section 4: each image says of what it looks at that everything behind what it sees,
+//! down to its base plane, may be solid. An object is what all of its images say so of.
+
+mod atlas;
+mod view;
+
+pub use atlas::AtlasLayout;
+pub use view::{View, ViewError, ViewRay};
+
+use glam::DVec3;
+
+use crate::{HeightMap, HeightMapError, Wrap};
+
+/// The most images of an object.
+pub const MAX_VIEWS: usize = 1024;
+
+/// Heights up to this are empty: images are looked at above it. Larger, and thin things at the base plane are
+/// lost; smaller, and in `f32` rays along the base plane see solids where there are none.
+pub const EMPTY_HEIGHT: f64 = 1e-5;
+
+/// What an image is between the centres of four texels that differ by more than the object's jump.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum JumpCells {
+    /// As everywhere: bilinear.
+    Bilinear,
+    /// At each place as high as the nearest of the four.
+    Step,
+    /// Everywhere as high as the highest of them.
+    #[default]
+    Highest,
+    /// As `Step`, and so are cells that do not jump.
+    Nearest,
+}
+
+/// An object that is known from images with depth.
+///
+/// An image's solid is what it sees at a height above [`EMPTY_HEIGHT`] and at most its map's: texels of 0 see
+/// nothing, and beside the image there are only such texels. Between the centres of four texels the map is
+/// bilinear, but for [`JumpCells`] where they differ by more than the jump. The object is the intersection of
+/// the solids.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ImageObject {
+    views: Vec<View>,
+    layout: AtlasLayout,
+    heights: HeightMap,
+    cells: JumpCells,
+    jump: f64,
+}
+
+/// Why there is no such object.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ObjectError {
+    /// There are no images, or too many.
+    #[error("an object has 1 to {MAX_VIEWS} images, this one {0}")]
+    BadCount(usize),
+    /// There are not as many maps as views.
+    #[error("{views} views and {maps} maps: each view needs one")]
+    OtherCount {
+        /// How many views there are.
+        views: usize,
+        /// How many maps.
+        maps: usize,
+    },
+    /// A map is of another size than its view.
+    #[error("the map of image {number} is {}x{}, its view {}x{}", map[0], map[1], view[0], view[1])]
+    OtherSize {
+        /// The image, counted from 0.
+        number: usize,
+        /// Columns and rows of the map.
+        map: [u32; 2],
+        /// Columns and rows of the view.
+        view: [u32; 2],
+    },
+    /// The jump is negative or NaN.
+    #[error("cells jump where they differ by {0} texels: it must be 0 or more")]
+    BadJump(f64),
+    /// The maps are no height map.
+    #[error(transparent)]
+    Heights(#[from] HeightMapError),
+}
+
+impl ImageObject {
+    /// An object of views and their maps, a map a view, in which cells jump where their corners differ by
+    /// more than this many texels, as wide as those of the coarsest image.
+    ///
+    /// # Errors
+    ///
+    /// When there are no views or more than [`MAX_VIEWS`], when maps do not fit their views, or when the jump
+    /// is negative or NaN.
+    pub fn new(
+        views: Vec<View>,
+        maps: &[HeightMap],
+        cells: JumpCells,
+        jump_texels: f64,
+    ) -> Result<Self, ObjectError> {
+        if views.is_empty() || views.len() > MAX_VIEWS {
+            return Err(ObjectError::BadCount(views.len()));
+        }
+        if views.len() != maps.len() {
+            return Err(ObjectError::OtherCount { views: views.len(), maps: maps.len() });
+        }
+        for (number, (view, map)) in views.iter().zip(maps).enumerate() {
+            let (view, map) = (view.size(), [map.width(), map.height()]);
+            if view != map {
+                return Err(ObjectError::OtherSize { number, map, view });
+            }
+        }
+        if jump_texels.is_nan() || jump_texels < 0.0 {
+            return Err(ObjectError::BadJump(jump_texels));
+        }
+        let layout = AtlasLayout::new(views.iter().map(View::size).collect())?;
+        let [width, height] = layout.size();
+        let texels = layout.pack(maps.iter().map(HeightMap::texels), 0.0);
+        let heights = HeightMap::new(width, height, texels, Wrap::Clamp)?;
+        let jump = jump_texels * views.iter().map(View::texel_height).fold(0.0, f64::max);
+        Ok(Self { views, layout, heights, cells, jump })
+    }
+
+    /// The same object with cells of another kind, which jump where they differ by more than so many texels.
+    ///
+    /// # Errors
+    ///
+    /// When the jump is negative or NaN.
+    pub fn with_cells(mut self, cells: JumpCells, jump_texels: f64) -> Result<Self, ObjectError> {
+        if jump_texels.is_nan() || jump_texels < 0.0 {
+            return Err(ObjectError::BadJump(jump_texels));
+        }
+        self.jump = jump_texels * self.views.iter().map(View::texel_height).fold(0.0, f64::max);
+        self.cells = cells;
+        Ok(self)
+    }
+
+    /// How its images were made.
+    pub fn views(&self) -> &[View] {
+        &self.views
+    }
+
+    /// Where the images lie in [`heights`](Self::heights).
+    pub fn layout(&self) -> &AtlasLayout {
+        &self.layout
+    }
+
+    /// The images' maps in one, zeros around each.
+    pub fn heights(&self) -> &HeightMap {
+        &self.heights
+    }
+
+    /// What cells are in which heights jump.
+    pub fn cells(&self) -> JumpCells {
+        self.cells
+    }
+
+    /// The difference of heights beyond which a cell jumps.
+    pub fn jump(&self) -> f64 {
+        self.jump
+    }
+
+    /// A box that the object lies in, along the axes: its least and its greatest coordinates. None where an
+    /// image sees nothing.
+    pub fn bounds(&self) -> Option<[DVec3; 2]> {
+        let all = [DVec3::NEG_INFINITY, DVec3::INFINITY];
+        (0..self.views.len()).try_fold(all, |[low, high], number| {
+            let corners = self.corners_of(number)?;
+            let [least, most] = corners
+                .into_iter()
+                .fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |of, at| [of[0].min(at), of[1].max(at)]);
+            let bounds = [low.max(least), high.min(most)];
+            bounds[0].cmplt(bounds[1]).all().then_some(bounds)
+        })
+    }
+
+    /// The corners of the part of an image's space that may be solid.
+    fn corners_of(&self, number: usize) -> Option<[DVec3; 8]> {
+        let (view, place) = (&self.views[number], self.layout.places()[number]);
+        let [columns, rows] = view.size();
+        let (mut low, mut high, mut top) = ([u32::MAX; 2], [0; 2], 0.0_f32);
+        for y in 0..rows {
+            for x in 0..columns {
+                let texel = self.heights.texel(i64::from(place[0] + x), i64::from(place[1] + y));
+                if f64::from(texel) > EMPTY_HEIGHT {
+                    low = [low[0].min(x), low[1].min(y)];
+                    high = [high[0].max(x), high[1].max(y)];
+                    top = top.max(texel);
+                }
+            }
+        }
+        if top == 0.0 {
+            return None;
+        }
+        // Cells reach from a texel's centre to those of the texels beside it.
+        let [left, up] = low.map(|at| f64::from(at) - 0.5);
+        let [right, down] = high.map(|at| f64::from(at) + 1.5);
+        Some(std::array::from_fn(|corner| {
+            let [x, y, z] = [0, 1, 2].map(|axis| corner >> axis & 1);
+            view.point(DVec3::new(
+                [left, right][x] / f64::from(columns),
+                [up, down][y] / f64::from(rows),
+                [EMPTY_HEIGHT, f64::from(top)][z],
+            ))
+        }))
+    }
+}
+
+#[cfg(test)]
+mod tests;
