@@ -6,7 +6,7 @@ use glam::Vec3;
 use relief_core::HeightMap;
 use relief_core::mesh::QuadricCoefficients;
 use relief_shaders::cpu::{Corner, Shell};
-use relief_shaders::surface::Proposal;
+use relief_shaders::surface::{Proposal, Shown};
 
 use crate::displaced::corner;
 use crate::heights_under::HeightsUnder;
@@ -20,6 +20,8 @@ use crate::triangles::Triangles;
 pub struct KeptTriangles {
     /// Of meshes alone.
     polygons: Vec<(Arc<Mesh>, Arc<Triangles>)>,
+    /// Of boxes around objects, whose shell is the box.
+    boxes: Vec<(Arc<Mesh>, Arc<Triangles>)>,
     /// Of meshes with quadrics.
     bent: Vec<(BentOf, Arc<Triangles>)>,
     /// Of meshes under height maps.
@@ -119,6 +121,9 @@ impl KeptTriangles {
             self.bent.push((of, Arc::clone(&made)));
             return made;
         }
+        if selection.paths().shown == Shown::Object {
+            return kept(&mut self.boxes, &before.boxes, mesh, || boxed(mesh, shell_m));
+        }
         if selection.paths().proposal == Proposal::Polygons {
             return kept(&mut self.polygons, &before.polygons, mesh, || polygons(mesh));
         }
@@ -144,6 +149,20 @@ pub fn moved_out_m(surface: &Surface) -> f32 {
 /// The triangles of a mesh, of whose shells nothing is known.
 fn polygons(mesh: &Mesh) -> Arc<Triangles> {
     Arc::new(triangles(mesh, &[], std::iter::repeat(Shell::whole())))
+}
+
+/// A triangle whose shell is the box around a mesh along the axes, where shells of heights from 0 to 1 are
+/// that thick.
+fn boxed(mesh: &Mesh, [bottom, top]: [f32; 2]) -> Arc<Triangles> {
+    let positions = || mesh.vertices().iter().map(|vertex| vertex.position);
+    let low = positions().fold(Vec3::INFINITY, Vec3::min);
+    let extent = positions().fold(Vec3::NEG_INFINITY, Vec3::max) - low;
+    let base = low - Vec3::Z * bottom;
+    let vertex = |position: Vec3| Vertex { position, normal: Vec3::Z, ..mesh.vertices()[0] };
+    let corners = [base, base + Vec3::X * extent.x, base + Vec3::Y * extent.y];
+    let shell = Shell::between([0.0, extent.z / (top - bottom)], [0, 1, 2], [0.0; 3]);
+    let corners = corners.map(|position| corner(&vertex(position)));
+    Arc::new(Triangles::new(corners.to_vec(), std::iter::once(([0, 1, 2], shell))))
 }
 
 /// The triangles of a mesh with their shells.

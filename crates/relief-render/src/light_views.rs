@@ -155,7 +155,8 @@ pub fn relief_points(surface: &JobSurface) -> impl Iterator<Item = DVec3> {
     // Where no relief lies on triangles, their corners are enough; or what is known to be around these and
     // others that were left out.
     let around = surface.triangles.around();
-    let (bare, count) = match surface.selection.paths().has_relief() {
+    let has_shells = proposal == Proposal::Shells;
+    let (bare, count) = match surface.selection.paths().has_relief() || has_shells {
         true => (&[][..], surface.triangles.len()),
         false if around.is_some() => (&[][..], 0),
         false => (surface.triangles.corners(), 0),

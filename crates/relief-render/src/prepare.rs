@@ -5,9 +5,11 @@ use std::sync::atomic::AtomicBool;
 
 use glam::{DMat4, DVec3, Vec3};
 use relief_core::BakedMap;
+use relief_core::object::JumpCells;
 use relief_io::Picture;
 use relief_maps::{Account, Maps, MapsError, Watch};
 use relief_shaders::cpu::{Frame, Light as ShaderLight, SurfaceSettings};
+use relief_shaders::object::ObjectCells;
 use relief_shaders::surface::Shown;
 use relief_shaders::{MapNeed, MapSlot, SlotMaps};
 
@@ -90,6 +92,9 @@ impl Preparer {
             let mut maps = maps.clone();
             if surface.selection().sees_environment() {
                 maps.push((MapSlot::Environment, Arc::clone(environment().map())));
+            }
+            if let Some(object) = surface.object() {
+                maps.push((MapSlot::Object, Arc::clone(object.images())));
             }
             let slots = maps.iter().map(|(slot, map)| (*slot, &**map)).collect();
             let settings = surface_settings(surface, &slots, color.as_deref(), normal_map.as_deref());
@@ -215,7 +220,11 @@ fn surface_settings(
     };
     // Derived normals begin with the second level.
     let derived = u32::from(surface.normal_map().is_none() && normals.is_some());
+    let (images, cells, jump) = images(surface);
     SurfaceSettings {
+        images,
+        cells: cells as u32,
+        jump,
         diffuse: four(material.diffuse()).into(),
         specular: four(material.specular()).into(),
         color_size: size(color).into(),
@@ -234,6 +243,18 @@ fn surface_settings(
         ior: material.ior(),
         ..SurfaceSettings::tracing(height, surface.selection(), maps)
             .with_least_shell(height, extent_m(surface.mesh()) * LEAST_SHELL)
+    }
+}
+
+/// How many images there are of what a surface shows, what their cells are, and by how much heights differ
+/// where they jump.
+fn images(surface: &Surface) -> (u32, JumpCells, f32) {
+    match (surface.object(), surface.selection().object_cells()) {
+        (Some(shown), Some(ObjectCells { cells, jump_texels })) => {
+            let object = shown.object();
+            (object.views().len() as u32, cells, object.jump_of(jump_texels.into()) as f32)
+        }
+        _ => (0, JumpCells::Bilinear, 0.0),
     }
 }
 

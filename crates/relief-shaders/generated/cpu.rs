@@ -519,6 +519,31 @@ impl Grid {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// An image: what a point's texture coordinates and its height in it are, by a product with (x, y, z, 1); where
+/// it lies among the others (its first corner and its extent, in texture coordinates of all); the unit
+/// direction toward its viewer.
+pub struct Image {
+    pub u: rt::Vec4<f32>,
+    pub v: rt::Vec4<f32>,
+    pub height: rt::Vec4<f32>,
+    pub corner: rt::Vec2<f32>,
+    pub extent: rt::Vec2<f32>,
+    pub toward: rt::Vec3<f32>,
+}
+impl Image {
+    pub fn new(
+        u: impl rt::Into<rt::Vec4<f32>>,
+        v: impl rt::Into<rt::Vec4<f32>>,
+        height: impl rt::Into<rt::Vec4<f32>>,
+        corner: impl rt::Into<rt::Vec2<f32>>,
+        extent: impl rt::Into<rt::Vec2<f32>>,
+        toward: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Self {
+        Self { u: rt::into(u), v: rt::into(v), height: rt::into(height), corner: rt::into(corner), extent: rt::into(extent), toward: rt::into(toward) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// A point of a surface in a light's view, and the square around it in which texels count.
 pub struct InView {
     pub number: u32,
@@ -569,6 +594,7 @@ pub struct Path {
     pub duv: rt::Vec2<f32>,
     pub h: rt::Vec3<f32>,
     pub exit: f32,
+    /// Of an object's image its number, in place of that.
     pub base: f32,
     /// T·T, T·B, B·B in square metres per tile, and the displacement scale in metres.
     pub metric: rt::Vec4<f32>,
@@ -897,9 +923,9 @@ impl ShellPoint {
 /// What belongs to a surface: its maps, displacement, material and method.
 pub struct SurfaceSettings {
     /// For each stage, in the order in which a pixel goes through them.
-    pub choices: [Choice; 10],
+    pub choices: [Choice; 11],
     /// For each slot of baked maps.
-    pub maps: [MapSettings; 7],
+    pub maps: [MapSettings; 8],
     pub diffuse: rt::Vec4<f32>,
     pub specular: rt::Vec4<f32>,
     /// Columns and rows of the height map, the colour map and the normal map.
@@ -943,11 +969,16 @@ pub struct SurfaceSettings {
     /// Texels of a face's side in the finest level of the surroundings, and their levels, at least 1 each.
     pub environment_side: u32,
     pub environment_levels: u32,
+    /// Images of an object; 0 of a relief.
+    pub images: u32,
+    /// One of CELLS_*, and the difference of heights beyond which a cell of an image jumps.
+    pub cells: u32,
+    pub jump: f32,
 }
 impl SurfaceSettings {
     pub fn new(
-        choices: impl rt::Into<[Choice; 10]>,
-        maps: impl rt::Into<[MapSettings; 7]>,
+        choices: impl rt::Into<[Choice; 11]>,
+        maps: impl rt::Into<[MapSettings; 8]>,
         diffuse: impl rt::Into<rt::Vec4<f32>>,
         specular: impl rt::Into<rt::Vec4<f32>>,
         height_size: impl rt::Into<rt::Vec2<u32>>,
@@ -976,8 +1007,11 @@ impl SurfaceSettings {
         number: impl rt::Into<u32>,
         environment_side: impl rt::Into<u32>,
         environment_levels: impl rt::Into<u32>,
+        images: impl rt::Into<u32>,
+        cells: impl rt::Into<u32>,
+        jump: impl rt::Into<f32>,
     ) -> Self {
-        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_holes: rt::into(has_holes), has_creases: rt::into(has_creases), has_vertex_normals: rt::into(has_vertex_normals), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), shell_m: rt::into(shell_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), number: rt::into(number), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels) }
+        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_holes: rt::into(has_holes), has_creases: rt::into(has_creases), has_vertex_normals: rt::into(has_vertex_normals), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), shell_m: rt::into(shell_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), number: rt::into(number), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels), images: rt::into(images), cells: rt::into(cells), jump: rt::into(jump) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -1152,6 +1186,12 @@ impl WayPoint {
     }
 }
 #[allow(non_upper_case_globals)]
+pub const CELLS_BILINEAR: rt::Scalar<u32> = rt::Scalar(0u32);
+#[allow(non_upper_case_globals)]
+pub const CELLS_HIGHEST: rt::Scalar<u32> = rt::Scalar(2u32);
+#[allow(non_upper_case_globals)]
+pub const CELLS_NEAREST: rt::Scalar<u32> = rt::Scalar(3u32);
+#[allow(non_upper_case_globals)]
 pub const COARSEST: rt::Scalar<u32> = rt::Scalar(20u32);
 #[allow(non_upper_case_globals)]
 pub const DICE_INSIDE: rt::Scalar<u32> = rt::Scalar(3u32);
@@ -1182,13 +1222,15 @@ pub const LIGHT_RAY_LIT: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
 pub const LIGHT_RAY_OPEN: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
-pub const MAP_SLOTS: rt::Scalar<u32> = rt::Scalar(7u32);
+pub const MAP_SLOTS: rt::Scalar<u32> = rt::Scalar(8u32);
 #[allow(non_upper_case_globals)]
 pub const MAX_LIGHTS: rt::Scalar<u32> = rt::Scalar(8u32);
 #[allow(non_upper_case_globals)]
 pub const MAX_LIGHT_VIEWS: rt::Scalar<u32> = rt::Scalar(48u32);
 #[allow(non_upper_case_globals)]
 pub const MOST_PIECES: rt::Scalar<u32> = rt::Scalar(7u32);
+#[allow(non_upper_case_globals)]
+pub const MOST_ROUNDS: rt::Scalar<u32> = rt::Scalar(256u32);
 #[allow(non_upper_case_globals)]
 pub const NEWTON_STEPS: rt::Scalar<u32> = rt::Scalar(6u32);
 #[allow(non_upper_case_globals)]
@@ -1228,7 +1270,9 @@ pub const SLOT_SHADOW: rt::Scalar<u32> = rt::Scalar(3u32);
 #[allow(non_upper_case_globals)]
 pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
-pub const STAGES: rt::Scalar<u32> = rt::Scalar(10u32);
+pub const STAGES: rt::Scalar<u32> = rt::Scalar(11u32);
+#[allow(non_upper_case_globals)]
+pub const STAGE_OBJECT: rt::Scalar<u32> = rt::Scalar(3u32);
 #[allow(non_upper_case_globals)]
 pub const STEP: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(0u32), rt::Scalar(1u32), rt::Scalar(0u32));
 #[allow(non_upper_case_globals)]
@@ -1249,16 +1293,18 @@ pub(crate) struct Resources<'g> {
     pub(crate) detail_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(10)"]
     pub(crate) environment_map: rt::MapTexture<'g>,
-    #[doc = "group(0) binding(12)"]
+    #[doc = "group(0) binding(13)"]
     pub(crate) frame: Frame,
     #[doc = "group(0) binding(1)"]
     pub(crate) height_map: rt::HeightTexture<'g>,
-    #[doc = "group(0) binding(14)"]
+    #[doc = "group(0) binding(15)"]
     pub(crate) hole_map: rt::HoleTexture<'g>,
     #[doc = "group(0) binding(11)"]
     pub(crate) light_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(3)"]
     pub(crate) normal_map: rt::ColorTexture<'g>,
+    #[doc = "group(0) binding(12)"]
+    pub(crate) object_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(6)"]
     pub(crate) search_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(7)"]
@@ -1567,9 +1613,9 @@ impl<'g> Resources<'g> {
             b = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
             let _e49 = a;
             let _e50 = b;
-            let first_5 = _e49.min(_e50);
-            if rt::Scalar::into_branch_condition(first_5.elementwise_le(span)) {
-                return first_5;
+            let first_6 = _e49.min(_e50);
+            if rt::Scalar::into_branch_condition(first_6.elementwise_le(span)) {
+                return first_6;
             }
         }
         let _e53 = self.v_quadratic(c_1, span);
@@ -1765,14 +1811,14 @@ impl<'g> Resources<'g> {
         uv: rt::Vec2<f32>,
         n_2: rt::Vec2<i32>,
     ) -> Around {
-        let point_11 = ((uv * n_2.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_11);
+        let point_13 = ((uv * n_2.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_13);
         let i_1 = _e8.to_i32();
         let _e12 = self.v_wrap_index(i_1.x(), n_2.x());
         let _e17 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_2.x());
         let _e21 = self.v_wrap_index(i_1.y(), n_2.y());
         let _e26 = self.v_wrap_index((i_1.y() + rt::Scalar(1i32)), n_2.y());
-        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_11 - _e8));
+        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_13 - _e8));
     }
     pub(crate) fn level_texels(
         &self,
@@ -1880,11 +1926,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_3);
         let _e3 = self.v_texels_around(uv_1, _e2);
-        let k_28 = level_3.to_i32();
-        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_28);
-        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_28);
-        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_28);
-        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_28);
+        let k_31 = level_3.to_i32();
+        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_31);
+        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_31);
+        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_31);
+        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_31);
         let _e34 = self.v_bilinear(_e11, _e18, _e25, _e32, _e3.part);
         return _e34;
     }
@@ -2092,16 +2138,16 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_face_place(direction_2);
         let _e5 = rt::Scalar(self.surface_settings.environment_side);
         let last_2 = ((_e5 >> level_6).to_i32().max(rt::Scalar(1i32)) - rt::Scalar(1i32));
-        let point_12 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
+        let point_14 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
         let most_2 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).to_f32();
-        let corner_3 = point_12.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
+        let corner_3 = point_14.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
         let texel_5 = corner_3.to_i32();
-        let k_29 = level_6.to_i32();
-        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_29);
-        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_29);
-        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_29);
-        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_29);
-        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_12 - corner_3));
+        let k_32 = level_6.to_i32();
+        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_32);
+        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_32);
+        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_32);
+        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_32);
+        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_14 - corner_3));
         return _e55.xyz();
     }
     pub(crate) fn environment_in_lobe(
@@ -2235,34 +2281,182 @@ impl<'g> Resources<'g> {
         view_5: rt::Vec3<f32>,
         color_6: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e9 = rt::Scalar(self.surface_settings.choices[9usize].number);
+        let _e9 = rt::Scalar(self.surface_settings.choices[10usize].number);
         match rt::Scalar::into_inner(_e9) {
             0u32 => {
-                let _e14 = self.surface_settings.choices[9usize].params;
+                let _e14 = self.surface_settings.choices[10usize].params;
                 let _e15 = self.v_ambient_constant(at_9, hit_5, normal_6, view_5, color_6, _e14);
                 return _e15;
             }
             1u32 => {
-                let _e20 = self.surface_settings.choices[9usize].params;
+                let _e20 = self.surface_settings.choices[10usize].params;
                 let _e21 = self.v_ambient_occlusion(at_9, hit_5, normal_6, view_5, color_6, _e20);
                 return _e21;
             }
             2u32 => {
-                let _e26 = self.surface_settings.choices[9usize].params;
+                let _e26 = self.surface_settings.choices[10usize].params;
                 let _e27 = self.v_ambient_bent_normal(at_9, hit_5, normal_6, view_5, color_6, _e26);
                 return _e27;
             }
             3u32 => {
-                let _e32 = self.surface_settings.choices[9usize].params;
+                let _e32 = self.surface_settings.choices[10usize].params;
                 let _e33 = self.v_ambient_bounce(at_9, hit_5, normal_6, view_5, color_6, _e32);
                 return _e33;
             }
             _ => {
-                let _e38 = self.surface_settings.choices[9usize].params;
+                let _e38 = self.surface_settings.choices[10usize].params;
                 let _e39 = self.v_ambient_environment(at_9, hit_5, normal_6, view_5, color_6, _e38);
                 return _e39;
             }
         }
+    }
+    pub(crate) fn eighth_turn(&self, tangent: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_eighth_turn(rt::into(tangent)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_eighth_turn(&self, tangent: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let s_1 = (tangent * tangent);
+        let series = (rt::Scalar(0.999866f32) + (s_1 * (rt::Scalar(-0.3302995f32) + (s_1 * (rt::Scalar(0.180141f32) + (s_1 * (rt::Scalar(-0.085133f32) + (s_1 * rt::Scalar(0.0208351f32)))))))));
+        return ((tangent * series) * rt::Scalar(0.15915494f32));
+    }
+    pub(crate) fn turn_of(&self, v: impl rt::Into<rt::Vec2<f32>>) -> f32 {
+        rt::into(self.v_turn_of(rt::into(v)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_turn_of(&self, v: rt::Vec2<f32>) -> rt::Scalar<f32> {
+        let mut turn: rt::Scalar<f32>;
+
+        let x_2 = v.x().abs();
+        let y = v.y().abs();
+        if rt::Scalar::into_branch_condition((!(x_2 + y).elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(0f32);
+        }
+        let _e13 = self.v_eighth_turn((x_2.min(y) / x_2.max(y)));
+        turn = _e13;
+        if rt::Scalar::into_branch_condition(y.elementwise_gt(x_2)) {
+            let _e16 = turn;
+            turn = (rt::Scalar(0.25f32) - _e16);
+        }
+        if rt::Scalar::into_branch_condition(v.x().elementwise_lt(rt::Scalar(0f32))) {
+            let _e22 = turn;
+            turn = (rt::Scalar(0.5f32) - _e22);
+        }
+        if rt::Scalar::into_branch_condition(v.y().elementwise_lt(rt::Scalar(0f32))) {
+            let _e28 = turn;
+            turn = (rt::Scalar(1f32) - _e28);
+        }
+        let _e31 = turn;
+        let _e32 = turn;
+        return _e31.select(rt::Scalar(0f32), _e32.elementwise_ge(rt::Scalar(1f32)));
+    }
+    pub(crate) fn place_in_image(
+        &self,
+        image: Image,
+        point_1: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_place_in_image(image, rt::into(point_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_place_in_image(
+        &self,
+        image: Image,
+        point_1: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let u = (image.u.xyz().dot(point_1) + image.u.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let v_2 = (image.v.xyz().dot(point_1) + image.v.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let h_4 = (image.height.xyz().dot(point_1) + image.height.w());
+        return <rt::Vec3<f32>>::new_21((image.corner + (image.extent * <rt::Vec2<f32>>::from_scalars(u, v_2))), h_4);
+    }
+    pub(crate) fn height_size(&self, level_7: impl rt::Into<rt::Scalar<u32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_height_size(rt::into(level_7)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_height_size(&self, level_7: rt::Scalar<u32>) -> rt::Vec2<f32> {
+        let _e1 = self.v_height_texels(level_7);
+        return _e1.to_f32();
+    }
+    pub(crate) fn height_cell(
+        &self,
+        cell: impl rt::Into<rt::Vec2<i32>>,
+        level_8: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_height_cell(rt::into(cell), rt::into(level_8)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_height_cell(
+        &self,
+        cell: rt::Vec2<i32>,
+        level_8: rt::Scalar<u32>,
+    ) -> rt::Vec4<f32> {
+        let _e2 = self.v_height_texels(level_8);
+        let k_33 = level_8.to_i32();
+        let _e6 = self.v_wrap_index(cell.x(), _e2.x());
+        let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
+        let _e14 = self.v_wrap_index(cell.y(), _e2.y());
+        let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_33));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_33));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_33));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_33));
+        return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
+    }
+    pub(crate) fn height_at(
+        &self,
+        uv_2: impl rt::Into<rt::Vec2<f32>>,
+        level_9: impl rt::Into<rt::Scalar<u32>>,
+    ) -> f32 {
+        rt::into(self.v_height_at(rt::into(uv_2), rt::into(level_9)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_height_at(
+        &self,
+        uv_2: rt::Vec2<f32>,
+        level_9: rt::Scalar<u32>,
+    ) -> rt::Scalar<f32> {
+        let _e2 = self.v_height_size(level_9);
+        let point_15 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_15);
+        let f = (point_15 - _e8);
+        let _e11 = self.v_height_cell(_e8.to_i32(), level_9);
+        let top_2 = (_e11.x() + ((_e11.y() - _e11.x()) * f.x()));
+        let bottom_1 = (_e11.z() + ((_e11.w() - _e11.z()) * f.x()));
+        return (top_2 + ((bottom_1 - top_2) * f.y()));
+    }
+    pub(crate) fn angle_to_image(
+        &self,
+        image_1: Image,
+        point_2: impl rt::Into<rt::Vec3<f32>>,
+        view_6: impl rt::Into<rt::Vec3<f32>>,
+        asked: impl rt::Into<rt::Scalar<bool>>,
+    ) -> f32 {
+        rt::into(self.v_angle_to_image(image_1, rt::into(point_2), rt::into(view_6), rt::into(asked)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_angle_to_image(
+        &self,
+        image_1: Image,
+        point_2: rt::Vec3<f32>,
+        view_6: rt::Vec3<f32>,
+        asked: rt::Scalar<bool>,
+    ) -> rt::Scalar<f32> {
+        let toward_5 = image_1.toward;
+        let beside_3 = toward_5.cross(view_6);
+        let _e10 = self.v_turn_of(<rt::Vec2<f32>>::from_scalars(toward_5.dot(view_6), beside_3.dot(beside_3).sqrt()));
+        if rt::Scalar::into_branch_condition((!asked)) {
+            return _e10;
+        }
+        let _e12 = self.v_place_in_image(image_1, point_2);
+        let _e18 = self.surface_settings.height_size.x();
+        let width_1 = (image_1.extent.x() * _e18.to_f32());
+        let _e24 = self.v_height_at(_e12.xy(), rt::Scalar(0u32));
+        let off_1 = (_e12.z() - _e24).abs();
+        return (_e10 + rt::Scalar(2f32).select(rt::Scalar(0f32), (off_1 * width_1).elementwise_le(rt::Scalar(2f32))));
     }
     pub(crate) fn around_three(
         &self,
@@ -2323,9 +2517,9 @@ impl<'g> Resources<'g> {
         way: Way,
         offset: rt::Scalar<f32>,
     ) -> WayPoint {
-        let low = self.surface_settings.shell_m.x();
+        let low_1 = self.surface_settings.shell_m.x();
         let _e11 = self.surface_settings.shell_m.y();
-        let width_1 = (_e11 - low).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let width_2 = (_e11 - low_1).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let _e16 = self.v_quadratic(way.first, offset);
         let _e18 = self.v_quadratic(way.second, offset);
         let _e20 = self.v_quadratic(way.third, offset);
@@ -2333,14 +2527,14 @@ impl<'g> Resources<'g> {
         let limited = parts_3.min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)));
         let w_3 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
         let normal_20 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
-        let place_18 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_20 * offset));
-        let t_33 = place_18.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let place_19 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_20 * offset));
+        let t_34 = place_19.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let second_1 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
         let third = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
         let volume = (second_1.cross(third).dot(normal_20) * rt::Scalar(way.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
-        let height_8 = (((offset - low) - _e83) / width_1).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        return <WayPoint>::new(<ShellPoint>::new(w_3, height_8), t_33, (place_18 - (along * t_33)).length(), volume);
+        let height_8 = (((offset - low_1) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        return <WayPoint>::new(<ShellPoint>::new(w_3, height_8), t_34, (place_19 - (along * t_34)).length(), volume);
     }
     pub(crate) fn before_turn(
         &self,
@@ -2400,6 +2594,73 @@ impl<'g> Resources<'g> {
         }
         let _e43 = inner;
         return <rt::Vec2<f32>>::from_scalars(_e43, chord.y());
+    }
+    pub(crate) fn path_uv(
+        &self,
+        path: Path,
+        t_4: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_path_uv(path, rt::into(t_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_path_uv(
+        &self,
+        path: Path,
+        t_4: rt::Scalar<f32>,
+    ) -> rt::Vec2<f32> {
+        return (path.uv + (path.duv * t_4));
+    }
+    pub(crate) fn path_height(
+        &self,
+        path_1: Path,
+        t_5: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_path_height(path_1, rt::into(t_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_path_height(
+        &self,
+        path_1: Path,
+        t_5: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        return (path_1.h.x() + (t_5 * (path_1.h.y() + (t_5 * path_1.h.z()))));
+    }
+    pub(crate) fn path_slope(
+        &self,
+        path_2: Path,
+        t_6: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_path_slope(path_2, rt::into(t_6)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_path_slope(
+        &self,
+        path_2: Path,
+        t_6: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        return (path_2.h.y() + ((rt::Scalar(2f32) * t_6) * path_2.h.z()));
+    }
+    pub(crate) fn beginning_at(
+        &self,
+        path_3: Path,
+        t_7: impl rt::Into<rt::Scalar<f32>>,
+    ) -> Path {
+        rt::into(self.v_beginning_at(path_3, rt::into(t_7)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_beginning_at(
+        &self,
+        path_3: Path,
+        t_7: rt::Scalar<f32>,
+    ) -> Path {
+        let _e2 = self.v_path_uv(path_3, t_7);
+        let _e4 = self.v_path_height(path_3, t_7);
+        let _e5 = self.v_path_slope(path_3, t_7);
+        return <Path>::new(_e2, path_3.duv, <rt::Vec3<f32>>::from_scalars(_e4, _e5, path_3.h.z()), (rt::Scalar(path_3.exit) - t_7), rt::Scalar(path_3.base), path_3.metric, rt::Scalar(path_3.ray), rt::Scalar(path_3.level), (rt::Scalar(path_3.start) + t_7), rt::Scalar(path_3.share));
     }
     pub(crate) fn bent_exit(&self, h: impl rt::Into<rt::Vec3<f32>>) -> f32 {
         rt::into(self.v_bent_exit(rt::into(h)))
@@ -2476,15 +2737,6 @@ impl<'g> Resources<'g> {
         let _e8 = self.v_ordered(pixel_1, rt::Scalar(1u32));
         let _e14 = self.v_ordered(pixel_1, rt::Scalar(2u32));
         return (((_e3.uv * weights.x()) + (_e8.uv * weights.y())) + (_e14.uv * weights.z()));
-    }
-    pub(crate) fn height_size(&self, level_7: impl rt::Into<rt::Scalar<u32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_height_size(rt::into(level_7)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_height_size(&self, level_7: rt::Scalar<u32>) -> rt::Vec2<f32> {
-        let _e1 = self.v_height_texels(level_7);
-        return _e1.to_f32();
     }
     pub(crate) fn beside_chord(
         &self,
@@ -2575,127 +2827,46 @@ impl<'g> Resources<'g> {
         let _e38 = roots;
         return _e38;
     }
-    pub(crate) fn path_height(
-        &self,
-        path: Path,
-        t_4: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_path_height(path, rt::into(t_4)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_path_height(
-        &self,
-        path: Path,
-        t_4: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        return (path.h.x() + (t_4 * (path.h.y() + (t_4 * path.h.z()))));
-    }
-    pub(crate) fn height_cell(
-        &self,
-        cell: impl rt::Into<rt::Vec2<i32>>,
-        level_8: impl rt::Into<rt::Scalar<u32>>,
-    ) -> rt::Vec4<f32> {
-        rt::into(self.v_height_cell(rt::into(cell), rt::into(level_8)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_height_cell(
-        &self,
-        cell: rt::Vec2<i32>,
-        level_8: rt::Scalar<u32>,
-    ) -> rt::Vec4<f32> {
-        let _e2 = self.v_height_texels(level_8);
-        let k_30 = level_8.to_i32();
-        let _e6 = self.v_wrap_index(cell.x(), _e2.x());
-        let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
-        let _e14 = self.v_wrap_index(cell.y(), _e2.y());
-        let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_30));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_30));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_30));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_30));
-        return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
-    }
-    pub(crate) fn height_at(
-        &self,
-        uv_2: impl rt::Into<rt::Vec2<f32>>,
-        level_9: impl rt::Into<rt::Scalar<u32>>,
-    ) -> f32 {
-        rt::into(self.v_height_at(rt::into(uv_2), rt::into(level_9)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_height_at(
-        &self,
-        uv_2: rt::Vec2<f32>,
-        level_9: rt::Scalar<u32>,
-    ) -> rt::Scalar<f32> {
-        let _e2 = self.v_height_size(level_9);
-        let point_13 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_13);
-        let f = (point_13 - _e8);
-        let _e11 = self.v_height_cell(_e8.to_i32(), level_9);
-        let top_2 = (_e11.x() + ((_e11.y() - _e11.x()) * f.x()));
-        let bottom_1 = (_e11.z() + ((_e11.w() - _e11.z()) * f.x()));
-        return (top_2 + ((bottom_1 - top_2) * f.y()));
-    }
-    pub(crate) fn path_uv(
-        &self,
-        path_1: Path,
-        t_5: impl rt::Into<rt::Scalar<f32>>,
-    ) -> rt::Vec2<f32> {
-        rt::into(self.v_path_uv(path_1, rt::into(t_5)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_path_uv(
-        &self,
-        path_1: Path,
-        t_5: rt::Scalar<f32>,
-    ) -> rt::Vec2<f32> {
-        return (path_1.uv + (path_1.duv * t_5));
-    }
     pub(crate) fn path_gap(
         &self,
-        path_2: Path,
-        t_6: impl rt::Into<rt::Scalar<f32>>,
+        path_4: Path,
+        t_8: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_gap(path_2, rt::into(t_6)))
+        rt::into(self.v_path_gap(path_4, rt::into(t_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_path_gap(
         &self,
-        path_2: Path,
-        t_6: rt::Scalar<f32>,
+        path_4: Path,
+        t_8: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let _e2 = self.v_path_height(path_2, t_6);
-        let _e3 = self.v_path_uv(path_2, t_6);
-        let _e5 = self.v_height_at(_e3, rt::Scalar(path_2.level));
+        let _e2 = self.v_path_height(path_4, t_8);
+        let _e3 = self.v_path_uv(path_4, t_8);
+        let _e5 = self.v_height_at(_e3, rt::Scalar(path_4.level));
         return (_e2 - _e5);
     }
     pub(crate) fn bracket_between(
         &self,
-        path_3: Path,
+        path_5: Path,
         near: impl rt::Into<rt::Scalar<f32>>,
         far: impl rt::Into<rt::Scalar<f32>>,
         cost: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_bracket_between(path_3, rt::into(near), rt::into(far), rt::into(cost)))
+        rt::into(self.v_bracket_between(path_5, rt::into(near), rt::into(far), rt::into(cost)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_bracket_between(
         &self,
-        path_3: Path,
+        path_5: Path,
         near: rt::Scalar<f32>,
         far: rt::Scalar<f32>,
         cost: rt::Vec3<u32>,
     ) -> Found {
         let mut local_8: rt::Scalar<bool>;
 
-        let _e4 = self.v_path_gap(path_3, near);
+        let _e4 = self.v_path_gap(path_5, near);
         if rt::Scalar::into_branch_condition(near.elementwise_eq(rt::Scalar(0f32))) {
             local_8 = _e4.elementwise_lt(rt::Scalar(0f32));
         } else {
@@ -2705,7 +2876,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e12) {
             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e4, _e4, (cost + HEIGHTS_READ));
         }
-        let _e20 = self.v_path_gap(path_3, far);
+        let _e20 = self.v_path_gap(path_5, far);
         return <Found>::new(FOUND_BRACKET, near, far, _e4, _e20, ((cost + HEIGHTS_READ) + HEIGHTS_READ));
     }
     pub(crate) fn cell_after(
@@ -2714,9 +2885,9 @@ impl<'g> Resources<'g> {
         cell_1: impl rt::Into<rt::Vec2<f32>>,
         leave_1: impl rt::Into<rt::Vec2<f32>>,
         forward: impl rt::Into<rt::Vec2<bool>>,
-        t_7: impl rt::Into<rt::Scalar<f32>>,
+        t_9: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_after(grid, rt::into(cell_1), rt::into(leave_1), rt::into(forward), rt::into(t_7)))
+        rt::into(self.v_cell_after(grid, rt::into(cell_1), rt::into(leave_1), rt::into(forward), rt::into(t_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -2726,89 +2897,145 @@ impl<'g> Resources<'g> {
         cell_1: rt::Vec2<f32>,
         leave_1: rt::Vec2<f32>,
         forward: rt::Vec2<bool>,
-        t_7: rt::Scalar<f32>,
+        t_9: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let _e9 = self.v_cell_of((grid.origin + (grid.step * t_7)));
-        let ahead = _e9.max((cell_1 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_1.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_7, t_7)))));
-        let behind = _e9.min((cell_1 - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_1.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_7, t_7)))));
+        let _e9 = self.v_cell_of((grid.origin + (grid.step * t_9)));
+        let ahead = _e9.max((cell_1 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_1.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_9, t_9)))));
+        let behind = _e9.min((cell_1 - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_1.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_9, t_9)))));
         return behind.select(ahead, forward);
     }
     pub(crate) fn gap_to(
         &self,
-        path_4: Path,
+        path_6: Path,
         grid_1: Grid,
         cell_2: impl rt::Into<rt::Vec2<f32>>,
         h_1: impl rt::Into<rt::Vec4<f32>>,
-        t_8: impl rt::Into<rt::Scalar<f32>>,
+        t_10: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_gap_to(path_4, grid_1, rt::into(cell_2), rt::into(h_1), rt::into(t_8)))
+        rt::into(self.v_gap_to(path_6, grid_1, rt::into(cell_2), rt::into(h_1), rt::into(t_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_gap_to(
         &self,
-        path_4: Path,
+        path_6: Path,
         grid_1: Grid,
         cell_2: rt::Vec2<f32>,
         h_1: rt::Vec4<f32>,
-        t_8: rt::Scalar<f32>,
+        t_10: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let bx = (h_1.y() - h_1.x());
         let by_1 = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_108 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
-        let z = (path_4.h.x() + (t_8 * (path_4.h.y() + (t_8 * path_4.h.z()))));
-        let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_8) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_108.x())) + (by_1 * at_108.y())) + ((twist * at_108.x()) * at_108.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_108.x() * grid_1.step.y()) + (at_108.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        let at_117 = ((grid_1.origin - cell_2) + (grid_1.step * t_10));
+        let z = (path_6.h.x() + (t_10 * (path_6.h.y() + (t_10 * path_6.h.z()))));
+        let dz = (path_6.h.y() + ((rt::Scalar(2f32) * t_10) * path_6.h.z()));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_117.x())) + (by_1 * at_117.y())) + ((twist * at_117.x()) * at_117.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_117.x() * grid_1.step.y()) + (at_117.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+    }
+    pub(crate) fn grid_cell(
+        &self,
+        cell_3: impl rt::Into<rt::Vec2<i32>>,
+        level_10: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_grid_cell(rt::into(cell_3), rt::into(level_10)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_grid_cell(
+        &self,
+        cell_3: rt::Vec2<i32>,
+        level_10: rt::Scalar<u32>,
+    ) -> rt::Vec4<f32> {
+        let mut local_9: rt::Scalar<bool>;
+
+        let _e4 = rt::Scalar(self.surface_settings.cells);
+        if rt::Scalar::into_branch_condition(_e4.elementwise_eq(CELLS_BILINEAR)) {
+            let _e7 = self.v_height_cell(cell_3, level_10);
+            return _e7;
+        }
+        let _e10 = rt::Scalar(self.surface_settings.cells);
+        if rt::Scalar::into_branch_condition(_e10.elementwise_eq(CELLS_HIGHEST)) {
+            let _e13 = self.v_height_cell(cell_3, level_10);
+            let most_3 = _e13.x().max(_e13.y()).max(_e13.z().max(_e13.w()));
+            let least = _e13.x().min(_e13.y()).min(_e13.z().min(_e13.w()));
+            let _e31 = rt::Scalar(self.surface_settings.jump);
+            if rt::Scalar::into_branch_condition((most_3 - least).elementwise_gt(_e31)) {
+                return <rt::Vec4<f32>>::from_scalars(most_3, most_3, most_3, most_3);
+            }
+            return _e13;
+        }
+        let dual = <rt::Vec2<i32>>::from_scalars((cell_3.x() >> rt::Scalar(1u32)), (cell_3.y() >> rt::Scalar(1u32)));
+        let _e41 = self.v_height_cell(dual, level_10);
+        let most_4 = _e41.x().max(_e41.y()).max(_e41.z().max(_e41.w()));
+        let least_1 = _e41.x().min(_e41.y()).min(_e41.z().min(_e41.w()));
+        let right = ((cell_3.x() - dual.x()) - dual.x()).elementwise_eq(rt::Scalar(1i32));
+        let lower = ((cell_3.y() - dual.y()) - dual.y()).elementwise_eq(rt::Scalar(1i32));
+        let _e72 = rt::Scalar(self.surface_settings.cells);
+        if rt::Scalar::into_branch_condition((!_e72.elementwise_eq(CELLS_NEAREST))) {
+            let _e81 = rt::Scalar(self.surface_settings.jump);
+            local_9 = (most_4 - least_1).elementwise_gt(_e81);
+        } else {
+            local_9 = rt::Scalar(true);
+        }
+        let _e84 = local_9;
+        if rt::Scalar::into_branch_condition(_e84) {
+            let nearest_1 = _e41.x().select(_e41.y(), right).select(_e41.z().select(_e41.w(), right), lower);
+            return <rt::Vec4<f32>>::from_scalars(nearest_1, nearest_1, nearest_1, nearest_1);
+        }
+        let top_3 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.y()));
+        let bottom_2 = (rt::Scalar(0.5f32) * (_e41.z() + _e41.w()));
+        let left_1 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.z()));
+        let side_4 = (rt::Scalar(0.5f32) * (_e41.y() + _e41.w()));
+        let middle_10 = (rt::Scalar(0.5f32) * (top_3 + bottom_2));
+        return <rt::Vec4<f32>>::from_scalars(_e41.x().select(top_3, right).select(left_1.select(middle_10, right), lower), top_3.select(_e41.y(), right).select(middle_10.select(side_4, right), lower), left_1.select(middle_10, right).select(_e41.z().select(bottom_2, right), lower), middle_10.select(side_4, right).select(bottom_2.select(_e41.w(), right), lower));
     }
     pub(crate) fn cell_gap(
         &self,
-        path_5: Path,
+        path_7: Path,
         grid_2: Grid,
-        cell_3: impl rt::Into<rt::Vec2<f32>>,
-        t_9: impl rt::Into<rt::Scalar<f32>>,
+        cell_4: impl rt::Into<rt::Vec2<f32>>,
+        t_11: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_cell_gap(path_5, grid_2, rt::into(cell_3), rt::into(t_9)))
+        rt::into(self.v_cell_gap(path_7, grid_2, rt::into(cell_4), rt::into(t_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_cell_gap(
         &self,
-        path_5: Path,
+        path_7: Path,
         grid_2: Grid,
-        cell_3: rt::Vec2<f32>,
-        t_9: rt::Scalar<f32>,
+        cell_4: rt::Vec2<f32>,
+        t_11: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let _e6 = self.v_height_cell(cell_3.to_i32(), rt::Scalar(path_5.level));
-        let _e7 = self.v_gap_to(path_5, grid_2, cell_3, _e6, t_9);
+        let _e6 = self.v_grid_cell(cell_4.to_i32(), rt::Scalar(path_7.level));
+        let _e7 = self.v_gap_to(path_7, grid_2, cell_4, _e6, t_11);
         return _e7;
     }
     pub(crate) fn cell_leave(
         &self,
         grid_3: Grid,
-        cell_4: impl rt::Into<rt::Vec2<f32>>,
+        cell_5: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_leave(grid_3, rt::into(cell_4)))
+        rt::into(self.v_cell_leave(grid_3, rt::into(cell_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_cell_leave(
         &self,
         grid_3: Grid,
-        cell_4: rt::Vec2<f32>,
+        cell_5: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let mut leave_2: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
 
         if rt::Scalar::into_branch_condition(grid_3.step.x().elementwise_gt(rt::Scalar(0f32))) {
-            leave_2.set_x((((cell_4.x() + rt::Scalar(1f32)) - grid_3.origin.x()) / grid_3.step.x()));
+            leave_2.set_x((((cell_5.x() + rt::Scalar(1f32)) - grid_3.origin.x()) / grid_3.step.x()));
         }
         if rt::Scalar::into_branch_condition(grid_3.step.x().elementwise_lt(rt::Scalar(0f32))) {
-            leave_2.set_x(((cell_4.x() - grid_3.origin.x()) / grid_3.step.x()));
+            leave_2.set_x(((cell_5.x() - grid_3.origin.x()) / grid_3.step.x()));
         }
         if rt::Scalar::into_branch_condition(grid_3.step.y().elementwise_gt(rt::Scalar(0f32))) {
-            leave_2.set_y((((cell_4.y() + rt::Scalar(1f32)) - grid_3.origin.y()) / grid_3.step.y()));
+            leave_2.set_y((((cell_5.y() + rt::Scalar(1f32)) - grid_3.origin.y()) / grid_3.step.y()));
         }
         if rt::Scalar::into_branch_condition(grid_3.step.y().elementwise_lt(rt::Scalar(0f32))) {
-            leave_2.set_y(((cell_4.y() - grid_3.origin.y()) / grid_3.step.y()));
+            leave_2.set_y(((cell_5.y() - grid_3.origin.y()) / grid_3.step.y()));
         }
         let _e58 = leave_2;
         return _e58;
@@ -2816,29 +3043,47 @@ impl<'g> Resources<'g> {
     pub(crate) fn cell_next(
         &self,
         grid_4: Grid,
-        cell_5: impl rt::Into<rt::Vec2<f32>>,
+        cell_6: impl rt::Into<rt::Vec2<f32>>,
         leave_3: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_next(grid_4, rt::into(cell_5), rt::into(leave_3)))
+        rt::into(self.v_cell_next(grid_4, rt::into(cell_6), rt::into(leave_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_cell_next(
         &self,
         grid_4: Grid,
-        cell_5: rt::Vec2<f32>,
+        cell_6: rt::Vec2<f32>,
         leave_3: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let mut next: rt::Vec2<f32>;
 
-        next = cell_5;
+        next = cell_6;
         if rt::Scalar::into_branch_condition(leave_3.x().elementwise_le(leave_3.y())) {
-            next.set_x((cell_5.x() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.x().elementwise_gt(rt::Scalar(0f32)))));
+            next.set_x((cell_6.x() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.x().elementwise_gt(rt::Scalar(0f32)))));
         } else {
-            next.set_y((cell_5.y() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.y().elementwise_gt(rt::Scalar(0f32)))));
+            next.set_y((cell_6.y() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.y().elementwise_gt(rt::Scalar(0f32)))));
         }
         let _e27 = next;
         return _e27;
+    }
+    pub(crate) fn cell_parts(&self) -> i32 {
+        rt::into(self.v_cell_parts())
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_cell_parts(&self) -> rt::Scalar<i32> {
+        let mut local_10: rt::Scalar<bool>;
+
+        let _e2 = rt::Scalar(self.surface_settings.cells);
+        if rt::Scalar::into_branch_condition((!_e2.elementwise_eq(CELLS_BILINEAR))) {
+            let _e10 = rt::Scalar(self.surface_settings.cells);
+            local_10 = _e10.elementwise_eq(CELLS_HIGHEST);
+        } else {
+            local_10 = rt::Scalar(true);
+        }
+        let _e14 = local_10;
+        return rt::Scalar(2i32).select(rt::Scalar(1i32), _e14);
     }
     pub(crate) fn cell_slopes(
         &self,
@@ -2854,10 +3099,10 @@ impl<'g> Resources<'g> {
         h_2: rt::Vec4<f32>,
         part_2: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let top_3 = (h_2.y() - h_2.x());
-        let left_1 = (h_2.z() - h_2.x());
-        let twist_1 = ((h_2.w() - h_2.z()) - top_3);
-        return <rt::Vec2<f32>>::from_scalars((top_3 + (twist_1 * part_2.y())), (left_1 + (twist_1 * part_2.x())));
+        let top_4 = (h_2.y() - h_2.x());
+        let left_2 = (h_2.z() - h_2.x());
+        let twist_1 = ((h_2.w() - h_2.z()) - top_4);
+        return <rt::Vec2<f32>>::from_scalars((top_4 + (twist_1 * part_2.y())), (left_2 + (twist_1 * part_2.x())));
     }
     pub(crate) fn chord_end(
         &self,
@@ -2913,11 +3158,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
             return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32).select(interval.x(), weight_1.elementwise_ge((rt::Scalar(0f32) - slack))), interval.y());
         }
-        let t_34 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
+        let t_35 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
         if rt::Scalar::into_branch_condition(change.elementwise_gt(rt::Scalar(0f32))) {
-            return <rt::Vec2<f32>>::from_scalars(interval.x().max(t_34), interval.y());
+            return <rt::Vec2<f32>>::from_scalars(interval.x().max(t_35), interval.y());
         }
-        return <rt::Vec2<f32>>::from_scalars(interval.x(), interval.y().min(t_34));
+        return <rt::Vec2<f32>>::from_scalars(interval.x(), interval.y().min(t_35));
     }
     pub(crate) fn inside_unit(
         &self,
@@ -2934,15 +3179,15 @@ impl<'g> Resources<'g> {
         dx: rt::Scalar<f32>,
         interval_1: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut local_9: rt::Scalar<bool>;
+        let mut local_11: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(dx.elementwise_eq(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition((!x0_.elementwise_lt(rt::Scalar(0f32)))) {
-                local_9 = x0_.elementwise_gt(rt::Scalar(1f32));
+                local_11 = x0_.elementwise_gt(rt::Scalar(1f32));
             } else {
-                local_9 = rt::Scalar(true);
+                local_11 = rt::Scalar(true);
             }
-            let _e13 = local_9;
+            let _e13 = local_11;
             if rt::Scalar::into_branch_condition(_e13) {
                 return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
             }
@@ -2954,152 +3199,154 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn path_from(
         &self,
-        path_6: Path,
-        t_10: impl rt::Into<rt::Scalar<f32>>,
+        path_8: Path,
+        t_12: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_path_from(path_6, rt::into(t_10)))
+        rt::into(self.v_path_from(path_8, rt::into(t_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_path_from(
         &self,
-        path_6: Path,
-        t_10: rt::Scalar<f32>,
+        path_8: Path,
+        t_12: rt::Scalar<f32>,
     ) -> Path {
         let mut rest: Path;
 
-        rest = path_6;
-        let _e4 = self.v_path_uv(path_6, t_10);
+        rest = path_8;
+        let _e4 = self.v_path_uv(path_8, t_12);
         rest.uv = _e4;
-        rest.h = <rt::Vec3<f32>>::from_scalars((path_6.h.x() + (t_10 * (path_6.h.y() + (t_10 * path_6.h.z())))), (path_6.h.y() + ((rt::Scalar(2f32) * t_10) * path_6.h.z())), path_6.h.z());
-        rt::Scalar(rest.exit) = (rt::Scalar(path_6.exit) - t_10);
-        rt::Scalar(rest.start) = (rt::Scalar(path_6.start) + t_10);
+        rest.h = <rt::Vec3<f32>>::from_scalars((path_8.h.x() + (t_12 * (path_8.h.y() + (t_12 * path_8.h.z())))), (path_8.h.y() + ((rt::Scalar(2f32) * t_12) * path_8.h.z())), path_8.h.z());
+        rt::Scalar(rest.exit) = (rt::Scalar(path_8.exit) - t_12);
+        rt::Scalar(rest.start) = (rt::Scalar(path_8.start) + t_12);
         let _e33 = rest;
         return _e33;
     }
-    pub(crate) fn grid_of(&self, path_7: Path) -> Grid {
-        rt::into(self.v_grid_of(path_7))
+    pub(crate) fn grid_of(&self, path_9: Path) -> Grid {
+        rt::into(self.v_grid_of(path_9))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_grid_of(&self, path_7: Path) -> Grid {
-        let _e2 = self.v_height_size(rt::Scalar(path_7.level));
-        return <Grid>::new(((path_7.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_7.duv * _e2));
+    fn v_grid_of(&self, path_9: Path) -> Grid {
+        let _e2 = self.v_height_size(rt::Scalar(path_9.level));
+        let _e3 = self.v_cell_parts();
+        let parts_4 = _e3.to_f32();
+        return <Grid>::new((((path_9.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * parts_4), ((path_9.duv * _e2) * parts_4));
     }
     pub(crate) fn rounded_gap(
         &self,
-        path_8: Path,
+        path_10: Path,
         slack_1: impl rt::Into<rt::Scalar<f32>>,
         texels_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_rounded_gap(path_8, rt::into(slack_1), rt::into(texels_1)))
+        rt::into(self.v_rounded_gap(path_10, rt::into(slack_1), rt::into(texels_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_rounded_gap(
         &self,
-        path_8: Path,
+        path_10: Path,
         slack_1: rt::Scalar<f32>,
         texels_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_height_size(rt::Scalar(path_8.level));
-        let _e11 = self.v_cell_of(((path_8.uv * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e14 = self.v_height_cell(_e11.to_i32(), rt::Scalar(path_8.level));
+        let _e4 = self.v_height_size(rt::Scalar(path_10.level));
+        let _e11 = self.v_cell_of(((path_10.uv * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e14 = self.v_height_cell(_e11.to_i32(), rt::Scalar(path_10.level));
         let range = (_e14.x().max(_e14.y()).max(_e14.z().max(_e14.w())) - _e14.x().min(_e14.y()).min(_e14.z().min(_e14.w())));
-        let change_1 = (path_8.duv.abs() * _e4);
-        let places = ((path_8.uv.abs() * _e4) * rt::Scalar(0.0000009536743f32));
+        let change_1 = (path_10.duv.abs() * _e4);
+        let places = ((path_10.uv.abs() * _e4) * rt::Scalar(0.0000009536743f32));
         let aside_2 = (((((change_1.x() + change_1.y()) * slack_1) + places.x()) + places.y()) + texels_1);
-        return (((path_8.h.y().abs() * slack_1) + (range * aside_2)) + rt::Scalar(0.0000009536743f32));
+        return (((path_10.h.y().abs() * slack_1) + (range * aside_2)) + rt::Scalar(0.0000009536743f32));
     }
     pub(crate) fn out_of_ground(
         &self,
-        path_9: Path,
+        path_11: Path,
         slack_2: impl rt::Into<rt::Scalar<f32>>,
         texels_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_out_of_ground(path_9, rt::into(slack_2), rt::into(texels_2)))
+        rt::into(self.v_out_of_ground(path_11, rt::into(slack_2), rt::into(texels_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_out_of_ground(
         &self,
-        path_9: Path,
+        path_11: Path,
         slack_2: rt::Scalar<f32>,
         texels_2: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut cell_6: rt::Vec2<f32>;
-        let mut t_11: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_10: rt::Scalar<bool>;
-        let mut local_11: rt::Scalar<bool>;
+        let mut cell_7: rt::Vec2<f32>;
+        let mut t_13: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut local_12: rt::Scalar<bool>;
+        let mut local_13: rt::Scalar<bool>;
+        let mut local_14: rt::Scalar<bool>;
 
-        let _e3 = self.v_grid_of(path_9);
-        let _e4 = self.v_rounded_gap(path_9, slack_2, texels_2);
+        let _e3 = self.v_grid_of(path_11);
+        let _e4 = self.v_rounded_gap(path_11, slack_2, texels_2);
         let _e6 = self.v_cell_of(_e3.origin);
-        cell_6 = _e6;
-        let _e10 = cell_6;
-        let _e12 = self.v_cell_gap(path_9, _e3, _e10, rt::Scalar(0f32));
+        cell_7 = _e6;
+        let _e10 = cell_7;
+        let _e12 = self.v_cell_gap(path_11, _e3, _e10, rt::Scalar(0f32));
         let is_near = _e12.x().elementwise_ge((rt::Scalar(0f32) - _e4));
         if rt::Scalar::into_branch_condition(_e12.x().elementwise_le(rt::Scalar(0f32))) {
-            local_10 = _e12.y().elementwise_gt(rt::Scalar(0f32));
+            local_12 = _e12.y().elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_10 = rt::Scalar(false);
+            local_12 = rt::Scalar(false);
         }
-        let comes_out = local_10;
+        let comes_out = local_12;
         if rt::Scalar::into_branch_condition(is_near) {
-            local_11 = (!comes_out);
+            local_13 = (!comes_out);
         } else {
-            local_11 = rt::Scalar(false);
+            local_13 = rt::Scalar(false);
         }
-        let _e31 = local_11;
+        let _e31 = local_13;
         if rt::Scalar::into_branch_condition(_e31) {
             return rt::Scalar(0f32);
         }
-        let _e34 = self.v_rounded_gap(path_9, slack_2, rt::Scalar(0f32));
+        let _e34 = self.v_rounded_gap(path_11, slack_2, rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e35 = t_11;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(path_9.exit))) {
+                let _e35 = t_13;
+                if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(path_11.exit))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e38 = cell_6;
+                    let _e38 = cell_7;
                     let _e39 = self.v_cell_leave(_e3, _e38);
-                    let end_2 = _e39.x().min(_e39.y()).min(rt::Scalar(path_9.exit));
-                    let _e48 = cell_6;
-                    let _e49 = t_11;
-                    let _e50 = self.v_cell_gap(path_9, _e3, _e48, _e49);
+                    let end_2 = _e39.x().min(_e39.y()).min(rt::Scalar(path_11.exit));
+                    let _e48 = cell_7;
+                    let _e49 = t_13;
+                    let _e50 = self.v_cell_gap(path_11, _e3, _e48, _e49);
                     let below_3 = (<rt::Vec3<f32>>::from_scalars(_e34, rt::Scalar(0f32), rt::Scalar(0f32)) - _e50);
                     if rt::Scalar::into_branch_condition((!below_3.x().elementwise_gt(rt::Scalar(0f32)))) {
-                        let _e56 = t_11;
+                        let _e56 = t_13;
                         return _e56;
                     }
-                    let _e57 = t_11;
+                    let _e57 = t_13;
                     let span_5 = (end_2 - _e57).max(rt::Scalar(0f32));
                     let _e61 = self.v_first_root(below_3, span_5);
                     if rt::Scalar::into_branch_condition(_e61.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e64 = t_11;
+                        let _e64 = t_13;
                         return (_e64 + _e61);
                     }
                     if rt::Scalar::into_branch_condition(is_near) {
                         let _e68 = self.v_quadratic(below_3, span_5);
-                        local_12 = _e68.elementwise_gt((_e34 + _e4));
+                        local_14 = _e68.elementwise_gt((_e34 + _e4));
                     } else {
-                        local_12 = rt::Scalar(false);
+                        local_14 = rt::Scalar(false);
                     }
-                    let _e72 = local_12;
+                    let _e72 = local_14;
                     if rt::Scalar::into_branch_condition(_e72) {
                         return rt::Scalar(0f32);
                     }
-                    let _e74 = cell_6;
+                    let _e74 = cell_7;
                     let _e75 = self.v_cell_next(_e3, _e74, _e39);
-                    cell_6 = _e75;
-                    let _e76 = t_11;
-                    t_11 = _e76.max(end_2);
+                    cell_7 = _e75;
+                    let _e76 = t_13;
+                    t_13 = _e76.max(end_2);
                 }
             }
         }
-        return rt::Scalar(path_9.exit);
+        return rt::Scalar(path_11.exit);
     }
     pub(crate) fn chord_path(
         &self,
@@ -3129,10 +3376,10 @@ impl<'g> Resources<'g> {
         beyond: rt::Vec3<f32>,
     ) -> Path {
         let mut inside: rt::Vec2<f32>;
-        let mut path_10: Path;
+        let mut path_12: Path;
 
         let heights_1 = pixel_5.shell.heights;
-        let first_6 = ends.x();
+        let first_7 = ends.x();
         let long = (ends.y() - ends.x());
         let _e16 = self.v_uv_of(pixel_5, a_4.weights);
         let _e18 = self.v_uv_of(pixel_5, b_4.weights);
@@ -3140,7 +3387,7 @@ impl<'g> Resources<'g> {
         let slope_7 = ((rt::Scalar(b_4.height) - rt::Scalar(a_4.height)) - bend_2);
         let _e26 = self.v_shell_slack(pixel_5, middle_1);
         let change_2 = ((b_4.weights - a_4.weights) / rt::Vec3::splat_from_scalar(long));
-        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_6)), long);
+        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_7)), long);
         let _e39 = inside;
         let _e44 = self.v_where_positive(_e39, a_4.weights.x(), change_2.x(), beyond.x());
         inside = _e44;
@@ -3160,39 +3407,39 @@ impl<'g> Resources<'g> {
             inside = _e69;
         }
         let _e76 = inside.y();
-        path_10 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_4.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_13.metric, RAY_VIEW, rt::Scalar(at_13.level), (middle_1 + first_6), (rt::Scalar(1f32) / rt::Scalar(at_13.segments).to_f32()));
+        path_12 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_4.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_13.metric, RAY_VIEW, rt::Scalar(at_13.level), (middle_1 + first_7), (rt::Scalar(1f32) / rt::Scalar(at_13.segments).to_f32()));
         let _e89 = inside.y();
         let _e91 = inside.x();
         if rt::Scalar::into_branch_condition((!_e89.elementwise_gt(_e91))) {
-            rt::Scalar(path_10.exit) = rt::Scalar(0f32);
-            let _e96 = path_10;
+            rt::Scalar(path_12.exit) = rt::Scalar(0f32);
+            let _e96 = path_12;
             return _e96;
         }
-        let _e97 = path_10;
+        let _e97 = path_12;
         let _e99 = inside.x();
         let _e100 = self.v_path_from(_e97, _e99);
-        path_10 = _e100;
-        let _e103 = path_10.h.x();
+        path_12 = _e100;
+        let _e103 = path_12.h.x();
         let above_4 = (_e103 - heights_1.y());
         if rt::Scalar::into_branch_condition(above_4.elementwise_gt(rt::Scalar(0f32))) {
-            let _e108 = path_10;
-            let _e111 = path_10.h.y();
-            let _e114 = path_10.h.z();
-            let _e117 = rt::Scalar(path_10.exit);
+            let _e108 = path_12;
+            let _e111 = path_12.h.y();
+            let _e114 = path_12.h.z();
+            let _e117 = rt::Scalar(path_12.exit);
             let _e118 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_4, _e111, _e114), _e117);
-            let _e120 = rt::Scalar(path_10.exit);
+            let _e120 = rt::Scalar(path_12.exit);
             let _e122 = self.v_path_from(_e108, _e118.min(_e120));
-            path_10 = _e122;
+            path_12 = _e122;
         }
-        let _e124 = rt::Scalar(path_10.exit);
+        let _e124 = rt::Scalar(path_12.exit);
         if rt::Scalar::into_branch_condition(_e124.elementwise_gt(rt::Scalar(0f32))) {
-            let _e127 = path_10;
-            let _e128 = path_10;
+            let _e127 = path_12;
+            let _e128 = path_12;
             let _e132 = self.v_out_of_ground(_e128, (rt::Scalar(4f32) * _e26), params_5.x());
             let _e133 = self.v_path_from(_e127, _e132);
-            path_10 = _e133;
+            path_12 = _e133;
         }
-        let _e134 = path_10;
+        let _e134 = path_12;
         return _e134;
     }
     pub(crate) fn chord_reach(
@@ -3237,14 +3484,14 @@ impl<'g> Resources<'g> {
         b_5: rt::Scalar<f32>,
         part_3: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut local_13: rt::Scalar<bool>;
+        let mut local_15: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(part_3.elementwise_gt(rt::Scalar(0.125f32))) {
-            local_13 = part_3.elementwise_lt(rt::Scalar(0.875f32));
+            local_15 = part_3.elementwise_lt(rt::Scalar(0.875f32));
         } else {
-            local_13 = rt::Scalar(false);
+            local_15 = rt::Scalar(false);
         }
-        let _e11 = local_13;
+        let _e11 = local_15;
         if rt::Scalar::into_branch_condition(_e11) {
             return (((m_1 - a_5) - ((b_5 - a_5) * part_3)) / (part_3 * (part_3 - rt::Scalar(1f32))));
         }
@@ -3271,13 +3518,13 @@ impl<'g> Resources<'g> {
         piece: rt::Vec2<f32>,
         tolerance: rt::Scalar<f32>,
     ) -> rt::Scalar<u32> {
-        let mut local_14: rt::Scalar<bool>;
-        let mut local_15: rt::Scalar<bool>;
         let mut local_16: rt::Scalar<bool>;
         let mut local_17: rt::Scalar<bool>;
         let mut local_18: rt::Scalar<bool>;
         let mut local_19: rt::Scalar<bool>;
         let mut local_20: rt::Scalar<bool>;
+        let mut local_21: rt::Scalar<bool>;
+        let mut local_22: rt::Scalar<bool>;
 
         let long_1 = (piece.y() - piece.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let _e12 = self.v_way_point(prism_2, along_2, way_2, piece.x());
@@ -3286,47 +3533,47 @@ impl<'g> Resources<'g> {
         let _e27 = self.v_way_point(prism_2, along_2, way_2, (piece.x() + (rt::Scalar(0.75f32) * long_1)));
         let _e29 = self.v_way_point(prism_2, along_2, way_2, piece.y());
         if rt::Scalar::into_branch_condition(rt::Scalar(_e12.t).elementwise_lt(rt::Scalar(_e17.t))) {
-            local_14 = rt::Scalar(_e17.t).elementwise_lt(rt::Scalar(_e22.t));
-        } else {
-            local_14 = rt::Scalar(false);
-        }
-        let _e39 = local_14;
-        if rt::Scalar::into_branch_condition(_e39) {
-            local_15 = rt::Scalar(_e22.t).elementwise_lt(rt::Scalar(_e27.t));
-        } else {
-            local_15 = rt::Scalar(false);
-        }
-        let _e46 = local_15;
-        if rt::Scalar::into_branch_condition(_e46) {
-            local_16 = rt::Scalar(_e27.t).elementwise_lt(rt::Scalar(_e29.t));
+            local_16 = rt::Scalar(_e17.t).elementwise_lt(rt::Scalar(_e22.t));
         } else {
             local_16 = rt::Scalar(false);
         }
-        let rises = local_16;
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e12.t).elementwise_gt(rt::Scalar(_e17.t))) {
-            local_17 = rt::Scalar(_e17.t).elementwise_gt(rt::Scalar(_e22.t));
+        let _e39 = local_16;
+        if rt::Scalar::into_branch_condition(_e39) {
+            local_17 = rt::Scalar(_e22.t).elementwise_lt(rt::Scalar(_e27.t));
         } else {
             local_17 = rt::Scalar(false);
         }
-        let _e63 = local_17;
-        if rt::Scalar::into_branch_condition(_e63) {
-            local_18 = rt::Scalar(_e22.t).elementwise_gt(rt::Scalar(_e27.t));
+        let _e46 = local_17;
+        if rt::Scalar::into_branch_condition(_e46) {
+            local_18 = rt::Scalar(_e27.t).elementwise_lt(rt::Scalar(_e29.t));
         } else {
             local_18 = rt::Scalar(false);
         }
-        let _e70 = local_18;
-        if rt::Scalar::into_branch_condition(_e70) {
-            local_19 = rt::Scalar(_e27.t).elementwise_gt(rt::Scalar(_e29.t));
+        let rises = local_18;
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e12.t).elementwise_gt(rt::Scalar(_e17.t))) {
+            local_19 = rt::Scalar(_e17.t).elementwise_gt(rt::Scalar(_e22.t));
         } else {
             local_19 = rt::Scalar(false);
         }
-        let falls = local_19;
-        if rt::Scalar::into_branch_condition((!rises)) {
-            local_20 = (!falls);
+        let _e63 = local_19;
+        if rt::Scalar::into_branch_condition(_e63) {
+            local_20 = rt::Scalar(_e22.t).elementwise_gt(rt::Scalar(_e27.t));
         } else {
             local_20 = rt::Scalar(false);
         }
-        let _e83 = local_20;
+        let _e70 = local_20;
+        if rt::Scalar::into_branch_condition(_e70) {
+            local_21 = rt::Scalar(_e27.t).elementwise_gt(rt::Scalar(_e29.t));
+        } else {
+            local_21 = rt::Scalar(false);
+        }
+        let falls = local_21;
+        if rt::Scalar::into_branch_condition((!rises)) {
+            local_22 = (!falls);
+        } else {
+            local_22 = rt::Scalar(false);
+        }
+        let _e83 = local_22;
         if rt::Scalar::into_branch_condition(_e83) {
             return rt::Scalar(16u32);
         }
@@ -3335,31 +3582,31 @@ impl<'g> Resources<'g> {
         let _e100 = self.v_beside_way(pixel_7, _e12, _e29, _e98, _e27);
         let quarters = _e99.max(_e100);
         let _e102 = self.v_beside_way(pixel_7, _e12, _e29, _e98, _e22);
-        let most_3 = _e102.max(quarters);
-        return (most_3 / tolerance).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(16f32)).to_u32();
+        let most_5 = _e102.max(quarters);
+        return (most_5 / tolerance).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(16f32)).to_u32();
     }
     pub(crate) fn color_at(
         &self,
         uv_3: impl rt::Into<rt::Vec2<f32>>,
-        level_10: impl rt::Into<rt::Scalar<u32>>,
+        level_11: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_color_at(rt::into(uv_3), rt::into(level_10)))
+        rt::into(self.v_color_at(rt::into(uv_3), rt::into(level_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_color_at(
         &self,
         uv_3: rt::Vec2<f32>,
-        level_10: rt::Scalar<u32>,
+        level_11: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e4 = self.surface_settings.color_size;
-        let _e5 = self.v_level_texels(_e4, level_10);
+        let _e5 = self.v_level_texels(_e4, level_11);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_31 = level_10.to_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_31));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_31));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_31));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_31));
+        let k_34 = level_11.to_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_34));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_34));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_34));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_34));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -3422,53 +3669,53 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_texel(
         &self,
-        path_11: Path,
+        path_13: Path,
         place_4: impl rt::Into<rt::Vec2<i32>>,
         layer_1: impl rt::Into<rt::Scalar<i32>>,
-        level_11: impl rt::Into<rt::Scalar<i32>>,
+        level_12: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel(path_11, rt::into(place_4), rt::into(layer_1), rt::into(level_11)))
+        rt::into(self.v_search_texel(path_13, rt::into(place_4), rt::into(layer_1), rt::into(level_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_search_texel(
         &self,
-        path_11: Path,
+        path_13: Path,
         place_4: rt::Vec2<i32>,
         layer_1: rt::Scalar<i32>,
-        level_11: rt::Scalar<i32>,
+        level_12: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_11.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_4, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_13.ray).elementwise_eq(RAY_SHADOW)) {
+            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_4, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_12));
             let _e12 = self.surface_settings.maps[2usize];
             let _e13 = self.v_decoded(texel_7, _e12);
             return _e13;
         }
-        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_4, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
+        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_4, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_12));
         let _e19 = self.surface_settings.maps[1usize];
         let _e20 = self.v_decoded(_e15, _e19);
         return _e20;
     }
     pub(crate) fn cone_slope(
         &self,
-        path_12: Path,
+        path_14: Path,
         texel_1: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_cone_slope(path_12, rt::into(texel_1)))
+        rt::into(self.v_cone_slope(path_14, rt::into(texel_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_cone_slope(
         &self,
-        path_12: Path,
+        path_14: Path,
         texel_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let _e3 = self.v_height_texels(rt::Scalar(path_12.level));
-        let place_19 = texel_1.to_i32();
-        let _e7 = self.v_wrap_index(place_19.x(), _e3.x());
-        let _e10 = self.v_wrap_index(place_19.y(), _e3.y());
+        let _e3 = self.v_height_texels(rt::Scalar(path_14.level));
+        let place_20 = texel_1.to_i32();
+        let _e7 = self.v_wrap_index(place_20.x(), _e3.x());
+        let _e10 = self.v_wrap_index(place_20.y(), _e3.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e7, _e10);
-        let _e15 = self.v_search_texel(path_12, wrapped, rt::Scalar(0i32), rt::Scalar(path_12.level).to_i32());
+        let _e15 = self.v_search_texel(path_14, wrapped, rt::Scalar(0i32), rt::Scalar(path_14.level).to_i32());
         let _e17 = self.v_slope_of(_e15.x());
         return _e17;
     }
@@ -3516,28 +3763,28 @@ impl<'g> Resources<'g> {
         let _e6 = self.frame.eye_right;
         let _e10 = self.frame.right;
         let _e17 = rt::Scalar(self.frame.sample_width);
-        let width_2 = ((_e6.xyz() + (_e10.xyz() * _e3)).length() * _e17);
+        let width_3 = ((_e6.xyz() + (_e10.xyz() * _e3)).length() * _e17);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
-        return (_e21 / width_2);
+        return (_e21 / width_3);
     }
-    pub(crate) fn depth_on_ray(&self, pixel_10: PixelIn, path_13: Path, hit_6: Hit) -> f32 {
-        rt::into(self.v_depth_on_ray(pixel_10, path_13, hit_6))
+    pub(crate) fn depth_on_ray(&self, pixel_10: PixelIn, path_15: Path, hit_6: Hit) -> f32 {
+        rt::into(self.v_depth_on_ray(pixel_10, path_15, hit_6))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_depth_on_ray(&self, pixel_10: PixelIn, path_13: Path, hit_6: Hit) -> rt::Scalar<f32> {
-        return ((rt::Scalar(path_13.start) + rt::Scalar(hit_6.t)) / pixel_10.direction.length());
+    fn v_depth_on_ray(&self, pixel_10: PixelIn, path_15: Path, hit_6: Hit) -> rt::Scalar<f32> {
+        return ((rt::Scalar(path_15.start) + rt::Scalar(hit_6.t)) / pixel_10.direction.length());
     }
     pub(crate) fn footprint_axis(
         &self,
         pixel_11: PixelIn,
         at_16: Entered,
         normal_8: impl rt::Into<rt::Vec3<f32>>,
-        t_12: impl rt::Into<rt::Scalar<f32>>,
+        t_14: impl rt::Into<rt::Scalar<f32>>,
         origin: impl rt::Into<rt::Vec3<f32>>,
         direction_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_footprint_axis(pixel_11, at_16, rt::into(normal_8), rt::into(t_12), rt::into(origin), rt::into(direction_4)))
+        rt::into(self.v_footprint_axis(pixel_11, at_16, rt::into(normal_8), rt::into(t_14), rt::into(origin), rt::into(direction_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3546,11 +3793,11 @@ impl<'g> Resources<'g> {
         pixel_11: PixelIn,
         at_16: Entered,
         normal_8: rt::Vec3<f32>,
-        t_12: rt::Scalar<f32>,
+        t_14: rt::Scalar<f32>,
         origin: rt::Vec3<f32>,
         direction_4: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
-        let aside_3 = (origin + (direction_4 * t_12));
+        let aside_3 = (origin + (direction_4 * t_14));
         let along_19 = (normal_8.dot(aside_3) / normal_8.dot(pixel_11.direction));
         let _e15 = self.v_climb(at_16, (aside_3 - (pixel_11.direction * along_19)));
         let _e19 = self.surface_settings.height_size;
@@ -3611,8 +3858,8 @@ impl<'g> Resources<'g> {
         let part_9 = ((begin_3 - _e8) / (begin_3 - params_7.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
         let _e20 = self.v_levels_of((_e4 / params_7.y()), _e19);
-        let level_27 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_27, _e4, part_9.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        let level_28 = rt::Scalar(_e20.fine);
+        return <Detail>::new(level_28, _e4, part_9.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
     }
     pub(crate) fn detail_footprint(
         &self,
@@ -3658,20 +3905,20 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_stage(&self, pixel_16: PixelIn, at_21: Entered) -> Detail {
-        let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
+        let _e6 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
-                let _e11 = self.surface_settings.choices[3usize].params;
+                let _e11 = self.surface_settings.choices[4usize].params;
                 let _e12 = self.v_detail_none(pixel_16, at_21, _e11);
                 return _e12;
             }
             1u32 => {
-                let _e17 = self.surface_settings.choices[3usize].params;
+                let _e17 = self.surface_settings.choices[4usize].params;
                 let _e18 = self.v_detail_footprint(pixel_16, at_21, _e17);
                 return _e18;
             }
             _ => {
-                let _e23 = self.surface_settings.choices[3usize].params;
+                let _e23 = self.surface_settings.choices[4usize].params;
                 let _e24 = self.v_detail_fade(pixel_16, at_21, _e23);
                 return _e24;
             }
@@ -3681,9 +3928,9 @@ impl<'g> Resources<'g> {
         &self,
         place_5: impl rt::Into<rt::Vec2<i32>>,
         layer_2: impl rt::Into<rt::Scalar<i32>>,
-        level_12: impl rt::Into<rt::Scalar<i32>>,
+        level_13: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel(rt::into(place_5), rt::into(layer_2), rt::into(level_12)))
+        rt::into(self.v_detail_texel(rt::into(place_5), rt::into(layer_2), rt::into(level_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3691,9 +3938,9 @@ impl<'g> Resources<'g> {
         &self,
         place_5: rt::Vec2<i32>,
         layer_2: rt::Scalar<i32>,
-        level_12: rt::Scalar<i32>,
+        level_13: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_5, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_12));
+        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_5, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_13));
         let _e8 = self.surface_settings.maps[0usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -3702,9 +3949,9 @@ impl<'g> Resources<'g> {
         &self,
         uv_5: impl rt::Into<rt::Vec2<f32>>,
         layer_3: impl rt::Into<rt::Scalar<i32>>,
-        level_13: impl rt::Into<rt::Scalar<u32>>,
+        level_14: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel_between(rt::into(uv_5), rt::into(layer_3), rt::into(level_13)))
+        rt::into(self.v_detail_texel_between(rt::into(uv_5), rt::into(layer_3), rt::into(level_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3712,15 +3959,15 @@ impl<'g> Resources<'g> {
         &self,
         uv_5: rt::Vec2<f32>,
         layer_3: rt::Scalar<i32>,
-        level_13: rt::Scalar<u32>,
+        level_14: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_13);
+        let _e3 = self.v_height_texels(level_14);
         let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_32 = (level_13 - SEEN_FIRST_LEVEL).to_i32();
-        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_32);
-        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_32);
-        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_32);
-        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_32);
+        let k_35 = (level_14 - SEEN_FIRST_LEVEL).to_i32();
+        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_35);
+        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_35);
+        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_35);
+        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_35);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e4.part);
         return _e33;
     }
@@ -4025,12 +4272,12 @@ impl<'g> Resources<'g> {
         let on_short = (((_e15 - rt::Scalar(place_7.at)).to_f32() / _e15.to_f32()) * (_e19.to_f32() / rows_9.parts.x().to_f32()));
         let on_other = ((rt::Scalar(place_7.at).to_f32() / _e15.to_f32()) * (_e23.to_f32() / rows_9.parts.z().to_f32()));
         let on_corner = ((rt::Scalar(1f32) - on_short) - on_other);
-        let x_1 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(0u32)));
-        let y = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(1u32)));
+        let x_3 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(0u32)));
+        let y_1 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(1u32)));
         let z_1 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(2u32)));
         let _e88 = self.v_dice_points_before(rows_9, rt::Scalar(place_7.row));
-        let number_15 = ((_e88 + rt::Scalar(place_7.at)) - rt::Scalar(1u32));
-        return <DicePoint>::new(DICE_INSIDE, number_15, <rt::Vec3<f32>>::from_scalars(x_1, y, z_1));
+        let number_16 = ((_e88 + rt::Scalar(place_7.at)) - rt::Scalar(1u32));
+        return <DicePoint>::new(DICE_INSIDE, number_16, <rt::Vec3<f32>>::from_scalars(x_3, y_1, z_1));
     }
     pub(crate) fn dice_triangles_before(
         &self,
@@ -4116,15 +4363,15 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_dice_rows(&self, parts_1: rt::Vec3<u32>) -> DiceRows {
-        let mut local_21: rt::Scalar<bool>;
+        let mut local_23: rt::Scalar<bool>;
 
         let of_last = rt::Scalar(2u32).select(rt::Scalar(1u32), parts_1.y().elementwise_le(parts_1.z()));
         if rt::Scalar::into_branch_condition(parts_1.x().elementwise_le(parts_1.y())) {
-            local_21 = parts_1.x().elementwise_le(parts_1.z());
+            local_23 = parts_1.x().elementwise_le(parts_1.z());
         } else {
-            local_21 = rt::Scalar(false);
+            local_23 = rt::Scalar(false);
         }
-        let _e17 = local_21;
+        let _e17 = local_23;
         let short = of_last.select(rt::Scalar(0u32), _e17);
         let _e20 = self.v_around_three(short, rt::Scalar(2u32));
         let _e22 = self.v_around_three(short, rt::Scalar(1u32));
@@ -4151,23 +4398,23 @@ impl<'g> Resources<'g> {
         steps: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let mut j: rt::Scalar<u32>;
-        let mut local_22: rt::Scalar<bool>;
-        let mut local_23: rt::Scalar<bool>;
+        let mut local_24: rt::Scalar<bool>;
+        let mut local_25: rt::Scalar<bool>;
 
-        let least = rt::Scalar(0u32).select((steps - above), steps.elementwise_gt(above));
-        let most_4 = below.min(steps);
-        j = (((((rt::Scalar(2u32) * steps) * below) + above) + below) / (rt::Scalar(2u32) * (above + below))).clamp(least, most_4);
+        let least_2 = rt::Scalar(0u32).select((steps - above), steps.elementwise_gt(above));
+        let most_6 = below.min(steps);
+        j = (((((rt::Scalar(2u32) * steps) * below) + above) + below) / (rt::Scalar(2u32) * (above + below))).clamp(least_2, most_6);
         'naga_break: loop {
             'naga_continue: {
                 let _e19 = j;
-                if rt::Scalar::into_branch_condition(_e19.elementwise_gt(least)) {
+                if rt::Scalar::into_branch_condition(_e19.elementwise_gt(least_2)) {
                     let _e24 = j;
                     let _e30 = j;
-                    local_22 = (((rt::Scalar(2u32) * _e24) - rt::Scalar(1u32)) * above).elementwise_gt((((rt::Scalar(2u32) * (steps - _e30)) + rt::Scalar(1u32)) * below));
+                    local_24 = (((rt::Scalar(2u32) * _e24) - rt::Scalar(1u32)) * above).elementwise_gt((((rt::Scalar(2u32) * (steps - _e30)) + rt::Scalar(1u32)) * below));
                 } else {
-                    local_22 = rt::Scalar(false);
+                    local_24 = rt::Scalar(false);
                 }
-                let _e38 = local_22;
+                let _e38 = local_24;
                 if rt::Scalar::into_branch_condition(_e38) {
                 } else {
                     break 'naga_break;
@@ -4181,14 +4428,14 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e42 = j;
-                if rt::Scalar::into_branch_condition(_e42.elementwise_lt(most_4)) {
+                if rt::Scalar::into_branch_condition(_e42.elementwise_lt(most_6)) {
                     let _e47 = j;
                     let _e53 = j;
-                    local_23 = (((rt::Scalar(2u32) * _e47) + rt::Scalar(1u32)) * above).elementwise_le((((rt::Scalar(2u32) * (steps - _e53)) - rt::Scalar(1u32)) * below));
+                    local_25 = (((rt::Scalar(2u32) * _e47) + rt::Scalar(1u32)) * above).elementwise_le((((rt::Scalar(2u32) * (steps - _e53)) - rt::Scalar(1u32)) * below));
                 } else {
-                    local_23 = rt::Scalar(false);
+                    local_25 = rt::Scalar(false);
                 }
-                let _e61 = local_23;
+                let _e61 = local_25;
                 if rt::Scalar::into_branch_condition(_e61) {
                 } else {
                     break 'naga_break;
@@ -4215,7 +4462,7 @@ impl<'g> Resources<'g> {
         rows_13: DiceRows,
         number_3: rt::Scalar<u32>,
     ) -> DiceTriangle {
-        let mut local_24: rt::Scalar<bool>;
+        let mut local_26: rt::Scalar<bool>;
 
         let _e2 = self.v_dice_row_of_triangle(rows_13, number_3);
         let _e5 = self.v_dice_row_parts(rows_13, (_e2 - rt::Scalar(1u32)));
@@ -4223,11 +4470,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(1u32))) {
             let _e15 = self.v_dice_share(rows_13, (_e2 - rt::Scalar(1u32)), rows_13.parts.x());
             let _e18 = self.v_dice_share(rows_13, _e2, rows_13.parts.x());
-            local_24 = _e15.elementwise_eq(_e18);
+            local_26 = _e15.elementwise_eq(_e18);
         } else {
-            local_24 = rt::Scalar(false);
+            local_26 = rt::Scalar(false);
         }
-        let is_shared = local_24;
+        let is_shared = local_26;
         let _e24 = self.v_dice_triangles_before(rows_13, (_e2 - rt::Scalar(1u32)));
         let step_4 = ((number_3 - _e24) + rt::Scalar(0u32).select(rt::Scalar(1u32), is_shared));
         let _e30 = self.v_dice_steps_below(_e5, _e6, step_4);
@@ -4320,44 +4567,44 @@ impl<'g> Resources<'g> {
     pub(crate) fn height_and_slope(
         &self,
         uv_6: impl rt::Into<rt::Vec2<f32>>,
-        level_14: impl rt::Into<rt::Scalar<u32>>,
+        level_15: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_6), rt::into(level_14)))
+        rt::into(self.v_height_and_slope(rt::into(uv_6), rt::into(level_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_height_and_slope(
         &self,
         uv_6: rt::Vec2<f32>,
-        level_14: rt::Scalar<u32>,
+        level_15: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_height_size(level_14);
-        let point_14 = ((uv_6 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_14);
-        let f_1 = (point_14 - _e8);
-        let _e11 = self.v_height_cell(_e8.to_i32(), level_14);
-        let top_4 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
-        let bottom_2 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
-        let left_2 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
-        let right = (_e11.y() + ((_e11.w() - _e11.y()) * f_1.y()));
-        return <rt::Vec3<f32>>::from_scalars((top_4 + ((bottom_2 - top_4) * f_1.y())), ((right - left_2) * _e2.x()), ((bottom_2 - top_4) * _e2.y()));
+        let _e2 = self.v_height_size(level_15);
+        let point_16 = ((uv_6 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_16);
+        let f_1 = (point_16 - _e8);
+        let _e11 = self.v_height_cell(_e8.to_i32(), level_15);
+        let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
+        let bottom_3 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
+        let left_3 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
+        let right_1 = (_e11.y() + ((_e11.w() - _e11.y()) * f_1.y()));
+        return <rt::Vec3<f32>>::from_scalars((top_5 + ((bottom_3 - top_5) * f_1.y())), ((right_1 - left_3) * _e2.x()), ((bottom_3 - top_5) * _e2.y()));
     }
     pub(crate) fn relief_between_levels(
         &self,
         uv_7: impl rt::Into<rt::Vec2<f32>>,
-        level_15: impl rt::Into<rt::Scalar<f32>>,
+        level_16: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_relief_between_levels(rt::into(uv_7), rt::into(level_15)))
+        rt::into(self.v_relief_between_levels(rt::into(uv_7), rt::into(level_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_relief_between_levels(
         &self,
         uv_7: rt::Vec2<f32>,
-        level_15: rt::Scalar<f32>,
+        level_16: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let finer = level_15.to_u32();
-        let part_12 = (level_15 - finer.to_f32());
+        let finer = level_16.to_u32();
+        let part_12 = (level_16 - finer.to_f32());
         let _e5 = self.v_height_and_slope(uv_7, finer);
         if rt::Scalar::into_branch_condition(part_12.elementwise_eq(rt::Scalar(0f32))) {
             return _e5;
@@ -4411,65 +4658,55 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_texel_between(
         &self,
-        path_14: Path,
+        path_16: Path,
         uv_8: impl rt::Into<rt::Vec2<f32>>,
         layer_4: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel_between(path_14, rt::into(uv_8), rt::into(layer_4)))
+        rt::into(self.v_search_texel_between(path_16, rt::into(uv_8), rt::into(layer_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_search_texel_between(
         &self,
-        path_14: Path,
+        path_16: Path,
         uv_8: rt::Vec2<f32>,
         layer_4: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = self.v_height_texels(rt::Scalar(path_14.level));
+        let _e4 = self.v_height_texels(rt::Scalar(path_16.level));
         let _e5 = self.v_texels_around(uv_8, _e4);
-        let level_28 = rt::Scalar(path_14.level).to_i32();
-        let _e13 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_28);
-        let _e19 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_28);
-        let _e25 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_28);
-        let _e31 = self.v_search_texel(path_14, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_28);
+        let level_29 = rt::Scalar(path_16.level).to_i32();
+        let _e13 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_29);
+        let _e19 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_29);
+        let _e25 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_29);
+        let _e31 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_29);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
     pub(crate) fn distance_at(
         &self,
-        path_15: Path,
+        path_17: Path,
         uv_9: impl rt::Into<rt::Vec2<f32>>,
         height: impl rt::Into<rt::Scalar<f32>>,
         slices: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_distance_at(path_15, rt::into(uv_9), rt::into(height), rt::into(slices)))
+        rt::into(self.v_distance_at(path_17, rt::into(uv_9), rt::into(height), rt::into(slices)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_distance_at(
         &self,
-        path_15: Path,
+        path_17: Path,
         uv_9: rt::Vec2<f32>,
         height: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_20 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_5 = place_20.floor();
-        let _e13 = self.v_search_texel_between(path_15, uv_9, below_5.to_i32());
-        let lower = _e13.x();
-        let _e21 = self.v_search_texel_between(path_15, uv_9, (below_5 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
+        let place_21 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_5 = place_21.floor();
+        let _e13 = self.v_search_texel_between(path_17, uv_9, below_5.to_i32());
+        let lower_1 = _e13.x();
+        let _e21 = self.v_search_texel_between(path_17, uv_9, (below_5 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
         let upper = _e21.x();
-        return (lower + ((upper - lower) * (place_20 - below_5)));
-    }
-    pub(crate) fn eighth_turn(&self, tangent: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_eighth_turn(rt::into(tangent)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_eighth_turn(&self, tangent: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let s_1 = (tangent * tangent);
-        let series = (rt::Scalar(0.999866f32) + (s_1 * (rt::Scalar(-0.3302995f32) + (s_1 * (rt::Scalar(0.180141f32) + (s_1 * (rt::Scalar(-0.085133f32) + (s_1 * rt::Scalar(0.0208351f32)))))))));
-        return ((tangent * series) * rt::Scalar(0.15915494f32));
+        return (lower_1 + ((upper - lower_1) * (place_21 - below_5)));
     }
     pub(crate) fn plane_normal(&self, pixel_17: PixelIn) -> rt::Vec3<f32> {
         rt::into(self.v_plane_normal(pixel_17))
@@ -4486,9 +4723,9 @@ impl<'g> Resources<'g> {
         b_8: impl rt::Into<rt::Vec3<f32>>,
         c_3: impl rt::Into<rt::Vec3<f32>>,
         normal_10: impl rt::Into<rt::Vec3<f32>>,
-        point_1: impl rt::Into<rt::Vec3<f32>>,
+        point_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_weights_of(rt::into(a_8), rt::into(b_8), rt::into(c_3), rt::into(normal_10), rt::into(point_1)))
+        rt::into(self.v_weights_of(rt::into(a_8), rt::into(b_8), rt::into(c_3), rt::into(normal_10), rt::into(point_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4498,10 +4735,10 @@ impl<'g> Resources<'g> {
         b_8: rt::Vec3<f32>,
         c_3: rt::Vec3<f32>,
         normal_10: rt::Vec3<f32>,
-        point_1: rt::Vec3<f32>,
+        point_3: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let nn = normal_10.dot(normal_10);
-        let from_a = (point_1 - a_8);
+        let from_a = (point_3 - a_8);
         let wb = (from_a.cross((c_3 - a_8)).dot(normal_10) / nn);
         let wc = ((b_8 - a_8).cross(from_a).dot(normal_10) / nn);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - wb) - wc), wb, wc);
@@ -4510,9 +4747,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_18: PixelIn,
         normal_11: impl rt::Into<rt::Vec3<f32>>,
-        point_2: impl rt::Into<rt::Vec3<f32>>,
+        point_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_plane_weights(pixel_18, rt::into(normal_11), rt::into(point_2)))
+        rt::into(self.v_plane_weights(pixel_18, rt::into(normal_11), rt::into(point_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4520,9 +4757,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_18: PixelIn,
         normal_11: rt::Vec3<f32>,
-        point_2: rt::Vec3<f32>,
+        point_4: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e9 = self.v_weights_of(pixel_18.a.position, pixel_18.b.position, pixel_18.c.position, normal_11, point_2);
+        let _e9 = self.v_weights_of(pixel_18.a.position, pixel_18.b.position, pixel_18.c.position, normal_11, point_4);
         return _e9;
     }
     pub(crate) fn surface_plane_enter(
@@ -4538,12 +4775,12 @@ impl<'g> Resources<'g> {
         pixel_19: PixelIn,
         params_10: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_25: rt::Scalar<bool>;
+        let mut local_27: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_19);
         let _e5 = self.v_plane_distance(pixel_19, _e2);
-        let point_15 = (pixel_19.origin + (pixel_19.direction * _e5));
-        let _e8 = self.v_plane_weights(pixel_19, _e2, point_15);
+        let point_17 = (pixel_19.origin + (pixel_19.direction * _e5));
+        let _e8 = self.v_plane_weights(pixel_19, _e2, point_17);
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
@@ -4559,13 +4796,13 @@ impl<'g> Resources<'g> {
         let metric_1 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e67);
         let descent_2 = (rt::Scalar(0f32) - normal_22.dot((pixel_19.direction / rt::Vec3::splat_from_scalar(pixel_19.direction.length()))));
         if rt::Scalar::into_branch_condition(area_2.elementwise_gt(rt::Scalar(0f32))) {
-            local_25 = descent_2.elementwise_gt(rt::Scalar(0f32));
+            local_27 = descent_2.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_25 = rt::Scalar(false);
+            local_27 = rt::Scalar(false);
         }
-        let _e86 = local_25;
+        let _e86 = local_27;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_15, uv_29, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_17, uv_29, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -4612,11 +4849,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_22: PixelIn,
         weights_1: impl rt::Into<rt::Vec3<f32>>,
-        point_3: impl rt::Into<rt::Vec3<f32>>,
+        point_5: impl rt::Into<rt::Vec3<f32>>,
         uv_10: impl rt::Into<rt::Vec2<f32>>,
         facing: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_frame_at(pixel_22, rt::into(weights_1), rt::into(point_3), rt::into(uv_10), rt::into(facing)))
+        rt::into(self.v_frame_at(pixel_22, rt::into(weights_1), rt::into(point_5), rt::into(uv_10), rt::into(facing)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4624,7 +4861,7 @@ impl<'g> Resources<'g> {
         &self,
         pixel_22: PixelIn,
         weights_1: rt::Vec3<f32>,
-        point_3: rt::Vec3<f32>,
+        point_5: rt::Vec3<f32>,
         uv_10: rt::Vec2<f32>,
         facing: rt::Vec3<f32>,
     ) -> Entered {
@@ -4637,7 +4874,7 @@ impl<'g> Resources<'g> {
         let _e49 = rt::Scalar(self.surface_settings.scale_m);
         let metric_2 = <rt::Vec4<f32>>::from_scalars(tangent_2.dot(tangent_2), tangent_2.dot(bitangent_1), bitangent_1.dot(bitangent_1), _e49);
         let unit = (normal_23.normalize() * rt::Scalar(pixel_22.side));
-        return <Entered>::new(rt::Scalar(1u32), point_3, uv_10, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(1u32), point_5, uv_10, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn facing_of(
         &self,
@@ -4677,9 +4914,9 @@ impl<'g> Resources<'g> {
         let third_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
         let uv_30 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_24, along_7);
-        let point_16 = (pixel_24.origin + (along_7 * _e17));
+        let point_18 = (pixel_24.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_24, along_7);
-        let _e21 = self.v_frame_at(pixel_24, third_1, point_16, uv_30, _e20);
+        let _e21 = self.v_frame_at(pixel_24, third_1, point_18, uv_30, _e20);
         at_23 = _e21;
         rt::Scalar(at_23.segments) = rt::Scalar(0u32);
         let _e25 = at_23;
@@ -4705,9 +4942,9 @@ impl<'g> Resources<'g> {
         q: rt::Vec3<f32>,
         m_3: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let most_5 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let middle_10 = (p.cross(m_3).min(most_5) + n_4.cross(q).min(most_5));
-        return <rt::Vec3<f32>>::from_scalars(along_8.dot(p.cross(q)), along_8.dot(middle_10), along_8.dot(n_4.cross(m_3))).min(most_5);
+        let most_7 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let middle_11 = (p.cross(m_3).min(most_7) + n_4.cross(q).min(most_7));
+        return <rt::Vec3<f32>>::from_scalars(along_8.dot(p.cross(q)), along_8.dot(middle_11), along_8.dot(n_4.cross(m_3))).min(most_7);
     }
     pub(crate) fn way_of(
         &self,
@@ -4725,9 +4962,9 @@ impl<'g> Resources<'g> {
         prism_3: Prism,
         along_9: rt::Vec3<f32>,
     ) -> Way {
-        let first_7 = (rt::Scalar(pixel_25.shell.order) & rt::Scalar(3u32));
+        let first_8 = (rt::Scalar(pixel_25.shell.order) & rt::Scalar(3u32));
         let second_2 = ((rt::Scalar(pixel_25.shell.order) >> rt::Scalar(2u32)) & rt::Scalar(3u32));
-        let is_turned = (((second_2 + rt::Scalar(3u32)) - first_7) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
+        let is_turned = (((second_2 + rt::Scalar(3u32)) - first_8) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
         let _e24 = self.v_way_weight(along_9, prism_3.p1_, prism_3.n1_, prism_3.p2_, prism_3.n2_);
         let _e29 = self.v_way_weight(along_9, prism_3.p2_, prism_3.n2_, prism_3.p0_, prism_3.n0_);
         let _e34 = self.v_way_weight(along_9, prism_3.p0_, prism_3.n0_, prism_3.p1_, prism_3.n1_);
@@ -4741,13 +4978,13 @@ impl<'g> Resources<'g> {
     fn v_offsets_of(&self, shell: Shell) -> rt::Vec2<f32> {
         let _e4 = self.surface_settings.shell_m.y();
         let _e8 = self.surface_settings.shell_m.x();
-        let width_3 = (_e4 - _e8).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let width_4 = (_e4 - _e8).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let quarter = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.25f32), rt::Scalar(0.25f32), rt::Scalar(0.25f32));
         let zero = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let lowered = shell.lift.min(zero).dot(quarter);
         let lifted = shell.lift.max(zero).dot(quarter);
         let _e29 = self.surface_settings.shell_m.x();
-        return ((rt::Vec2::splat_from_scalar(_e29) + (width_3 * shell.heights)) + <rt::Vec2<f32>>::from_scalars(lowered, lifted));
+        return ((rt::Vec2::splat_from_scalar(_e29) + (width_4 * shell.heights)) + <rt::Vec2<f32>>::from_scalars(lowered, lifted));
     }
     pub(crate) fn way_offsets(
         &self,
@@ -4877,17 +5114,17 @@ impl<'g> Resources<'g> {
         way_4: Way,
         offset_3: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_26: rt::Scalar<bool>;
+        let mut local_28: rt::Scalar<bool>;
 
         let _e3 = self.v_quadratic(way_4.first, offset_3);
         let _e5 = self.v_quadratic(way_4.second, offset_3);
         let _e7 = self.v_quadratic(way_4.third, offset_3);
         if rt::Scalar::into_branch_condition((!_e3.min(_e5).min(_e7).elementwise_gt(rt::Scalar(0f32)))) {
-            local_26 = _e3.max(_e5).max(_e7).elementwise_lt(rt::Scalar(0f32));
+            local_28 = _e3.max(_e5).max(_e7).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_26 = rt::Scalar(true);
+            local_28 = rt::Scalar(true);
         }
-        let _e20 = local_26;
+        let _e20 = local_28;
         return _e20;
     }
     pub(crate) fn way_chord(
@@ -4919,8 +5156,8 @@ impl<'g> Resources<'g> {
         let mut count_3: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut begin: rt::Scalar<f32>;
         let mut pieces: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_27: rt::Scalar<bool>;
-        let mut local_28: rt::Scalar<bool>;
+        let mut local_29: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
 
         let _e8 = self.v_grown_way(way_5, beyond_2);
         begin = offsets_1.x();
@@ -4929,11 +5166,11 @@ impl<'g> Resources<'g> {
                 let _e19 = pieces;
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(MOST_PIECES)) {
                     let _e24 = begin;
-                    local_27 = _e24.elementwise_lt(offsets_1.y());
+                    local_29 = _e24.elementwise_lt(offsets_1.y());
                 } else {
-                    local_27 = rt::Scalar(false);
+                    local_29 = rt::Scalar(false);
                 }
-                let _e28 = local_27;
+                let _e28 = local_29;
                 if rt::Scalar::into_branch_condition(_e28) {
                 } else {
                     break 'naga_break;
@@ -4956,11 +5193,11 @@ impl<'g> Resources<'g> {
                         let _e54 = count_3;
                         if rt::Scalar::into_branch_condition(number_5.elementwise_ge(_e54)) {
                             let _e58 = count_3;
-                            local_28 = number_5.elementwise_lt((_e58 + _e53));
+                            local_30 = number_5.elementwise_lt((_e58 + _e53));
                         } else {
-                            local_28 = rt::Scalar(false);
+                            local_30 = rt::Scalar(false);
                         }
-                        let _e62 = local_28;
+                        let _e62 = local_30;
                         if rt::Scalar::into_branch_condition(_e62) {
                             let _e63 = begin;
                             let long_2 = (end_3 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
@@ -5041,12 +5278,12 @@ impl<'g> Resources<'g> {
         slack_4: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
         let far_6 = <rt::Vec4<f32>>::from_scalars(normal_12.dot(a_9), normal_12.dot(b_9), normal_12.dot(c_5), normal_12.dot(d_1));
-        let least_1 = far_6.x().min(far_6.y()).min(far_6.z().min(far_6.w()));
-        let most_6 = far_6.x().max(far_6.y()).max(far_6.z().max(far_6.w()));
+        let least_3 = far_6.x().min(far_6.y()).min(far_6.z().min(far_6.w()));
+        let most_8 = far_6.x().max(far_6.y()).max(far_6.z().max(far_6.w()));
         let beyond_3 = (slack_4 * normal_12.length());
         let change_3 = normal_12.dot(along_11);
-        let _e32 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least_1), change_3, beyond_3);
-        let _e35 = self.v_where_positive(_e32, most_6, (rt::Scalar(0f32) - change_3), beyond_3);
+        let _e32 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least_3), change_3, beyond_3);
+        let _e35 = self.v_where_positive(_e32, most_8, (rt::Scalar(0f32) - change_3), beyond_3);
         return _e35;
     }
     pub(crate) fn span_of(
@@ -5144,9 +5381,9 @@ impl<'g> Resources<'g> {
         let mut h_3: rt::Scalar<f32>;
         let mut step_1: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let low_1 = self.surface_settings.shell_m.x();
+        let low_2 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
-        let width_4 = (_e10 - low_1).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let width_5 = (_e10 - low_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let l = prism_9.lift;
         w_1 = from_point.weights;
         h_3 = rt::Scalar(from_point.height);
@@ -5163,7 +5400,7 @@ impl<'g> Resources<'g> {
                     let _e27 = h_3;
                     let _e30 = w_1;
                     let _e31 = self.v_lift_of(l, _e30);
-                    let offset_7 = ((low_1 + (width_4 * _e27)) + _e31);
+                    let offset_7 = ((low_2 + (width_5 * _e27)) + _e31);
                     let _e35 = w_1.x();
                     let _e39 = w_1.y();
                     let _e44 = w_1.z();
@@ -5183,7 +5420,7 @@ impl<'g> Resources<'g> {
                     let third_2 = ((l.y() * (_e80 - _e82)) + (_e86 * (l.x() - l.z())));
                     let a_21 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_24 * second_3));
                     let b_21 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_7)) + (normal_24 * third_2));
-                    let c_14 = (normal_24 * width_4);
+                    let c_14 = (normal_24 * width_5);
                     let across_2 = b_21.cross(c_14);
                     let one_over = (rt::Scalar(1f32) / a_21.dot(across_2));
                     let db = (rest_3.dot(across_2) * one_over);
@@ -5237,7 +5474,7 @@ impl<'g> Resources<'g> {
         pixel_30: PixelIn,
         params_14: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_29: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
         let mut at_25: Entered;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_30.shell.order).elementwise_ge(SHELL_FOLDED)) {
@@ -5250,11 +5487,11 @@ impl<'g> Resources<'g> {
         let _e11 = self.v_span_of(pixel_30, _e10, along_21, _e9, params_14);
         let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
-            local_29 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+            local_31 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
-            local_29 = rt::Scalar(true);
+            local_31 = rt::Scalar(true);
         }
-        let _e27 = local_29;
+        let _e27 = local_31;
         if rt::Scalar::into_branch_condition(_e27) {
             let _e28 = self.v_passed_by();
             return _e28;
@@ -5280,8 +5517,8 @@ impl<'g> Resources<'g> {
         let _e81 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e77, rt::Scalar(0.75f32));
         let quarters_1 = _e79.max(_e81);
         let _e84 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e59, rt::Scalar(0.5f32));
-        let most_7 = _e84.max(quarters_1);
-        rt::Scalar(at_25.segments) = (most_7 / params_14.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
+        let most_9 = _e84.max(quarters_1);
+        rt::Scalar(at_25.segments) = (most_9 / params_14.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
         let _e95 = at_25;
         return _e95;
     }
@@ -5324,22 +5561,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn quadric_of(
         &self,
         pixel_31: PixelIn,
-        point_4: impl rt::Into<rt::Vec3<f32>>,
+        point_6: impl rt::Into<rt::Vec3<f32>>,
         lift_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_quadric_of(pixel_31, rt::into(point_4), rt::into(lift_1)))
+        rt::into(self.v_quadric_of(pixel_31, rt::into(point_6), rt::into(lift_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_of(
         &self,
         pixel_31: PixelIn,
-        point_4: rt::Vec3<f32>,
+        point_6: rt::Vec3<f32>,
         lift_1: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let mut height_2: rt::Scalar<f32>;
 
         let _e3 = self.v_plane_normal(pixel_31);
-        let _e4 = self.v_plane_weights(pixel_31, _e3, point_4);
+        let _e4 = self.v_plane_weights(pixel_31, _e3, point_6);
         let quadric_2 = (((pixel_31.a.of_surface * _e4.x()) + (pixel_31.b.of_surface * _e4.y())) + (pixel_31.c.of_surface * _e4.z()));
         let _e19 = self.v_base_height();
         height_2 = _e19;
@@ -5474,7 +5711,7 @@ impl<'g> Resources<'g> {
         number_6: rt::Scalar<u32>,
     ) -> Tetrahedron {
         let mut inside_1: rt::Vec2<f32>;
-        let mut local_30: rt::Scalar<bool>;
+        let mut local_32: rt::Scalar<bool>;
 
         let origin_5 = (pixel_34.origin + (along_13 * middle_5));
         let is_first_1 = number_6.elementwise_eq(rt::Scalar(0u32));
@@ -5524,11 +5761,11 @@ impl<'g> Resources<'g> {
         inside_1 = _e100;
         if rt::Scalar::into_branch_condition((!(!volume_1.abs().elementwise_gt(rt::Scalar(0f32))))) {
             let _e109 = inside_1.y();
-            local_30 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+            local_32 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
-            local_30 = rt::Scalar(true);
+            local_32 = rt::Scalar(true);
         }
-        let _e114 = local_30;
+        let _e114 = local_32;
         if rt::Scalar::into_branch_condition(_e114) {
             inside_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(-300000000000000000000000000000000000000f32));
         }
@@ -5579,8 +5816,8 @@ impl<'g> Resources<'g> {
         pixel_36: PixelIn,
         params_17: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_31: rt::Scalar<bool>;
-        let mut local_32: rt::Scalar<bool>;
+        let mut local_33: rt::Scalar<bool>;
+        let mut local_34: rt::Scalar<bool>;
         let mut at_28: Entered;
 
         let along_23 = pixel_36.direction.normalize();
@@ -5588,18 +5825,18 @@ impl<'g> Resources<'g> {
         let _e6 = self.v_is_met(pixel_36, along_23, _e4, rt::Scalar(0u32));
         if rt::Scalar::into_branch_condition((!_e6)) {
             let _e11 = self.v_is_met(pixel_36, along_23, _e4, rt::Scalar(1u32));
-            local_31 = (!_e11);
+            local_33 = (!_e11);
         } else {
-            local_31 = rt::Scalar(false);
+            local_33 = rt::Scalar(false);
         }
-        let _e14 = local_31;
+        let _e14 = local_33;
         if rt::Scalar::into_branch_condition(_e14) {
             let _e18 = self.v_is_met(pixel_36, along_23, _e4, rt::Scalar(2u32));
-            local_32 = (!_e18);
+            local_34 = (!_e18);
         } else {
-            local_32 = rt::Scalar(false);
+            local_34 = rt::Scalar(false);
         }
-        let is_passed_by = local_32;
+        let is_passed_by = local_34;
         if rt::Scalar::into_branch_condition(is_passed_by) {
             let _e22 = self.v_passed_by();
             return _e22;
@@ -5629,21 +5866,21 @@ impl<'g> Resources<'g> {
         let c_15 = (pixel_37.c.position - pixel_37.origin);
         let along_24 = (pixel_37.direction / rt::Vec3::splat_from_scalar(pixel_37.direction.dot(pixel_37.direction)));
         let places_1 = <rt::Vec3<f32>>::from_scalars(a_22.dot(along_24), b_22.dot(along_24), c_15.dot(along_24));
-        let least_2 = places_1.x().min(places_1.y()).min(places_1.z());
-        let most_8 = places_1.x().max(places_1.y()).max(places_1.z());
+        let least_4 = places_1.x().min(places_1.y()).min(places_1.z());
+        let most_10 = places_1.x().max(places_1.y()).max(places_1.z());
         let across_3 = normal_13.dot(pixel_37.direction);
         if rt::Scalar::into_branch_condition(across_3.elementwise_eq(rt::Scalar(0f32))) {
-            return least_2;
+            return least_4;
         }
-        return (normal_13.dot(a_22) / across_3).clamp(least_2, most_8);
+        return (normal_13.dot(a_22) / across_3).clamp(least_4, most_10);
     }
     pub(crate) fn triangle_weights(
         &self,
         pixel_38: PixelIn,
         normal_14: impl rt::Into<rt::Vec3<f32>>,
-        point_5: impl rt::Into<rt::Vec3<f32>>,
+        point_7: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_triangle_weights(pixel_38, rt::into(normal_14), rt::into(point_5)))
+        rt::into(self.v_triangle_weights(pixel_38, rt::into(normal_14), rt::into(point_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5651,9 +5888,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_38: PixelIn,
         normal_14: rt::Vec3<f32>,
-        point_5: rt::Vec3<f32>,
+        point_7: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_plane_weights(pixel_38, normal_14, point_5);
+        let _e3 = self.v_plane_weights(pixel_38, normal_14, point_7);
         let inside_6 = _e3.max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
         return (inside_6 / rt::Vec3::splat_from_scalar(((inside_6.x() + inside_6.y()) + inside_6.z())));
     }
@@ -5663,16 +5900,16 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_is_on_map(&self, uv_11: rt::Vec2<f32>) -> rt::Scalar<bool> {
-        let mut local_33: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
 
         let beyond_4 = ((uv_11.x() - rt::Scalar(0.5f32)).abs().max((uv_11.y() - rt::Scalar(0.5f32)).abs()) - rt::Scalar(0.5f32));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition((!_e14.elementwise_ne(WRAP_CLAMP))) {
-            local_33 = beyond_4.elementwise_le(rt::Scalar(0.000001f32));
+            local_35 = beyond_4.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_33 = rt::Scalar(true);
+            local_35 = rt::Scalar(true);
         }
-        let _e23 = local_33;
+        let _e23 = local_35;
         return _e23;
     }
     pub(crate) fn surface_facets_enter(
@@ -5688,12 +5925,12 @@ impl<'g> Resources<'g> {
         pixel_39: PixelIn,
         params_18: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_34: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_39);
         let _e5 = self.v_triangle_distance(pixel_39, _e2);
-        let point_17 = (pixel_39.origin + (pixel_39.direction * _e5));
-        let _e8 = self.v_triangle_weights(pixel_39, _e2, point_17);
+        let point_19 = (pixel_39.origin + (pixel_39.direction * _e5));
+        let _e8 = self.v_triangle_weights(pixel_39, _e2, point_19);
         let uv_32 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
         let tangent_3 = (((pixel_39.a.tangent * _e8.x()) + (pixel_39.b.tangent * _e8.y())) + (pixel_39.c.tangent * _e8.z()));
         let bitangent_2 = (((pixel_39.a.bitangent * _e8.x()) + (pixel_39.b.bitangent * _e8.y())) + (pixel_39.c.bitangent * _e8.z()));
@@ -5703,13 +5940,13 @@ impl<'g> Resources<'g> {
         let bb_1 = bitangent_2.dot(bitangent_2);
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
             let _e77 = self.v_is_on_map(uv_32);
-            local_34 = _e77;
+            local_36 = _e77;
         } else {
-            local_34 = rt::Scalar(false);
+            local_36 = rt::Scalar(false);
         }
-        let _e79 = local_34;
+        let _e79 = local_36;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_17, uv_32, tangent_3, bitangent_2, sum_5.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_19, uv_32, tangent_3, bitangent_2, sum_5.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
@@ -5724,13 +5961,13 @@ impl<'g> Resources<'g> {
         pixel_40: PixelIn,
         params_19: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_35: rt::Scalar<bool>;
-        let mut local_36: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
+        let mut local_38: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_40);
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
-        let point_18 = (pixel_40.origin + (pixel_40.direction * _e5));
-        let _e8 = self.v_triangle_weights(pixel_40, _e2, point_18);
+        let point_20 = (pixel_40.origin + (pixel_40.direction * _e5));
+        let _e8 = self.v_triangle_weights(pixel_40, _e2, point_20);
         let uv_33 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
         let tangent_4 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
         let bitangent_3 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
@@ -5745,90 +5982,119 @@ impl<'g> Resources<'g> {
         let height_m = (_e87 + (_e90 * slice_4.x()));
         let normal_25 = raw_.normalize();
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            local_35 = area_4.elementwise_gt(rt::Scalar(0f32));
+            local_37 = area_4.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_35 = rt::Scalar(false);
+            local_37 = rt::Scalar(false);
         }
-        let _e105 = local_35;
+        let _e105 = local_37;
         if rt::Scalar::into_branch_condition(_e105) {
             let _e108 = self.v_is_on_map(uv_33);
-            local_36 = _e108;
+            local_38 = _e108;
         } else {
-            local_36 = rt::Scalar(false);
+            local_38 = rt::Scalar(false);
         }
-        let _e110 = local_36;
+        let _e110 = local_38;
         let _e116 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e110), (point_18 - (raw_ * height_m)), uv_33, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e116), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_4, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e110), (point_20 - (raw_ * height_m)), uv_33, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e116), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_4, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub(crate) fn surface_enter_stage(&self, pixel_41: PixelIn) -> Entered {
-        rt::into(self.v_surface_enter_stage(pixel_41))
+    pub(crate) fn surface_object_enter(
+        &self,
+        pixel_41: PixelIn,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_object_enter(pixel_41, rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_enter_stage(&self, pixel_41: PixelIn) -> Entered {
+    #[inline(always)]
+    fn v_surface_object_enter(
+        &self,
+        pixel_41: PixelIn,
+        params_20: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut at_29: Entered;
+
+        let _e2 = self.v_passed_by();
+        at_29 = _e2;
+        let _e7 = rt::Scalar(self.surface_settings.images);
+        rt::Scalar(at_29.segments) = _e7;
+        at_29.point = pixel_41.origin;
+        let _e10 = at_29;
+        return _e10;
+    }
+    pub(crate) fn surface_enter_stage(&self, pixel_42: PixelIn) -> Entered {
+        rt::into(self.v_surface_enter_stage(pixel_42))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_enter_stage(&self, pixel_42: PixelIn) -> Entered {
         let _e5 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[1usize].params;
-                let _e11 = self.v_surface_plane_enter(pixel_41, _e10);
+                let _e11 = self.v_surface_plane_enter(pixel_42, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[1usize].params;
-                let _e17 = self.v_surface_prism_enter(pixel_41, _e16);
+                let _e17 = self.v_surface_prism_enter(pixel_42, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[1usize].params;
-                let _e23 = self.v_surface_quadric_perpendicular_enter(pixel_41, _e22);
+                let _e23 = self.v_surface_quadric_perpendicular_enter(pixel_42, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[1usize].params;
-                let _e29 = self.v_surface_quadric_vertical_enter(pixel_41, _e28);
+                let _e29 = self.v_surface_quadric_vertical_enter(pixel_42, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[1usize].params;
-                let _e35 = self.v_surface_tetrahedra_enter(pixel_41, _e34);
+                let _e35 = self.v_surface_tetrahedra_enter(pixel_42, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[1usize].params;
-                let _e41 = self.v_surface_facets_enter(pixel_41, _e40);
+                let _e41 = self.v_surface_facets_enter(pixel_42, _e40);
                 return _e41;
             }
-            _ => {
+            6u32 => {
                 let _e46 = self.surface_settings.choices[1usize].params;
-                let _e47 = self.v_surface_slices_enter(pixel_41, _e46);
+                let _e47 = self.v_surface_slices_enter(pixel_42, _e46);
                 return _e47;
+            }
+            _ => {
+                let _e52 = self.surface_settings.choices[1usize].params;
+                let _e53 = self.v_surface_object_enter(pixel_42, _e52);
+                return _e53;
             }
         }
     }
-    pub(crate) fn enter_relief(&self, pixel_42: PixelIn) -> Entered {
-        rt::into(self.v_enter_relief(pixel_42))
+    pub(crate) fn enter_relief(&self, pixel_43: PixelIn) -> Entered {
+        rt::into(self.v_enter_relief(pixel_43))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_enter_relief(&self, pixel_42: PixelIn) -> Entered {
-        let mut at_29: Entered;
+    fn v_enter_relief(&self, pixel_43: PixelIn) -> Entered {
+        let mut at_30: Entered;
 
-        let _e1 = self.v_surface_enter_stage(pixel_42);
-        at_29 = _e1;
-        let _e4 = rt::Scalar(at_29.segments);
+        let _e1 = self.v_surface_enter_stage(pixel_43);
+        at_30 = _e1;
+        let _e4 = rt::Scalar(at_30.segments);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0u32))) {
-            let _e7 = at_29;
+            let _e7 = at_30;
             return _e7;
         }
-        let _e8 = at_29;
-        let _e9 = self.v_detail_stage(pixel_42, _e8);
-        rt::Scalar(at_29.level) = rt::Scalar(_e9.level);
-        rt::Scalar(at_29.footprint) = rt::Scalar(_e9.footprint);
-        rt::Scalar(at_29.fade) = rt::Scalar(_e9.fade);
-        let _e16 = at_29;
+        let _e8 = at_30;
+        let _e9 = self.v_detail_stage(pixel_43, _e8);
+        rt::Scalar(at_30.level) = rt::Scalar(_e9.level);
+        rt::Scalar(at_30.footprint) = rt::Scalar(_e9.footprint);
+        rt::Scalar(at_30.fade) = rt::Scalar(_e9.fade);
+        let _e16 = at_30;
         return _e16;
     }
     pub(crate) fn entered_once(
         &self,
-        path_16: Path,
+        path_18: Path,
         grid_7: Grid,
         above_1: impl rt::Into<rt::Scalar<f32>>,
         below_1: impl rt::Into<rt::Scalar<f32>>,
@@ -5836,12 +6102,12 @@ impl<'g> Resources<'g> {
         below_gap: impl rt::Into<rt::Scalar<f32>>,
         so_far: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_entered_once(path_16, grid_7, rt::into(above_1), rt::into(below_1), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
+        rt::into(self.v_entered_once(path_18, grid_7, rt::into(above_1), rt::into(below_1), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_entered_once(
         &self,
-        path_16: Path,
+        path_18: Path,
         grid_7: Grid,
         above_1: rt::Scalar<f32>,
         below_1: rt::Scalar<f32>,
@@ -5854,7 +6120,7 @@ impl<'g> Resources<'g> {
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
         let mut cost_1: rt::Vec3<u32>;
-        let mut local_37: rt::Scalar<bool>;
+        let mut local_39: rt::Scalar<bool>;
 
         near_1 = above_1;
         far_1 = below_1;
@@ -5875,26 +6141,26 @@ impl<'g> Resources<'g> {
                     cost_1 = (_e25 + STEP);
                     let _e28 = near_1;
                     let _e29 = far_1;
-                    let middle_11 = (rt::Scalar(0.5f32) * (_e28 + _e29));
+                    let middle_12 = (rt::Scalar(0.5f32) * (_e28 + _e29));
                     let _e33 = near_1;
-                    if rt::Scalar::into_branch_condition(middle_11.elementwise_gt(_e33)) {
+                    if rt::Scalar::into_branch_condition(middle_12.elementwise_gt(_e33)) {
                         let _e37 = far_1;
-                        local_37 = middle_11.elementwise_lt(_e37);
+                        local_39 = middle_12.elementwise_lt(_e37);
                     } else {
-                        local_37 = rt::Scalar(false);
+                        local_39 = rt::Scalar(false);
                     }
-                    let _e40 = local_37;
+                    let _e40 = local_39;
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
-                    let _e42 = self.v_path_gap(path_16, middle_11);
+                    let _e42 = self.v_path_gap(path_18, middle_12);
                     let _e43 = cost_1;
                     cost_1 = (_e43 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e42.elementwise_le(rt::Scalar(0f32))) {
-                        far_1 = middle_11;
+                        far_1 = middle_12;
                         far_gap = _e42;
                     } else {
-                        near_1 = middle_11;
+                        near_1 = middle_12;
                         near_gap = _e42;
                     }
                 }
@@ -5923,17 +6189,17 @@ impl<'g> Resources<'g> {
         along_15: rt::Scalar<f32>,
         across: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let x_2 = (along_15 * rt::Scalar(1.7320508f32));
-        let y_1 = (across * rt::Scalar(1.7320508f32));
-        return <rt::Vec4<f32>>::from_scalars((middle_7 + x_2), (middle_7 - x_2), (middle_7 + y_1), (middle_7 - y_1)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
+        let x_4 = (along_15 * rt::Scalar(1.7320508f32));
+        let y_2 = (across * rt::Scalar(1.7320508f32));
+        return <rt::Vec4<f32>>::from_scalars((middle_7 + x_4), (middle_7 - x_4), (middle_7 + y_2), (middle_7 - y_2)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
     }
     pub(crate) fn normal_at(
         &self,
         uv_12: impl rt::Into<rt::Vec2<f32>>,
         layer_5: impl rt::Into<rt::Scalar<i32>>,
-        level_16: impl rt::Into<rt::Scalar<u32>>,
+        level_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_12), rt::into(layer_5), rt::into(level_16)))
+        rt::into(self.v_normal_at(rt::into(uv_12), rt::into(layer_5), rt::into(level_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5941,16 +6207,16 @@ impl<'g> Resources<'g> {
         &self,
         uv_12: rt::Vec2<f32>,
         layer_5: rt::Scalar<i32>,
-        level_16: rt::Scalar<u32>,
+        level_17: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.normal_size;
-        let _e6 = self.v_level_texels(_e5, level_16);
+        let _e6 = self.v_level_texels(_e5, level_17);
         let _e7 = self.v_texels_around(uv_12, _e6);
-        let k_33 = level_16.to_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_33));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_33));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_33));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_33));
+        let k_36 = level_17.to_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_36));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_36));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_36));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_36));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
@@ -5985,21 +6251,21 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn slopes_between_creases(
         &self,
-        at_30: Entered,
+        at_31: Entered,
         uv_13: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_slopes_between_creases(at_30, rt::into(uv_13)))
+        rt::into(self.v_slopes_between_creases(at_31, rt::into(uv_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slopes_between_creases(
         &self,
-        at_30: Entered,
+        at_31: Entered,
         uv_13: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
-        let point_19 = ((uv_13 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e9 = self.v_cell_of(point_19);
-        let part_15 = (point_19 - _e9);
+        let point_21 = ((uv_13 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e9 = self.v_cell_of(point_21);
+        let part_15 = (point_21 - _e9);
         let i_3 = _e9.to_i32();
         let _e13 = self.v_height_cell(i_3, rt::Scalar(0u32));
         let _e14 = self.v_cell_slopes(_e13, part_15);
@@ -6016,9 +6282,9 @@ impl<'g> Resources<'g> {
         let _e45 = self.v_cell_slopes(_e44, part_15);
         let behind_v = _e45.y();
         let _e50 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_u = ((_e3.x() * _e50) / at_30.tangent.length());
+        let rate_u = ((_e3.x() * _e50) / at_31.tangent.length());
         let _e58 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_v = ((_e3.y() * _e58) / at_30.bitangent.length());
+        let rate_v = ((_e3.y() * _e58) / at_31.bitangent.length());
         let _e64 = self.v_slope_beside(_e14.x(), before_u, rate_u);
         let _e66 = self.v_slope_beside(_e14.y(), before_v, rate_v);
         let before_2 = <rt::Vec2<f32>>::from_scalars(_e64, _e66);
@@ -6029,45 +6295,45 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_of_slopes(
         &self,
-        at_31: Entered,
+        at_32: Entered,
         slope_u: impl rt::Into<rt::Scalar<f32>>,
         slope_v: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_slopes(at_31, rt::into(slope_u), rt::into(slope_v)))
+        rt::into(self.v_normal_of_slopes(at_32, rt::into(slope_u), rt::into(slope_v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_of_slopes(
         &self,
-        at_31: Entered,
+        at_32: Entered,
         slope_u: rt::Scalar<f32>,
         slope_v: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_1 = (at_31.tangent + (at_31.normal * slope_u));
-        let along_v_1 = (at_31.bitangent + (at_31.normal * slope_v));
+        let along_u_1 = (at_32.tangent + (at_32.normal * slope_u));
+        let along_v_1 = (at_32.bitangent + (at_32.normal * slope_v));
         let across_4 = along_v_1.cross(along_u_1).normalize();
-        return (across_4 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_4.dot(at_31.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_4 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_4.dot(at_32.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_32: Entered,
+        at_33: Entered,
         uv_14: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_32, rt::into(uv_14)))
+        rt::into(self.v_normal_from_height(at_33, rt::into(uv_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
-        at_32: Entered,
+        at_33: Entered,
         uv_14: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let _e6 = rt::Scalar(self.surface_settings.has_creases);
         if rt::Scalar::into_branch_condition(_e6.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_slopes_between_creases(at_32, uv_14);
+            let _e9 = self.v_slopes_between_creases(at_33, uv_14);
             let _e13 = rt::Scalar(self.surface_settings.scale_m);
             let slopes = ((_e9 * _e3) * _e13);
-            let _e17 = self.v_normal_of_slopes(at_32, slopes.x(), slopes.y());
+            let _e17 = self.v_normal_of_slopes(at_33, slopes.x(), slopes.y());
             return _e17;
         }
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
@@ -6082,30 +6348,30 @@ impl<'g> Resources<'g> {
         let slope_u_1 = (rise_u_1 * ((rt::Scalar(0.5f32) * _e3.x()) * _e47));
         let _e55 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v_1 = (rise_v_1 * ((rt::Scalar(0.5f32) * _e3.y()) * _e55));
-        let _e58 = self.v_normal_of_slopes(at_32, slope_u_1, slope_v_1);
+        let _e58 = self.v_normal_of_slopes(at_33, slope_u_1, slope_v_1);
         return _e58;
     }
     pub(crate) fn finest_normal(
         &self,
-        at_33: Entered,
+        at_34: Entered,
         uv_15: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_33, rt::into(uv_15)))
+        rt::into(self.v_finest_normal(at_34, rt::into(uv_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_finest_normal(
         &self,
-        at_33: Entered,
+        at_34: Entered,
         uv_15: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
             let _e9 = self.v_normal_at(uv_15, rt::Scalar(0i32), rt::Scalar(0u32));
-            let _e11 = self.v_from_tangent_space(at_33, _e9.xyz());
+            let _e11 = self.v_from_tangent_space(at_34, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_33, uv_15);
+        let _e13 = self.v_normal_from_height(at_34, uv_15);
         return _e13;
     }
     pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
@@ -6118,51 +6384,51 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane_segment(
         &self,
-        pixel_43: PixelIn,
-        at_34: Entered,
+        pixel_44: PixelIn,
+        at_35: Entered,
         k_1: impl rt::Into<rt::Scalar<u32>>,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_43, at_34, rt::into(k_1), rt::into(params_20)))
+        rt::into(self.v_surface_plane_segment(pixel_44, at_35, rt::into(k_1), rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_segment(
         &self,
-        pixel_43: PixelIn,
-        at_34: Entered,
+        pixel_44: PixelIn,
+        at_35: Entered,
         k_1: rt::Scalar<u32>,
-        params_20: rt::Vec4<f32>,
+        params_21: rt::Vec4<f32>,
     ) -> Path {
         let mut enter: rt::Scalar<f32>;
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_3: rt::Vec2<f32>;
 
-        let along_26 = pixel_43.direction.length();
-        let direction_6 = (pixel_43.direction / rt::Vec3::splat_from_scalar(along_26));
-        let _e9 = self.v_climb(at_34, direction_6);
+        let along_26 = pixel_44.direction.length();
+        let direction_6 = (pixel_44.direction / rt::Vec3::splat_from_scalar(along_26));
+        let _e9 = self.v_climb(at_35, direction_6);
         let duv_5 = _e9.xy();
-        let descent_3 = (rt::Scalar(0f32) - at_34.normal.dot(direction_6));
+        let descent_3 = (rt::Scalar(0f32) - at_35.normal.dot(direction_6));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
         let slope_8 = ((rt::Scalar(0f32) - descent_3) / _e15);
-        let _e20 = self.v_plane_normal(pixel_43);
-        let _e21 = self.v_plane_distance(pixel_43, _e20);
+        let _e20 = self.v_plane_normal(pixel_44);
+        let _e21 = self.v_plane_distance(pixel_44, _e20);
         let distance = (_e21 * along_26);
         let eye_2 = (rt::Scalar(0f32) - distance);
-        let top_5 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
-        enter = top_5.max(eye_2);
+        let top_6 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
+        enter = top_6.max(eye_2);
         leave_4 = ((_e16 * _e15) / descent_3);
         let _e34 = leave_4;
         let _e35 = leave_4;
-        leave_4 = (_e34 + ((_e35 - top_5) * rt::Scalar(0.000001f32)));
+        leave_4 = (_e34 + ((_e35 - top_6) * rt::Scalar(0.000001f32)));
         let _e42 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
             let _e48 = enter;
             let _e49 = leave_4;
-            let _e51 = self.v_inside_unit(at_34.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
+            let _e51 = self.v_inside_unit(at_35.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
             interval_3 = _e51;
             let _e56 = interval_3;
-            let _e57 = self.v_inside_unit(at_34.uv.y(), duv_5.y(), _e56);
+            let _e57 = self.v_inside_unit(at_35.uv.y(), duv_5.y(), _e56);
             interval_3 = _e57;
             let _e59 = interval_3.x();
             enter = _e59;
@@ -6171,46 +6437,46 @@ impl<'g> Resources<'g> {
         }
         let _e62 = enter;
         let _e65 = enter;
-        let entry_height = (_e16 + (slope_8 * _e62)).select(rt::Scalar(1f32), _e65.elementwise_eq(top_5));
+        let entry_height = (_e16 + (slope_8 * _e62)).select(rt::Scalar(1f32), _e65.elementwise_eq(top_6));
         let _e69 = enter;
         let base_2 = (rt::Scalar(0f32) - _e69).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e76 = enter;
         let _e81 = leave_4;
         let _e82 = enter;
         let _e87 = enter;
-        return <Path>::new((at_34.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_8, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_34.metric, RAY_VIEW, rt::Scalar(at_34.level), (distance + _e87), rt::Scalar(1f32));
+        return <Path>::new((at_35.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_8, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_35.metric, RAY_VIEW, rt::Scalar(at_35.level), (distance + _e87), rt::Scalar(1f32));
     }
     pub(crate) fn folded_segment(
         &self,
-        pixel_44: PixelIn,
-        at_35: Entered,
+        pixel_45: PixelIn,
+        at_36: Entered,
         k_2: impl rt::Into<rt::Scalar<u32>>,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_folded_segment(pixel_44, at_35, rt::into(k_2), rt::into(params_21)))
+        rt::into(self.v_folded_segment(pixel_45, at_36, rt::into(k_2), rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_folded_segment(
         &self,
-        pixel_44: PixelIn,
-        at_35: Entered,
+        pixel_45: PixelIn,
+        at_36: Entered,
         k_2: rt::Scalar<u32>,
-        params_21: rt::Vec4<f32>,
+        params_22: rt::Vec4<f32>,
     ) -> Path {
         let mut a_10: WayPoint;
         let mut b_10: WayPoint;
-        let mut path_17: Path;
-        let mut local_38: rt::Scalar<bool>;
+        let mut path_19: Path;
+        let mut local_40: rt::Scalar<bool>;
 
-        let along_27 = pixel_44.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_44, along_27);
-        let _e7 = self.v_prism_of(pixel_44, along_27, _e6, params_21);
-        let _e8 = self.v_shell_slack(pixel_44, _e6);
-        let _e9 = self.v_way_of(pixel_44, _e7, along_27);
-        let _e10 = self.v_way_offsets(pixel_44, _e7, _e8);
-        let _e11 = self.v_chord_reach(pixel_44, at_35, _e6, params_21);
+        let along_27 = pixel_45.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_45, along_27);
+        let _e7 = self.v_prism_of(pixel_45, along_27, _e6, params_22);
+        let _e8 = self.v_shell_slack(pixel_45, _e6);
+        let _e9 = self.v_way_of(pixel_45, _e7, along_27);
+        let _e10 = self.v_way_offsets(pixel_45, _e7, _e8);
+        let _e11 = self.v_chord_reach(pixel_45, at_36, _e6, params_22);
         let _e12 = self.v_way_beyond(_e7, _e10, _e11);
-        let _e14 = self.v_way_chord(pixel_44, _e7, along_27, _e9, _e10, _e12, params_21.x(), k_2);
+        let _e14 = self.v_way_chord(pixel_45, _e7, along_27, _e9, _e10, _e12, params_22.x(), k_2);
         let _e16 = self.v_before_turn(_e7, along_27, _e9, _e14.offsets);
         let _e18 = self.v_way_point(_e7, along_27, _e9, _e16.x());
         a_10 = _e18;
@@ -6236,200 +6502,200 @@ impl<'g> Resources<'g> {
         let _e58 = b_10.point;
         let _e60 = rt::Scalar(a_10.t);
         let _e62 = rt::Scalar(b_10.t);
-        let _e64 = self.v_chord_path(pixel_44, at_35, _e6, params_21, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
-        path_17 = _e64;
+        let _e64 = self.v_chord_path(pixel_45, at_36, _e6, params_22, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
+        path_19 = _e64;
         let _e67 = rt::Scalar(a_10.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
             let _e76 = rt::Scalar(b_10.beside);
-            local_38 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
+            local_40 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
         } else {
-            local_38 = rt::Scalar(true);
+            local_40 = rt::Scalar(true);
         }
-        let _e82 = local_38;
+        let _e82 = local_40;
         if rt::Scalar::into_branch_condition(_e82) {
-            rt::Scalar(path_17.exit) = rt::Scalar(0f32);
+            rt::Scalar(path_19.exit) = rt::Scalar(0f32);
         }
-        let _e85 = path_17;
+        let _e85 = path_19;
         return _e85;
     }
     pub(crate) fn surface_prism_segment(
         &self,
-        pixel_45: PixelIn,
-        at_36: Entered,
+        pixel_46: PixelIn,
+        at_37: Entered,
         k_3: impl rt::Into<rt::Scalar<u32>>,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_45, at_36, rt::into(k_3), rt::into(params_22)))
+        rt::into(self.v_surface_prism_segment(pixel_46, at_37, rt::into(k_3), rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_segment(
         &self,
-        pixel_45: PixelIn,
-        at_36: Entered,
+        pixel_46: PixelIn,
+        at_37: Entered,
         k_3: rt::Scalar<u32>,
-        params_22: rt::Vec4<f32>,
+        params_23: rt::Vec4<f32>,
     ) -> Path {
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_45.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_folded_segment(pixel_45, at_36, k_3, params_22);
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_46.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e8 = self.v_folded_segment(pixel_46, at_37, k_3, params_23);
             return _e8;
         }
-        let along_28 = pixel_45.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_45, along_28);
-        let _e12 = self.v_prism_of(pixel_45, along_28, _e11, params_22);
-        let heights_2 = pixel_45.shell.heights;
+        let along_28 = pixel_46.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_46, along_28);
+        let _e12 = self.v_prism_of(pixel_46, along_28, _e11, params_23);
+        let heights_2 = pixel_46.shell.heights;
         let mean_3 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
-        let _e20 = self.v_chord_end(at_36, k_3);
-        let _e23 = self.v_chord_end(at_36, (k_3 + rt::Scalar(1u32)));
+        let _e20 = self.v_chord_end(at_37, k_3);
+        let _e23 = self.v_chord_end(at_37, (k_3 + rt::Scalar(1u32)));
         let _e25 = self.v_shell_point(_e12, (along_28 * _e20), mean_3);
         let _e27 = self.v_shell_point(_e12, (along_28 * _e23), mean_3);
         let _e32 = self.v_between(_e25, _e27);
         let _e33 = self.v_shell_point_from(_e12, (along_28 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
-        let _e56 = self.v_chord_reach(pixel_45, at_36, _e11, params_22);
+        let _e56 = self.v_chord_reach(pixel_46, at_37, _e11, params_23);
         let beyond_5 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e68 = self.v_chord_path(pixel_45, at_36, _e11, params_22, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
+        let _e68 = self.v_chord_path(pixel_46, at_37, _e11, params_23, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
         return _e68;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
         &self,
-        pixel_46: PixelIn,
-        at_37: Entered,
+        pixel_47: PixelIn,
+        at_38: Entered,
         k_4: impl rt::Into<rt::Scalar<u32>>,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_46, at_37, rt::into(k_4), rt::into(params_23)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_47, at_38, rt::into(k_4), rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_segment(
         &self,
-        pixel_46: PixelIn,
-        at_37: Entered,
+        pixel_47: PixelIn,
+        at_38: Entered,
         k_4: rt::Scalar<u32>,
-        params_23: rt::Vec4<f32>,
+        params_24: rt::Vec4<f32>,
     ) -> Path {
         let mut begin_1: rt::Scalar<f32>;
         let mut end_1: rt::Scalar<f32>;
-        let mut local_39: rt::Scalar<bool>;
-        let mut path_18: Path;
+        let mut local_41: rt::Scalar<bool>;
+        let mut path_20: Path;
         let mut inside_2: rt::Vec2<f32>;
 
-        let along_29 = pixel_46.direction.length();
-        let _e9 = self.v_across_of(at_37, (pixel_46.direction / rt::Vec3::splat_from_scalar(along_29)));
+        let along_29 = pixel_47.direction.length();
+        let _e9 = self.v_across_of(at_38, (pixel_47.direction / rt::Vec3::splat_from_scalar(along_29)));
         let _e10 = self.v_traced_scale_m();
-        let _e11 = self.v_plane_normal(pixel_46);
-        let _e12 = self.v_plane_distance(pixel_46, _e11);
+        let _e11 = self.v_plane_normal(pixel_47);
+        let _e12 = self.v_plane_distance(pixel_47, _e11);
         let distance_1 = (_e12 * along_29);
-        let whole = (at_37.span.y() - at_37.span.x());
-        let first_8 = (at_37.span.x() + (whole * (k_4.to_f32() / params_23.z())));
-        let last_4 = (at_37.span.x() + (whole * ((k_4 + rt::Scalar(1u32)).to_f32() / params_23.z())));
-        let long_4 = (last_4 - first_8);
-        let _e38 = self.v_across_depth(_e9, first_8);
-        begin_1 = (at_37.of_surface.w() - (_e38 / _e10));
+        let whole = (at_38.span.y() - at_38.span.x());
+        let first_9 = (at_38.span.x() + (whole * (k_4.to_f32() / params_24.z())));
+        let last_4 = (at_38.span.x() + (whole * ((k_4 + rt::Scalar(1u32)).to_f32() / params_24.z())));
+        let long_4 = (last_4 - first_9);
+        let _e38 = self.v_across_depth(_e9, first_9);
+        begin_1 = (at_38.of_surface.w() - (_e38 / _e10));
         if rt::Scalar::into_branch_condition(k_4.elementwise_eq(rt::Scalar(0u32))) {
             let _e44 = begin_1;
             begin_1 = _e44.min(rt::Scalar(1f32));
         }
-        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_8 + last_4)));
-        let middle_12 = (at_37.of_surface.w() - (_e52 / _e10));
+        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_9 + last_4)));
+        let middle_13 = (at_38.of_surface.w() - (_e52 / _e10));
         let _e57 = self.v_across_depth(_e9, last_4);
-        end_1 = (at_37.of_surface.w() - (_e57 / _e10));
-        if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_23.z().to_u32())) {
+        end_1 = (at_38.of_surface.w() - (_e57 / _e10));
+        if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_24.z().to_u32())) {
             let _e68 = end_1;
-            local_39 = _e68.elementwise_lt(rt::Scalar(0.5f32));
+            local_41 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
-            local_39 = rt::Scalar(false);
+            local_41 = rt::Scalar(false);
         }
-        let _e72 = local_39;
+        let _e72 = local_41;
         if rt::Scalar::into_branch_condition(_e72) {
             let _e73 = end_1;
             end_1 = _e73.min(rt::Scalar(-0.000001f32));
         }
         let _e76 = begin_1;
         let _e77 = end_1;
-        let bend_5 = (rt::Scalar(2f32) * ((_e76 + _e77) - (rt::Scalar(2f32) * middle_12)));
+        let bend_5 = (rt::Scalar(2f32) * ((_e76 + _e77) - (rt::Scalar(2f32) * middle_13)));
         let _e84 = end_1;
         let _e85 = begin_1;
         let slope_9 = ((_e84 - _e85) - bend_5);
-        let base_3 = (rt::Scalar(0f32) - first_8).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let base_3 = (rt::Scalar(0f32) - first_9).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e98 = begin_1;
-        path_18 = <Path>::new((at_37.uv + (_e9.duv * first_8)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_37.metric, RAY_VIEW, rt::Scalar(at_37.level), (distance_1 + first_8), (rt::Scalar(1f32) / params_23.z()));
+        path_20 = <Path>::new((at_38.uv + (_e9.duv * first_9)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_38.metric, RAY_VIEW, rt::Scalar(at_38.level), (distance_1 + first_9), (rt::Scalar(1f32) / params_24.z()));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
         let _e117 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e117.elementwise_eq(WRAP_CLAMP)) {
-            let _e122 = path_18.uv.x();
+            let _e122 = path_20.uv.x();
             let _e125 = inside_2;
             let _e126 = self.v_inside_unit(_e122, _e9.duv.x(), _e125);
             inside_2 = _e126;
-            let _e129 = path_18.uv.y();
+            let _e129 = path_20.uv.y();
             let _e132 = inside_2;
             let _e133 = self.v_inside_unit(_e129, _e9.duv.y(), _e132);
             inside_2 = _e133;
             let _e136 = inside_2.y();
-            rt::Scalar(path_18.exit) = _e136;
-            let _e137 = path_18;
+            rt::Scalar(path_20.exit) = _e136;
+            let _e137 = path_20;
             let _e139 = inside_2.x();
             let _e140 = self.v_path_from(_e137, _e139);
-            path_18 = _e140;
+            path_20 = _e140;
         }
-        let _e142 = rt::Scalar(path_18.exit);
+        let _e142 = rt::Scalar(path_20.exit);
         if rt::Scalar::into_branch_condition((!_e142.elementwise_gt(rt::Scalar(0f32)))) {
-            rt::Scalar(path_18.exit) = rt::Scalar(0f32);
+            rt::Scalar(path_20.exit) = rt::Scalar(0f32);
         }
-        let _e148 = path_18;
+        let _e148 = path_20;
         return _e148;
     }
     pub(crate) fn surface_quadric_vertical_segment(
         &self,
-        pixel_47: PixelIn,
-        at_38: Entered,
+        pixel_48: PixelIn,
+        at_39: Entered,
         k_5: impl rt::Into<rt::Scalar<u32>>,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_47, at_38, rt::into(k_5), rt::into(params_24)))
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_48, at_39, rt::into(k_5), rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_segment(
         &self,
-        pixel_47: PixelIn,
-        at_38: Entered,
+        pixel_48: PixelIn,
+        at_39: Entered,
         k_5: rt::Scalar<u32>,
-        params_24: rt::Vec4<f32>,
+        params_25: rt::Vec4<f32>,
     ) -> Path {
-        let mut local_40: rt::Scalar<bool>;
-        let mut local_41: rt::Scalar<bool>;
+        let mut local_42: rt::Scalar<bool>;
+        let mut local_43: rt::Scalar<bool>;
         let mut enter_1: rt::Scalar<f32>;
         let mut leave_5: rt::Scalar<f32>;
         let mut interval_4: rt::Vec2<f32>;
-        let mut path_19: Path;
-        let mut local_42: rt::Scalar<bool>;
+        let mut path_21: Path;
+        let mut local_44: rt::Scalar<bool>;
 
-        let along_30 = pixel_47.direction.length();
-        let direction_7 = (pixel_47.direction / rt::Vec3::splat_from_scalar(along_30));
-        let _e9 = self.v_climb(at_38, direction_7);
+        let along_30 = pixel_48.direction.length();
+        let direction_7 = (pixel_48.direction / rt::Vec3::splat_from_scalar(along_30));
+        let _e9 = self.v_climb(at_39, direction_7);
         let duv_6 = _e9.xy();
-        let descent_4 = (rt::Scalar(0f32) - at_38.normal.dot(direction_7));
+        let descent_4 = (rt::Scalar(0f32) - at_39.normal.dot(direction_7));
         let _e15 = self.v_traced_scale_m();
-        let height_12 = at_38.of_surface.w();
+        let height_12 = at_39.of_surface.w();
         let slope_10 = ((rt::Scalar(0f32) - descent_4) / _e15);
-        let _e23 = self.v_quadric_at(at_38.of_surface.xyz(), duv_6);
+        let _e23 = self.v_quadric_at(at_39.of_surface.xyz(), duv_6);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
-        let _e27 = self.v_plane_normal(pixel_47);
-        let _e28 = self.v_plane_distance(pixel_47, _e27);
+        let _e27 = self.v_plane_normal(pixel_48);
+        let _e28 = self.v_plane_distance(pixel_48, _e27);
         let distance_2 = (_e28 * along_30);
         let eye_3 = (rt::Scalar(0f32) - distance_2);
         let _e35 = self.v_bent_descent(((height_12 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
             if rt::Scalar::into_branch_condition((!height_12.elementwise_lt(rt::Scalar(1f32)))) {
-                local_41 = _e35.elementwise_ge(rt::Scalar(0f32));
+                local_43 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
-                local_41 = rt::Scalar(true);
+                local_43 = rt::Scalar(true);
             }
-            let _e48 = local_41;
-            local_40 = _e48;
+            let _e48 = local_43;
+            local_42 = _e48;
         } else {
-            local_40 = rt::Scalar(false);
+            local_42 = rt::Scalar(false);
         }
-        let comes_down = local_40;
+        let comes_down = local_42;
         enter_1 = _e35.max(eye_3);
         let _e53 = enter_1;
         let _e54 = enter_1;
@@ -6449,10 +6715,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e85.elementwise_eq(WRAP_CLAMP)) {
             let _e91 = enter_1;
             let _e92 = leave_5;
-            let _e94 = self.v_inside_unit(at_38.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
+            let _e94 = self.v_inside_unit(at_39.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
             interval_4 = _e94;
             let _e99 = interval_4;
-            let _e100 = self.v_inside_unit(at_38.uv.y(), duv_6.y(), _e99);
+            let _e100 = self.v_inside_unit(at_39.uv.y(), duv_6.y(), _e99);
             interval_4 = _e100;
             let _e102 = interval_4.x();
             enter_1 = _e102;
@@ -6470,46 +6736,46 @@ impl<'g> Resources<'g> {
         let _e131 = leave_5;
         let _e132 = enter_1;
         let _e137 = enter_1;
-        path_19 = <Path>::new((at_38.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_38.metric, RAY_VIEW, rt::Scalar(at_38.level), (distance_2 + _e137), rt::Scalar(1f32));
+        path_21 = <Path>::new((at_39.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_39.metric, RAY_VIEW, rt::Scalar(at_39.level), (distance_2 + _e137), rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
-            let _e147 = rt::Scalar(path_19.exit);
-            local_42 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
+            let _e147 = rt::Scalar(path_21.exit);
+            local_44 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_42 = rt::Scalar(true);
+            local_44 = rt::Scalar(true);
         }
-        let _e152 = local_42;
+        let _e152 = local_44;
         if rt::Scalar::into_branch_condition(_e152) {
-            rt::Scalar(path_19.exit) = rt::Scalar(0f32);
+            rt::Scalar(path_21.exit) = rt::Scalar(0f32);
         }
-        let _e155 = path_19;
+        let _e155 = path_21;
         return _e155;
     }
     pub(crate) fn surface_tetrahedra_segment(
         &self,
-        pixel_48: PixelIn,
-        at_39: Entered,
+        pixel_49: PixelIn,
+        at_40: Entered,
         k_6: impl rt::Into<rt::Scalar<u32>>,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_48, at_39, rt::into(k_6), rt::into(params_25)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_49, at_40, rt::into(k_6), rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_segment(
         &self,
-        pixel_48: PixelIn,
-        at_39: Entered,
+        pixel_49: PixelIn,
+        at_40: Entered,
         k_6: rt::Scalar<u32>,
-        params_25: rt::Vec4<f32>,
+        params_26: rt::Vec4<f32>,
     ) -> Path {
         let mut chosen_1: Tetrahedron;
         let mut inside_3: rt::Vec2<f32>;
-        let mut path_20: Path;
+        let mut path_22: Path;
 
-        let along_31 = pixel_48.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_48, along_31);
-        let _e8 = self.v_tetrahedron(pixel_48, along_31, _e6, rt::Scalar(0u32));
-        let _e10 = self.v_tetrahedron(pixel_48, along_31, _e6, rt::Scalar(1u32));
-        let _e12 = self.v_tetrahedron(pixel_48, along_31, _e6, rt::Scalar(2u32));
+        let along_31 = pixel_49.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_49, along_31);
+        let _e8 = self.v_tetrahedron(pixel_49, along_31, _e6, rt::Scalar(0u32));
+        let _e10 = self.v_tetrahedron(pixel_49, along_31, _e6, rt::Scalar(1u32));
+        let _e12 = self.v_tetrahedron(pixel_49, along_31, _e6, rt::Scalar(2u32));
         let _e15 = self.v_comes_before(_e8.inside, _e10.inside);
         let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
         let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
@@ -6520,22 +6786,22 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_6)) {
             chosen_1 = _e12;
         }
-        let _e30 = self.v_ordered(pixel_48, rt::Scalar(0u32));
-        let _e32 = self.v_ordered(pixel_48, rt::Scalar(1u32));
-        let _e34 = self.v_ordered(pixel_48, rt::Scalar(2u32));
+        let _e30 = self.v_ordered(pixel_49, rt::Scalar(0u32));
+        let _e32 = self.v_ordered(pixel_49, rt::Scalar(1u32));
+        let _e34 = self.v_ordered(pixel_49, rt::Scalar(2u32));
         let w_4 = chosen_1.weights;
         let g = chosen_1.change;
         let uv_34 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
-        let _e61 = self.v_shell_slack(pixel_48, _e6);
+        let _e61 = self.v_shell_slack(pixel_49, _e6);
         let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
         let _e68 = chosen_1.inside;
         inside_3 = _e68;
         let _e70 = inside_3;
-        let _e77 = self.v_where_positive(_e70, (w_4.w() - pixel_48.shell.heights.x()), g.w(), beyond_6);
+        let _e77 = self.v_where_positive(_e70, (w_4.w() - pixel_49.shell.heights.x()), g.w(), beyond_6);
         inside_3 = _e77;
         let _e78 = inside_3;
-        let _e87 = self.v_where_positive(_e78, (pixel_48.shell.heights.y() - w_4.w()), (rt::Scalar(0f32) - g.w()), beyond_6);
+        let _e87 = self.v_where_positive(_e78, (pixel_49.shell.heights.y() - w_4.w()), (rt::Scalar(0f32) - g.w()), beyond_6);
         inside_3 = _e87;
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
@@ -6554,51 +6820,51 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_20 = <Path>::new((uv_34 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_39.metric, RAY_VIEW, rt::Scalar(at_39.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
-        let _e158 = rt::Scalar(path_20.exit);
+        path_22 = <Path>::new((uv_34 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_40.metric, RAY_VIEW, rt::Scalar(at_40.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
+        let _e158 = rt::Scalar(path_22.exit);
         if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
-            let _e161 = path_20;
-            let _e162 = path_20;
+            let _e161 = path_22;
+            let _e162 = path_22;
             let _e166 = self.v_out_of_ground(_e162, (rt::Scalar(4f32) * _e61), rt::Scalar(0f32));
             let _e167 = self.v_path_from(_e161, _e166);
-            path_20 = _e167;
+            path_22 = _e167;
         }
-        let _e168 = path_20;
+        let _e168 = path_22;
         return _e168;
     }
     pub(crate) fn surface_facets_segment(
         &self,
-        pixel_49: PixelIn,
-        at_40: Entered,
+        pixel_50: PixelIn,
+        at_41: Entered,
         k_7: impl rt::Into<rt::Scalar<u32>>,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_facets_segment(pixel_49, at_40, rt::into(k_7), rt::into(params_26)))
+        rt::into(self.v_surface_facets_segment(pixel_50, at_41, rt::into(k_7), rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_segment(
         &self,
-        pixel_49: PixelIn,
-        at_40: Entered,
+        pixel_50: PixelIn,
+        at_41: Entered,
         k_7: rt::Scalar<u32>,
-        params_26: rt::Vec4<f32>,
+        params_27: rt::Vec4<f32>,
     ) -> Path {
-        let _e4 = self.v_plane_normal(pixel_49);
-        let _e5 = self.v_triangle_distance(pixel_49, _e4);
-        let start_2 = (_e5 * pixel_49.direction.length());
-        let _e11 = self.v_height_at(at_40.uv, rt::Scalar(at_40.level));
+        let _e4 = self.v_plane_normal(pixel_50);
+        let _e5 = self.v_triangle_distance(pixel_50, _e4);
+        let start_2 = (_e5 * pixel_50.direction.length());
+        let _e11 = self.v_height_at(at_41.uv, rt::Scalar(at_41.level));
         let duv_8 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Path>::new(at_40.uv, duv_8, <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(1f32), rt::Scalar(0f32), at_40.metric, RAY_VIEW, rt::Scalar(at_40.level), start_2, rt::Scalar(1f32));
+        return <Path>::new(at_41.uv, duv_8, <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(1f32), rt::Scalar(0f32), at_41.metric, RAY_VIEW, rt::Scalar(at_41.level), start_2, rt::Scalar(1f32));
     }
     pub(crate) fn slice_inside(
         &self,
         map_1: impl rt::Into<rt::Scalar<f32>>,
         slice: impl rt::Into<rt::Scalar<f32>>,
         spacing: impl rt::Into<rt::Scalar<f32>>,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice), rt::into(spacing), rt::into(params_27)))
+        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice), rt::into(spacing), rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6607,7 +6873,7 @@ impl<'g> Resources<'g> {
         map_1: rt::Scalar<f32>,
         slice: rt::Scalar<f32>,
         spacing: rt::Scalar<f32>,
-        params_27: rt::Vec4<f32>,
+        params_28: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return map_1.elementwise_gt(slice);
     }
@@ -6616,9 +6882,9 @@ impl<'g> Resources<'g> {
         map_2: impl rt::Into<rt::Scalar<f32>>,
         slice_1: impl rt::Into<rt::Scalar<f32>>,
         spacing_1: impl rt::Into<rt::Scalar<f32>>,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_1), rt::into(spacing_1), rt::into(params_28)))
+        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_1), rt::into(spacing_1), rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6627,7 +6893,7 @@ impl<'g> Resources<'g> {
         map_2: rt::Scalar<f32>,
         slice_1: rt::Scalar<f32>,
         spacing_1: rt::Scalar<f32>,
-        params_28: rt::Vec4<f32>,
+        params_29: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return map_2.elementwise_ge(slice_1);
     }
@@ -6636,9 +6902,9 @@ impl<'g> Resources<'g> {
         map_3: impl rt::Into<rt::Scalar<f32>>,
         slice_2: impl rt::Into<rt::Scalar<f32>>,
         spacing_2: impl rt::Into<rt::Scalar<f32>>,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_2), rt::into(spacing_2), rt::into(params_29)))
+        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_2), rt::into(spacing_2), rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6647,7 +6913,7 @@ impl<'g> Resources<'g> {
         map_3: rt::Scalar<f32>,
         slice_2: rt::Scalar<f32>,
         spacing_2: rt::Scalar<f32>,
-        params_29: rt::Vec4<f32>,
+        params_30: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return (map_3 - slice_2).abs().elementwise_le((rt::Scalar(0.5f32) * spacing_2));
     }
@@ -6687,100 +6953,100 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn slice_spacing(
         &self,
-        at_41: Entered,
+        at_42: Entered,
         axis: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_slice_spacing(at_41, rt::into(axis)))
+        rt::into(self.v_slice_spacing(at_42, rt::into(axis)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_slice_spacing(
         &self,
-        at_41: Entered,
+        at_42: Entered,
         axis: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let step_5 = at_41.of_surface.y();
+        let step_5 = at_42.of_surface.y();
         if rt::Scalar::into_branch_condition(axis.elementwise_eq(SLICES_ALONG_HEIGHT)) {
             return step_5;
         }
         if rt::Scalar::into_branch_condition(axis.elementwise_eq(SLICES_ALONG_U)) {
             let _e12 = self.v_traced_scale_m();
-            return ((step_5 * at_41.metric.x().sqrt()) / _e12);
+            return ((step_5 * at_42.metric.x().sqrt()) / _e12);
         }
         if rt::Scalar::into_branch_condition(axis.elementwise_eq(SLICES_ALONG_V)) {
             let _e20 = self.v_traced_scale_m();
-            return ((step_5 * at_41.metric.z().sqrt()) / _e20);
+            return ((step_5 * at_42.metric.z().sqrt()) / _e20);
         }
         let _e22 = self.v_traced_scale_m();
         return (step_5 / _e22);
     }
     pub(crate) fn slice_above(
         &self,
-        pixel_50: PixelIn,
-        at_42: Entered,
+        pixel_51: PixelIn,
+        at_43: Entered,
         along_16: impl rt::Into<rt::Scalar<f32>>,
         far_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_above(pixel_50, at_42, rt::into(along_16), rt::into(far_2)))
+        rt::into(self.v_slice_above(pixel_51, at_43, rt::into(along_16), rt::into(far_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slice_above(
         &self,
-        pixel_50: PixelIn,
-        at_42: Entered,
+        pixel_51: PixelIn,
+        at_43: Entered,
         along_16: rt::Scalar<f32>,
         far_2: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let mut local_43: rt::Scalar<bool>;
+        let mut local_45: rt::Scalar<bool>;
 
-        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_50.direction.dot(at_42.normal).elementwise_lt(rt::Scalar(0f32))) * at_42.of_surface.y());
+        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_51.direction.dot(at_43.normal).elementwise_lt(rt::Scalar(0f32))) * at_43.of_surface.y());
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
         let step_m = (upward * _e17);
-        let a_24 = (pixel_50.a.position + (pixel_50.a.normal * step_m));
-        let b_24 = (pixel_50.b.position + (pixel_50.b.normal * step_m));
-        let c_16 = (pixel_50.c.position + (pixel_50.c.normal * step_m));
+        let a_24 = (pixel_51.a.position + (pixel_51.a.normal * step_m));
+        let b_24 = (pixel_51.b.position + (pixel_51.b.normal * step_m));
+        let c_16 = (pixel_51.c.position + (pixel_51.c.normal * step_m));
         let n_10 = (b_24 - a_24).cross((c_16 - a_24));
-        let t_35 = (n_10.dot((a_24 - pixel_50.origin)) / n_10.dot(pixel_50.direction));
-        let lead = (far_2 - (t_35 * along_16));
+        let t_36 = (n_10.dot((a_24 - pixel_51.origin)) / n_10.dot(pixel_51.direction));
+        let lead = (far_2 - (t_36 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
-            local_43 = t_35.abs().elementwise_le(rt::Scalar(1000000000f32));
+            local_45 = t_36.abs().elementwise_le(rt::Scalar(1000000000f32));
         } else {
-            local_43 = rt::Scalar(false);
+            local_45 = rt::Scalar(false);
         }
-        let _e57 = local_43;
+        let _e57 = local_45;
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e68 = self.v_weights_of(a_24, b_24, c_16, n_10, (pixel_50.origin + (pixel_50.direction * t_35)));
-        let aside_4 = ((((pixel_50.a.uv * _e68.x()) + (pixel_50.b.uv * _e68.y())) + (pixel_50.c.uv * _e68.z())) - at_42.uv);
+        let _e68 = self.v_weights_of(a_24, b_24, c_16, n_10, (pixel_51.origin + (pixel_51.direction * t_36)));
+        let aside_4 = ((((pixel_51.a.uv * _e68.x()) + (pixel_51.b.uv * _e68.y())) + (pixel_51.c.uv * _e68.z())) - at_43.uv);
         return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_4, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
     pub(crate) fn slice_beside(
         &self,
-        at_43: Entered,
+        at_44: Entered,
         climbs: impl rt::Into<rt::Vec3<f32>>,
         pace: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_beside(at_43, rt::into(climbs), rt::into(pace)))
+        rt::into(self.v_slice_beside(at_44, rt::into(climbs), rt::into(pace)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_slice_beside(
         &self,
-        at_43: Entered,
+        at_44: Entered,
         climbs: rt::Vec3<f32>,
         pace: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let mut local_44: rt::Scalar<bool>;
+        let mut local_46: rt::Scalar<bool>;
 
-        let up_2 = (at_43.of_surface.x().select((rt::Scalar(1f32) - at_43.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
-        let lead_1 = (at_43.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_2, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
+        let up_2 = (at_44.of_surface.x().select((rt::Scalar(1f32) - at_44.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
+        let lead_1 = (at_44.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_2, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
         if rt::Scalar::into_branch_condition(lead_1.elementwise_gt(rt::Scalar(0f32))) {
-            local_44 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
+            local_46 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
         } else {
-            local_44 = rt::Scalar(false);
+            local_46 = rt::Scalar(false);
         }
-        let _e33 = local_44;
+        let _e33 = local_46;
         if rt::Scalar::into_branch_condition((!_e33)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
@@ -6788,287 +7054,381 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn slice_before(
         &self,
-        pixel_51: PixelIn,
-        at_44: Entered,
+        pixel_52: PixelIn,
+        at_45: Entered,
         axis_1: impl rt::Into<rt::Scalar<u32>>,
         along_17: impl rt::Into<rt::Scalar<f32>>,
         far_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_before(pixel_51, at_44, rt::into(axis_1), rt::into(along_17), rt::into(far_3)))
+        rt::into(self.v_slice_before(pixel_52, at_45, rt::into(axis_1), rt::into(along_17), rt::into(far_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slice_before(
         &self,
-        pixel_51: PixelIn,
-        at_44: Entered,
+        pixel_52: PixelIn,
+        at_45: Entered,
         axis_1: rt::Scalar<u32>,
         along_17: rt::Scalar<f32>,
         far_3: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_HEIGHT)) {
-            let _e7 = self.v_slice_above(pixel_51, at_44, along_17, far_3);
+            let _e7 = self.v_slice_above(pixel_52, at_45, along_17, far_3);
             return _e7;
         }
-        let _e11 = self.v_climb(at_44, (pixel_51.direction / rt::Vec3::splat_from_scalar(along_17)));
+        let _e11 = self.v_climb(at_45, (pixel_52.direction / rt::Vec3::splat_from_scalar(along_17)));
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_U)) {
-            let _e16 = self.v_slice_beside(at_44, _e11, _e11.x().abs());
+            let _e16 = self.v_slice_beside(at_45, _e11, _e11.x().abs());
             return _e16;
         }
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_V)) {
-            let _e21 = self.v_slice_beside(at_44, _e11, _e11.y().abs());
+            let _e21 = self.v_slice_beside(at_45, _e11, _e11.y().abs());
             return _e21;
         }
-        let _e24 = self.v_slice_beside(at_44, _e11, (rt::Scalar(1f32) / along_17));
+        let _e24 = self.v_slice_beside(at_45, _e11, (rt::Scalar(1f32) / along_17));
         return _e24;
     }
     pub(crate) fn surface_slices_segment(
         &self,
-        pixel_52: PixelIn,
-        at_45: Entered,
+        pixel_53: PixelIn,
+        at_46: Entered,
         k_8: impl rt::Into<rt::Scalar<u32>>,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_slices_segment(pixel_52, at_45, rt::into(k_8), rt::into(params_30)))
+        rt::into(self.v_surface_slices_segment(pixel_53, at_46, rt::into(k_8), rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_segment(
         &self,
-        pixel_52: PixelIn,
-        at_45: Entered,
+        pixel_53: PixelIn,
+        at_46: Entered,
         k_8: rt::Scalar<u32>,
-        params_30: rt::Vec4<f32>,
+        params_31: rt::Vec4<f32>,
     ) -> Path {
-        let along_32 = pixel_52.direction.length();
-        let _e6 = self.v_plane_normal(pixel_52);
-        let _e7 = self.v_triangle_distance(pixel_52, _e6);
+        let along_32 = pixel_53.direction.length();
+        let _e6 = self.v_plane_normal(pixel_53);
+        let _e7 = self.v_triangle_distance(pixel_53, _e6);
         let far_7 = (_e7 * along_32);
-        let axis_2 = pixel_52.a.of_surface.z().to_u32();
-        let height_13 = at_45.of_surface.x();
-        let _e17 = self.v_height_at(at_45.uv, rt::Scalar(at_45.level));
-        let _e18 = self.v_slice_spacing(at_45, axis_2);
+        let axis_2 = pixel_53.a.of_surface.z().to_u32();
+        let height_13 = at_46.of_surface.x();
+        let _e17 = self.v_height_at(at_46.uv, rt::Scalar(at_46.level));
+        let _e18 = self.v_slice_spacing(at_46, axis_2);
         let _e19 = self.v_slices_stage(_e17, height_13, _e18);
-        let _e20 = self.v_slice_before(pixel_52, at_45, axis_2, along_32, far_7);
+        let _e20 = self.v_slice_before(pixel_53, at_46, axis_2, along_32, far_7);
         let lead_2 = (far_7 * rt::Scalar(0.0000005f32)).select(_e20.w().min(far_7), _e20.w().elementwise_gt(rt::Scalar(0f32)));
-        return <Path>::new((at_45.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_13 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_45.metric, RAY_VIEW, rt::Scalar(at_45.level), (far_7 - lead_2), rt::Scalar(1f32));
+        return <Path>::new((at_46.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_13 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_46.metric, RAY_VIEW, rt::Scalar(at_46.level), (far_7 - lead_2), rt::Scalar(1f32));
+    }
+    pub(crate) fn object_texel(&self, place_11: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
+        rt::into(self.v_object_texel(rt::into(place_11)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_object_texel(&self, place_11: rt::Vec2<i32>) -> rt::Vec4<f32> {
+        let _e4 = rt::texture::Read::read_texel((&self.object_map), place_11, rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        return _e4;
+    }
+    pub(crate) fn image_of_object(&self, number_8: impl rt::Into<rt::Scalar<u32>>) -> Image {
+        rt::into(self.v_image_of_object(rt::into(number_8)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_image_of_object(&self, number_8: rt::Scalar<u32>) -> Image {
+        let row_8 = number_8.to_i32();
+        let _e4 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(3i32), row_8));
+        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_8));
+        let _e10 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_8));
+        let _e13 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_8));
+        let _e20 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(4i32), row_8));
+        return <Image>::new(_e7, _e10, _e13, _e4.xy(), <rt::Vec2<f32>>::from_scalars(_e4.z(), _e4.w()), _e20.xyz());
+    }
+    pub(crate) fn within_bounds(
+        &self,
+        x: impl rt::Into<rt::Scalar<f32>>,
+        dx_1: impl rt::Into<rt::Scalar<f32>>,
+        low: impl rt::Into<rt::Scalar<f32>>,
+        high: impl rt::Into<rt::Scalar<f32>>,
+        interval_5: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_within_bounds(rt::into(x), rt::into(dx_1), rt::into(low), rt::into(high), rt::into(interval_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_within_bounds(
+        &self,
+        x: rt::Scalar<f32>,
+        dx_1: rt::Scalar<f32>,
+        low: rt::Scalar<f32>,
+        high: rt::Scalar<f32>,
+        interval_5: rt::Vec2<f32>,
+    ) -> rt::Vec2<f32> {
+        let mut local_47: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(dx_1.elementwise_eq(rt::Scalar(0f32))) {
+            if rt::Scalar::into_branch_condition((!x.elementwise_lt(low))) {
+                local_47 = x.elementwise_gt(high);
+            } else {
+                local_47 = rt::Scalar(true);
+            }
+            let _e13 = local_47;
+            if rt::Scalar::into_branch_condition(_e13) {
+                return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(0f32));
+            }
+            return interval_5;
+        }
+        let a_25 = ((low - x) / dx_1);
+        let b_25 = ((high - x) / dx_1);
+        return <rt::Vec2<f32>>::from_scalars(interval_5.x().max(a_25.min(b_25)), interval_5.y().min(a_25.max(b_25)));
+    }
+    pub(crate) fn surface_object_segment(
+        &self,
+        pixel_54: PixelIn,
+        at_47: Entered,
+        k_9: impl rt::Into<rt::Scalar<u32>>,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Path {
+        rt::into(self.v_surface_object_segment(pixel_54, at_47, rt::into(k_9), rt::into(params_32)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_object_segment(
+        &self,
+        pixel_54: PixelIn,
+        at_47: Entered,
+        k_9: rt::Scalar<u32>,
+        params_32: rt::Vec4<f32>,
+    ) -> Path {
+        let mut interval_6: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(300000000000000000000000000000000000000f32));
+
+        let along_33 = pixel_54.direction.normalize();
+        let _e6 = self.v_image_of_object(k_9);
+        let u_1 = (_e6.u.xyz().dot(pixel_54.origin) + _e6.u.w());
+        let v_3 = (_e6.v.xyz().dot(pixel_54.origin) + _e6.v.w());
+        let h_5 = (_e6.height.xyz().dot(pixel_54.origin) + _e6.height.w());
+        let du_1 = _e6.u.xyz().dot(along_33);
+        let dv_1 = _e6.v.xyz().dot(along_33);
+        let dh_1 = _e6.height.xyz().dot(along_33);
+        let _e42 = self.v_height_size(rt::Scalar(0u32));
+        let beyond_7 = (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / (_e6.extent * _e42));
+        let _e55 = interval_6;
+        let _e56 = self.v_within_bounds(u_1, du_1, (rt::Scalar(0f32) - beyond_7.x()), (rt::Scalar(1f32) + beyond_7.x()), _e55);
+        interval_6 = _e56;
+        let _e63 = interval_6;
+        let _e64 = self.v_within_bounds(v_3, dv_1, (rt::Scalar(0f32) - beyond_7.y()), (rt::Scalar(1f32) + beyond_7.y()), _e63);
+        interval_6 = _e64;
+        let _e67 = interval_6;
+        let _e68 = self.v_within_bounds(h_5, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e67);
+        interval_6 = _e68;
+        let start_3 = interval_6.x();
+        let tangent_5 = (_e6.u.xyz() / rt::Vec3::splat_from_scalar((_e6.u.xyz().dot(_e6.u.xyz()) * _e6.extent.x())));
+        let bitangent_4 = (_e6.v.xyz() / rt::Vec3::splat_from_scalar((_e6.v.xyz().dot(_e6.v.xyz()) * _e6.extent.y())));
+        let _e112 = interval_6.y();
+        let _e120 = rt::Scalar(self.surface_settings.scale_m);
+        return <Path>::new((_e6.corner + (_e6.extent * <rt::Vec2<f32>>::from_scalars((u_1 + (du_1 * start_3)), (v_3 + (dv_1 * start_3))))), (_e6.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)), <rt::Vec3<f32>>::from_scalars((h_5 + (dh_1 * start_3)), dh_1, rt::Scalar(0f32)), (_e112 - start_3), k_9.to_f32(), <rt::Vec4<f32>>::from_scalars(tangent_5.dot(tangent_5), tangent_5.dot(bitangent_4), bitangent_4.dot(bitangent_4), _e120), RAY_VIEW, rt::Scalar(0u32), start_3, rt::Scalar(1f32));
     }
     pub(crate) fn surface_segment_stage(
         &self,
-        pixel_53: PixelIn,
-        at_46: Entered,
-        k_9: impl rt::Into<rt::Scalar<u32>>,
+        pixel_55: PixelIn,
+        at_48: Entered,
+        k_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_53, at_46, rt::into(k_9)))
+        rt::into(self.v_surface_segment_stage(pixel_55, at_48, rt::into(k_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_segment_stage(
         &self,
-        pixel_53: PixelIn,
-        at_46: Entered,
-        k_9: rt::Scalar<u32>,
+        pixel_55: PixelIn,
+        at_48: Entered,
+        k_10: rt::Scalar<u32>,
     ) -> Path {
         let _e7 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[1usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_53, at_46, k_9, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_55, at_48, k_10, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[1usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_53, at_46, k_9, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_55, at_48, k_10, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[1usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_53, at_46, k_9, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_55, at_48, k_10, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[1usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_53, at_46, k_9, _e30);
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_55, at_48, k_10, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[1usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_53, at_46, k_9, _e36);
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_55, at_48, k_10, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[1usize].params;
-                let _e43 = self.v_surface_facets_segment(pixel_53, at_46, k_9, _e42);
+                let _e43 = self.v_surface_facets_segment(pixel_55, at_48, k_10, _e42);
                 return _e43;
             }
-            _ => {
+            6u32 => {
                 let _e48 = self.surface_settings.choices[1usize].params;
-                let _e49 = self.v_surface_slices_segment(pixel_53, at_46, k_9, _e48);
+                let _e49 = self.v_surface_slices_segment(pixel_55, at_48, k_10, _e48);
                 return _e49;
+            }
+            _ => {
+                let _e54 = self.surface_settings.choices[1usize].params;
+                let _e55 = self.v_surface_object_segment(pixel_55, at_48, k_10, _e54);
+                return _e55;
             }
         }
     }
-    pub(crate) fn path_slope(
-        &self,
-        path_21: Path,
-        t_13: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_path_slope(path_21, rt::into(t_13)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_path_slope(
-        &self,
-        path_21: Path,
-        t_13: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        return (path_21.h.y() + ((rt::Scalar(2f32) * t_13) * path_21.h.z()));
-    }
     pub(crate) fn flattened(
         &self,
-        path_22: Path,
+        path_23: Path,
         middle_8: impl rt::Into<rt::Scalar<f32>>,
         part_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_flattened(path_22, rt::into(middle_8), rt::into(part_4)))
+        rt::into(self.v_flattened(path_23, rt::into(middle_8), rt::into(part_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_flattened(
         &self,
-        path_22: Path,
+        path_23: Path,
         middle_8: rt::Scalar<f32>,
         part_4: rt::Scalar<f32>,
     ) -> Path {
         let mut start: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let kept = (rt::Scalar(1f32) - part_4);
-        let top_6 = (middle_8 + ((rt::Scalar(1f32) - middle_8) * kept));
-        let above_6 = (path_22.h.x() - top_6);
+        let top_7 = (middle_8 + ((rt::Scalar(1f32) - middle_8) * kept));
+        let above_6 = (path_23.h.x() - top_7);
         let begins = above_6.elementwise_gt(rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(begins) {
-            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_6, path_22.h.y(), path_22.h.z()), rt::Scalar(path_22.exit));
-            start = _e22.min(rt::Scalar(path_22.exit));
+            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_6, path_23.h.y(), path_23.h.z()), rt::Scalar(path_23.exit));
+            start = _e22.min(rt::Scalar(path_23.exit));
         }
-        let height_14 = (middle_8 + ((path_22.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
+        let height_14 = (middle_8 + ((path_23.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
         let _e32 = start;
-        let _e33 = self.v_path_slope(path_22, _e32);
-        let h_4 = <rt::Vec3<f32>>::from_scalars(height_14, (_e33 / kept), (path_22.h.z() / kept));
+        let _e33 = self.v_path_slope(path_23, _e32);
+        let h_6 = <rt::Vec3<f32>>::from_scalars(height_14, (_e33 / kept), (path_23.h.z() / kept));
         let _e40 = start;
-        let rest_4 = (rt::Scalar(path_22.exit) - _e40);
-        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_4.x().max(rt::Scalar(0f32)), h_4.y(), h_4.z()), rest_4);
+        let rest_4 = (rt::Scalar(path_23.exit) - _e40);
+        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_6.x().max(rt::Scalar(0f32)), h_6.y(), h_6.z()), rest_4);
         let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_4);
         let _e53 = start;
-        let base_5 = (rt::Scalar(path_22.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let base_5 = (rt::Scalar(path_23.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e58 = start;
-        let _e59 = self.v_path_uv(path_22, _e58);
+        let _e59 = self.v_path_uv(path_23, _e58);
         let _e65 = start;
-        return <Path>::new(_e59, path_22.duv, h_4, exit_1, base_5, path_22.metric, rt::Scalar(path_22.ray), rt::Scalar(path_22.level), (rt::Scalar(path_22.start) + _e65), rt::Scalar(path_22.share));
+        return <Path>::new(_e59, path_23.duv, h_6, exit_1, base_5, path_23.metric, rt::Scalar(path_23.ray), rt::Scalar(path_23.level), (rt::Scalar(path_23.start) + _e65), rt::Scalar(path_23.share));
     }
     pub(crate) fn segment_of(
         &self,
-        pixel_54: PixelIn,
-        at_47: Entered,
-        k_10: impl rt::Into<rt::Scalar<u32>>,
+        pixel_56: PixelIn,
+        at_49: Entered,
+        k_11: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_54, at_47, rt::into(k_10)))
+        rt::into(self.v_segment_of(pixel_56, at_49, rt::into(k_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_segment_of(
         &self,
-        pixel_54: PixelIn,
-        at_47: Entered,
-        k_10: rt::Scalar<u32>,
+        pixel_56: PixelIn,
+        at_49: Entered,
+        k_11: rt::Scalar<u32>,
     ) -> Path {
-        let mut path_23: Path;
+        let mut path_24: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_54, at_47, k_10);
-        path_23 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_47.fade).elementwise_gt(rt::Scalar(0f32))) {
-            let _e8 = path_23;
+        let _e3 = self.v_surface_segment_stage(pixel_56, at_49, k_11);
+        path_24 = _e3;
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_49.fade).elementwise_gt(rt::Scalar(0f32))) {
+            let _e8 = path_24;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_47.fade));
-            path_23 = _e13;
-            let _e16 = path_23.h.x();
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_49.fade));
+            path_24 = _e13;
+            let _e16 = path_24.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
-                rt::Scalar(path_23.exit) = rt::Scalar(0f32);
+                rt::Scalar(path_24.exit) = rt::Scalar(0f32);
             }
         }
-        let _e22 = path_23;
+        let _e22 = path_24;
         return _e22;
     }
     pub(crate) fn surface_plane_polish(
         &self,
-        pixel_55: PixelIn,
-        at_48: Entered,
-        path_24: Path,
+        pixel_57: PixelIn,
+        at_50: Entered,
+        path_25: Path,
         hit_7: Hit,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_55, at_48, path_24, hit_7, rt::into(params_31)))
+        rt::into(self.v_surface_plane_polish(pixel_57, at_50, path_25, hit_7, rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_polish(
         &self,
-        pixel_55: PixelIn,
-        at_48: Entered,
-        path_24: Path,
+        pixel_57: PixelIn,
+        at_50: Entered,
+        path_25: Path,
         hit_7: Hit,
-        params_31: rt::Vec4<f32>,
+        params_33: rt::Vec4<f32>,
     ) -> Hit {
         return hit_7;
     }
     pub(crate) fn weights_at_offset(
         &self,
         prism_11: Prism,
-        place_11: impl rt::Into<rt::Vec3<f32>>,
+        place_12: impl rt::Into<rt::Vec3<f32>>,
         offset_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_11), rt::into(offset_5)))
+        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_12), rt::into(offset_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_weights_at_offset(
         &self,
         prism_11: Prism,
-        place_11: rt::Vec3<f32>,
+        place_12: rt::Vec3<f32>,
         offset_5: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let corner_6 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
-        let a_25 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
-        let b_25 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
-        let rest_5 = (place_11 - corner_6);
-        let across_5 = a_25.cross(b_25);
+        let a_26 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
+        let b_26 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
+        let rest_5 = (place_12 - corner_6);
+        let across_5 = a_26.cross(b_26);
         let square_2 = across_5.dot(across_5);
         if rt::Scalar::into_branch_condition((!square_2.elementwise_gt(rt::Scalar(0f32)))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
         }
-        let second_4 = (rest_5.cross(b_25).dot(across_5) / square_2);
-        let third_3 = (a_25.cross(rest_5).dot(across_5) / square_2);
+        let second_4 = (rest_5.cross(b_26).dot(across_5) / square_2);
+        let third_3 = (a_26.cross(rest_5).dot(across_5) / square_2);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_4) - third_3), second_4, third_3);
     }
     pub(crate) fn shell_point_near(
         &self,
         prism_12: Prism,
-        place_12: impl rt::Into<rt::Vec3<f32>>,
+        place_13: impl rt::Into<rt::Vec3<f32>>,
         height_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_near(prism_12, rt::into(place_12), rt::into(height_4)))
+        rt::into(self.v_shell_point_near(prism_12, rt::into(place_13), rt::into(height_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shell_point_near(
         &self,
         prism_12: Prism,
-        place_12: rt::Vec3<f32>,
+        place_13: rt::Vec3<f32>,
         height_4: rt::Scalar<f32>,
     ) -> ShellPoint {
-        let low_2 = self.surface_settings.shell_m.x();
+        let low_3 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
-        let offset_8 = (low_2 + ((_e10 - low_2).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_4));
-        let _e16 = self.v_weights_at_offset(prism_12, place_12, offset_8);
+        let offset_8 = (low_3 + ((_e10 - low_3).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_4));
+        let _e16 = self.v_weights_at_offset(prism_12, place_13, offset_8);
         let _e18 = self.v_lift_of(prism_12.lift, _e16);
-        let _e20 = self.v_weights_at_offset(prism_12, place_12, (offset_8 + _e18));
+        let _e20 = self.v_weights_at_offset(prism_12, place_13, (offset_8 + _e18));
         let near_8 = <ShellPoint>::new(_e20, height_4);
-        let _e22 = self.v_shell_point_from(prism_12, place_12, near_8);
+        let _e22 = self.v_shell_point_from(prism_12, place_13, near_8);
         let moved = (_e22.weights - near_8.weights).abs();
         let away_1 = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_4).abs()));
         if rt::Scalar::into_branch_condition(away_1.elementwise_lt(rt::Scalar(0.5f32))) {
@@ -7078,65 +7438,65 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn point_of_way(
         &self,
-        pixel_56: PixelIn,
+        pixel_58: PixelIn,
         prism_13: Prism,
-        place_13: impl rt::Into<rt::Vec3<f32>>,
+        place_14: impl rt::Into<rt::Vec3<f32>>,
         height_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_point_of_way(pixel_56, prism_13, rt::into(place_13), rt::into(height_5)))
+        rt::into(self.v_point_of_way(pixel_58, prism_13, rt::into(place_14), rt::into(height_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_way(
         &self,
-        pixel_56: PixelIn,
+        pixel_58: PixelIn,
         prism_13: Prism,
-        place_13: rt::Vec3<f32>,
+        place_14: rt::Vec3<f32>,
         height_5: rt::Scalar<f32>,
     ) -> ShellPoint {
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_56.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_shell_point_near(prism_13, place_13, height_5);
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_58.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e8 = self.v_shell_point_near(prism_13, place_14, height_5);
             return _e8;
         }
-        let _e9 = self.v_shell_point(prism_13, place_13, height_5);
+        let _e9 = self.v_shell_point(prism_13, place_14, height_5);
         return _e9;
     }
     pub(crate) fn surface_prism_polish(
         &self,
-        pixel_57: PixelIn,
-        at_49: Entered,
-        path_25: Path,
+        pixel_59: PixelIn,
+        at_51: Entered,
+        path_26: Path,
         hit_8: Hit,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_57, at_49, path_25, hit_8, rt::into(params_32)))
+        rt::into(self.v_surface_prism_polish(pixel_59, at_51, path_26, hit_8, rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_polish(
         &self,
-        pixel_57: PixelIn,
-        at_49: Entered,
-        path_25: Path,
+        pixel_59: PixelIn,
+        at_51: Entered,
+        path_26: Path,
         hit_8: Hit,
-        params_32: rt::Vec4<f32>,
+        params_34: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_14: rt::Scalar<f32>;
-        let mut point_6: ShellPoint;
+        let mut t_15: rt::Scalar<f32>;
+        let mut point_8: ShellPoint;
         let mut step_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let along_33 = pixel_57.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_57, along_33);
-        let _e8 = self.v_prism_of(pixel_57, along_33, _e7, params_32);
-        let _e10 = self.v_path_gap(path_25, rt::Scalar(hit_8.t));
-        let _e11 = self.v_grid_of(path_25);
+        let along_34 = pixel_59.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_59, along_34);
+        let _e8 = self.v_prism_of(pixel_59, along_34, _e7, params_34);
+        let _e10 = self.v_path_gap(path_26, rt::Scalar(hit_8.t));
+        let _e11 = self.v_grid_of(path_26);
         let texels_5 = _e11.step.abs();
-        let most_9 = ((rt::Scalar(2f32) * params_32.x()) / texels_5.x().max(texels_5.y()).max((path_25.h.y().abs() / rt::Scalar(0.0625f32))));
-        t_14 = rt::Scalar(hit_8.t);
-        let _e30 = t_14;
-        let _e34 = t_14;
-        let _e35 = self.v_path_height(path_25, _e34);
-        let _e36 = self.v_point_of_way(pixel_57, _e8, (along_33 * ((rt::Scalar(path_25.start) + _e30) - _e7)), _e35);
-        point_6 = _e36;
+        let most_11 = ((rt::Scalar(2f32) * params_34.x()) / texels_5.x().max(texels_5.y()).max((path_26.h.y().abs() / rt::Scalar(0.0625f32))));
+        t_15 = rt::Scalar(hit_8.t);
+        let _e30 = t_15;
+        let _e34 = t_15;
+        let _e35 = self.v_path_height(path_26, _e34);
+        let _e36 = self.v_point_of_way(pixel_59, _e8, (along_34 * ((rt::Scalar(path_26.start) + _e30) - _e7)), _e35);
+        point_8 = _e36;
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = step_2;
@@ -7147,148 +7507,148 @@ impl<'g> Resources<'g> {
                 {
                     let _e43 = step_2;
                     step_2 = (_e43 + rt::Scalar(1u32));
-                    let _e47 = rt::Scalar(point_6.height);
-                    let _e49 = point_6.weights;
-                    let _e50 = self.v_uv_of(pixel_57, _e49);
-                    let _e52 = self.v_height_at(_e50, rt::Scalar(path_25.level));
+                    let _e47 = rt::Scalar(point_8.height);
+                    let _e49 = point_8.weights;
+                    let _e50 = self.v_uv_of(pixel_59, _e49);
+                    let _e52 = self.v_height_at(_e50, rt::Scalar(path_26.level));
                     let gap_1 = ((_e47 - _e52) - _e10);
-                    let _e57 = t_14;
+                    let _e57 = t_15;
                     let _e60 = self.v_cell_of((_e11.origin + (_e11.step * _e57)));
-                    let _e61 = t_14;
-                    let _e62 = self.v_cell_gap(path_25, _e11, _e60, _e61);
+                    let _e61 = t_15;
+                    let _e62 = self.v_cell_gap(path_26, _e11, _e60, _e61);
                     let change_4 = _e62.y();
                     if rt::Scalar::into_branch_condition(change_4.elementwise_lt(rt::Scalar(0f32))) {
-                        let _e66 = t_14;
-                        t_14 = (_e66 - (gap_1 / change_4)).clamp((rt::Scalar(hit_8.t) - most_9), (rt::Scalar(hit_8.t) + most_9));
+                        let _e66 = t_15;
+                        t_15 = (_e66 - (gap_1 / change_4)).clamp((rt::Scalar(hit_8.t) - most_11), (rt::Scalar(hit_8.t) + most_11));
                     }
-                    let _e75 = t_14;
-                    let place_21 = (along_33 * ((rt::Scalar(path_25.start) + _e75) - _e7));
-                    if rt::Scalar::into_branch_condition(rt::Scalar(pixel_57.shell.order).elementwise_ge(SHELL_FOLDED)) {
-                        let _e83 = t_14;
-                        let _e84 = self.v_path_height(path_25, _e83);
-                        let _e85 = self.v_shell_point_near(_e8, place_21, _e84);
-                        point_6 = _e85;
+                    let _e75 = t_15;
+                    let place_22 = (along_34 * ((rt::Scalar(path_26.start) + _e75) - _e7));
+                    if rt::Scalar::into_branch_condition(rt::Scalar(pixel_59.shell.order).elementwise_ge(SHELL_FOLDED)) {
+                        let _e83 = t_15;
+                        let _e84 = self.v_path_height(path_26, _e83);
+                        let _e85 = self.v_shell_point_near(_e8, place_22, _e84);
+                        point_8 = _e85;
                     } else {
-                        let _e86 = point_6;
-                        let _e87 = self.v_shell_point_from(_e8, place_21, _e86);
-                        point_6 = _e87;
+                        let _e86 = point_8;
+                        let _e87 = self.v_shell_point_from(_e8, place_22, _e86);
+                        point_8 = _e87;
                     }
                 }
             }
         }
-        let _e91 = point_6.weights;
-        let _e92 = self.v_uv_of(pixel_57, _e91);
-        let _e94 = rt::Scalar(point_6.height);
-        let _e95 = t_14;
+        let _e91 = point_8.weights;
+        let _e92 = self.v_uv_of(pixel_59, _e91);
+        let _e94 = rt::Scalar(point_8.height);
+        let _e95 = t_15;
         return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_8.exhausted), _e92, _e94, _e95, hit_8.cost);
     }
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
-        pixel_58: PixelIn,
-        at_50: Entered,
-        path_26: Path,
+        pixel_60: PixelIn,
+        at_52: Entered,
+        path_27: Path,
         hit_9: Hit,
-        params_33: impl rt::Into<rt::Vec4<f32>>,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_58, at_50, path_26, hit_9, rt::into(params_33)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_60, at_52, path_27, hit_9, rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_polish(
         &self,
-        pixel_58: PixelIn,
-        at_50: Entered,
-        path_26: Path,
+        pixel_60: PixelIn,
+        at_52: Entered,
+        path_27: Path,
         hit_9: Hit,
-        params_33: rt::Vec4<f32>,
+        params_35: rt::Vec4<f32>,
     ) -> Hit {
         return hit_9;
     }
     pub(crate) fn surface_quadric_vertical_polish(
         &self,
-        pixel_59: PixelIn,
-        at_51: Entered,
-        path_27: Path,
+        pixel_61: PixelIn,
+        at_53: Entered,
+        path_28: Path,
         hit_10: Hit,
-        params_34: impl rt::Into<rt::Vec4<f32>>,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_59, at_51, path_27, hit_10, rt::into(params_34)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_61, at_53, path_28, hit_10, rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_vertical_polish(
         &self,
-        pixel_59: PixelIn,
-        at_51: Entered,
-        path_27: Path,
+        pixel_61: PixelIn,
+        at_53: Entered,
+        path_28: Path,
         hit_10: Hit,
-        params_34: rt::Vec4<f32>,
+        params_36: rt::Vec4<f32>,
     ) -> Hit {
         return hit_10;
     }
     pub(crate) fn surface_tetrahedra_polish(
         &self,
-        pixel_60: PixelIn,
-        at_52: Entered,
-        path_28: Path,
+        pixel_62: PixelIn,
+        at_54: Entered,
+        path_29: Path,
         hit_11: Hit,
-        params_35: impl rt::Into<rt::Vec4<f32>>,
+        params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_60, at_52, path_28, hit_11, rt::into(params_35)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_62, at_54, path_29, hit_11, rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_tetrahedra_polish(
         &self,
-        pixel_60: PixelIn,
-        at_52: Entered,
-        path_28: Path,
+        pixel_62: PixelIn,
+        at_54: Entered,
+        path_29: Path,
         hit_11: Hit,
-        params_35: rt::Vec4<f32>,
+        params_37: rt::Vec4<f32>,
     ) -> Hit {
         return hit_11;
     }
     pub(crate) fn surface_facets_polish(
         &self,
-        pixel_61: PixelIn,
-        at_53: Entered,
-        path_29: Path,
+        pixel_63: PixelIn,
+        at_55: Entered,
+        path_30: Path,
         hit_12: Hit,
-        params_36: impl rt::Into<rt::Vec4<f32>>,
+        params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_facets_polish(pixel_61, at_53, path_29, hit_12, rt::into(params_36)))
+        rt::into(self.v_surface_facets_polish(pixel_63, at_55, path_30, hit_12, rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_polish(
         &self,
-        pixel_61: PixelIn,
-        at_53: Entered,
-        path_29: Path,
+        pixel_63: PixelIn,
+        at_55: Entered,
+        path_30: Path,
         hit_12: Hit,
-        params_36: rt::Vec4<f32>,
+        params_38: rt::Vec4<f32>,
     ) -> Hit {
         return hit_12;
     }
     pub(crate) fn surface_slices_polish(
         &self,
-        pixel_62: PixelIn,
-        at_54: Entered,
-        path_30: Path,
+        pixel_64: PixelIn,
+        at_56: Entered,
+        path_31: Path,
         hit_13: Hit,
-        params_37: impl rt::Into<rt::Vec4<f32>>,
+        params_39: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_slices_polish(pixel_62, at_54, path_30, hit_13, rt::into(params_37)))
+        rt::into(self.v_surface_slices_polish(pixel_64, at_56, path_31, hit_13, rt::into(params_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_polish(
         &self,
-        pixel_62: PixelIn,
-        at_54: Entered,
-        path_30: Path,
+        pixel_64: PixelIn,
+        at_56: Entered,
+        path_31: Path,
         hit_13: Hit,
-        params_37: rt::Vec4<f32>,
+        params_39: rt::Vec4<f32>,
     ) -> Hit {
         let mut counted: Hit;
 
@@ -7297,57 +7657,84 @@ impl<'g> Resources<'g> {
         let _e10 = counted;
         return _e10;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_63: PixelIn, at_55: Entered, path_31: Path, hit_14: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_63, at_55, path_31, hit_14))
+    pub(crate) fn surface_object_polish(
+        &self,
+        pixel_65: PixelIn,
+        at_57: Entered,
+        path_32: Path,
+        hit_14: Hit,
+        params_40: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_surface_object_polish(pixel_65, at_57, path_32, hit_14, rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_63: PixelIn, at_55: Entered, path_31: Path, hit_14: Hit) -> Hit {
+    #[inline(always)]
+    fn v_surface_object_polish(
+        &self,
+        pixel_65: PixelIn,
+        at_57: Entered,
+        path_32: Path,
+        hit_14: Hit,
+        params_40: rt::Vec4<f32>,
+    ) -> Hit {
+        return hit_14;
+    }
+    pub(crate) fn surface_polish_stage(&self, pixel_66: PixelIn, at_58: Entered, path_33: Path, hit_15: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_66, at_58, path_33, hit_15))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_polish_stage(&self, pixel_66: PixelIn, at_58: Entered, path_33: Path, hit_15: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_63, at_55, path_31, hit_14, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_66, at_58, path_33, hit_15, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_63, at_55, path_31, hit_14, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_66, at_58, path_33, hit_15, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_63, at_55, path_31, hit_14, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_66, at_58, path_33, hit_15, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_63, at_55, path_31, hit_14, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_66, at_58, path_33, hit_15, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_63, at_55, path_31, hit_14, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_66, at_58, path_33, hit_15, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_polish(pixel_63, at_55, path_31, hit_14, _e43);
+                let _e44 = self.v_surface_facets_polish(pixel_66, at_58, path_33, hit_15, _e43);
                 return _e44;
             }
-            _ => {
+            6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_polish(pixel_63, at_55, path_31, hit_14, _e49);
+                let _e50 = self.v_surface_slices_polish(pixel_66, at_58, path_33, hit_15, _e49);
                 return _e50;
+            }
+            _ => {
+                let _e55 = self.surface_settings.choices[1usize].params;
+                let _e56 = self.v_surface_object_polish(pixel_66, at_58, path_33, hit_15, _e55);
+                return _e56;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_64: PixelIn, at_56: Entered, path_32: Path, hit_15: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_64, at_56, path_32, hit_15))
+    pub(crate) fn polish_hit(&self, pixel_67: PixelIn, at_59: Entered, path_34: Path, hit_16: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_67, at_59, path_34, hit_16))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_polish_hit(&self, pixel_64: PixelIn, at_56: Entered, path_32: Path, hit_15: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_64, at_56, path_32, hit_15);
+    fn v_polish_hit(&self, pixel_67: PixelIn, at_59: Entered, path_34: Path, hit_16: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_67, at_59, path_34, hit_16);
         return _e4;
     }
     pub(crate) fn key_of(&self, depth_5: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -7368,11 +7755,11 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_height_texels(rt::Scalar(0u32));
         let _e4 = self.v_height_size(rt::Scalar(0u32));
         let _e10 = self.v_cell_of(((uv_16 * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let cell_20 = _e10.to_i32();
-        let _e14 = self.v_wrap_index(cell_20.x(), _e2.x());
-        let _e19 = self.v_wrap_index((cell_20.x() + rt::Scalar(1i32)), _e2.x());
-        let _e22 = self.v_wrap_index(cell_20.y(), _e2.y());
-        let _e27 = self.v_wrap_index((cell_20.y() + rt::Scalar(1i32)), _e2.y());
+        let cell_21 = _e10.to_i32();
+        let _e14 = self.v_wrap_index(cell_21.x(), _e2.x());
+        let _e19 = self.v_wrap_index((cell_21.x() + rt::Scalar(1i32)), _e2.x());
+        let _e22 = self.v_wrap_index(cell_21.y(), _e2.y());
+        let _e27 = self.v_wrap_index((cell_21.y() + rt::Scalar(1i32)), _e2.y());
         let _e31 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e14, _e22), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e36 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e19, _e22), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let above_7 = _e31.x().max(_e36.x());
@@ -7396,31 +7783,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn hit_on_segment(
         &self,
-        pixel_65: PixelIn,
-        at_57: Entered,
-        path_33: Path,
+        pixel_68: PixelIn,
+        at_60: Entered,
+        path_35: Path,
         found: Hit,
-        k_11: impl rt::Into<rt::Scalar<u32>>,
+        k_12: impl rt::Into<rt::Scalar<u32>>,
     ) -> FirstHit {
-        rt::into(self.v_hit_on_segment(pixel_65, at_57, path_33, found, rt::into(k_11)))
+        rt::into(self.v_hit_on_segment(pixel_68, at_60, path_35, found, rt::into(k_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_segment(
         &self,
-        pixel_65: PixelIn,
-        at_57: Entered,
-        path_33: Path,
+        pixel_68: PixelIn,
+        at_60: Entered,
+        path_35: Path,
         found: Hit,
-        k_11: rt::Scalar<u32>,
+        k_12: rt::Scalar<u32>,
     ) -> FirstHit {
         let mut first_1: FirstHit;
 
-        first_1 = <FirstHit>::new(found, k_11, rt::Scalar(0f32));
+        first_1 = <FirstHit>::new(found, k_12, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(rt::Scalar(found.found).elementwise_eq(rt::Scalar(1u32))) {
-            let _e11 = self.v_polish_hit(pixel_65, at_57, path_33, found);
-            let _e12 = self.v_depth_on_ray(pixel_65, path_33, _e11);
+            let _e11 = self.v_polish_hit(pixel_68, at_60, path_35, found);
+            let _e12 = self.v_depth_on_ray(pixel_68, path_35, _e11);
             let _e13 = self.v_key_of(_e12);
-            first_1 = <FirstHit>::new(_e11, k_11, _e13);
+            first_1 = <FirstHit>::new(_e11, k_12, _e13);
             let _e16 = self.v_in_hole(_e11.uv);
             if rt::Scalar::into_branch_condition(_e16) {
                 rt::Scalar(first_1.hit.found) = rt::Scalar(0u32);
@@ -7431,55 +7818,55 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn hit_on_path(
         &self,
-        path_34: Path,
-        t_15: impl rt::Into<rt::Scalar<f32>>,
+        path_36: Path,
+        t_16: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
         cost_3: impl rt::Into<rt::Vec3<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_34, rt::into(t_15), rt::into(exhausted), rt::into(cost_3)))
+        rt::into(self.v_hit_on_path(path_36, rt::into(t_16), rt::into(exhausted), rt::into(cost_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_path(
         &self,
-        path_34: Path,
-        t_15: rt::Scalar<f32>,
+        path_36: Path,
+        t_16: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_45: rt::Scalar<bool>;
+        let mut local_48: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_15.elementwise_gt(rt::Scalar(path_34.exit))) {
-            let _e9 = self.v_path_height(path_34, rt::Scalar(path_34.exit));
-            local_45 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+        if rt::Scalar::into_branch_condition(t_16.elementwise_gt(rt::Scalar(path_36.exit))) {
+            let _e9 = self.v_path_height(path_36, rt::Scalar(path_36.exit));
+            local_48 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_45 = rt::Scalar(false);
+            local_48 = rt::Scalar(false);
         }
-        let _e13 = local_45;
+        let _e13 = local_48;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
         }
-        let inside_7 = t_15.clamp(rt::Scalar(0f32), rt::Scalar(path_34.exit));
-        let _e19 = self.v_path_uv(path_34, inside_7);
-        let _e20 = self.v_path_height(path_34, inside_7);
+        let inside_7 = t_16.clamp(rt::Scalar(0f32), rt::Scalar(path_36.exit));
+        let _e19 = self.v_path_uv(path_36, inside_7);
+        let _e20 = self.v_path_height(path_36, inside_7);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_7, cost_3);
     }
-    pub(crate) fn starting_point(&self, path_35: Path, found_1: Found) -> f32 {
-        rt::into(self.v_starting_point(path_35, found_1))
+    pub(crate) fn starting_point(&self, path_37: Path, found_1: Found) -> f32 {
+        rt::into(self.v_starting_point(path_37, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_35: Path, found_1: Found) -> rt::Scalar<f32> {
-        let mut local_46: rt::Scalar<bool>;
+    fn v_starting_point(&self, path_37: Path, found_1: Found) -> rt::Scalar<f32> {
+        let mut local_49: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_35.base);
+            return rt::Scalar(path_37.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_46 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_49 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_46 = rt::Scalar(true);
+            local_49 = rt::Scalar(true);
         }
-        let _e16 = local_46;
+        let _e16 = local_49;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -7487,226 +7874,226 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_none(
         &self,
-        path_36: Path,
+        path_38: Path,
         found_2: Found,
-        params_38: impl rt::Into<rt::Vec4<f32>>,
+        params_41: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_36, found_2, rt::into(params_38)))
+        rt::into(self.v_refine_none(path_38, found_2, rt::into(params_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_refine_none(
         &self,
-        path_36: Path,
+        path_38: Path,
         found_2: Found,
-        params_38: rt::Vec4<f32>,
+        params_41: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_2.cost);
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_36, found_2);
-        let _e16 = self.v_hit_on_path(path_36, _e14, exhausted_1, found_2.cost);
+        let _e14 = self.v_starting_point(path_38, found_2);
+        let _e16 = self.v_hit_on_path(path_38, _e14, exhausted_1, found_2.cost);
         return _e16;
     }
     pub(crate) fn refine_offset(
         &self,
-        path_37: Path,
+        path_39: Path,
         found_3: Found,
-        params_39: impl rt::Into<rt::Vec4<f32>>,
+        params_42: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_37, found_3, rt::into(params_39)))
+        rt::into(self.v_refine_offset(path_39, found_3, rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
-        path_37: Path,
+        path_39: Path,
         found_3: Found,
-        params_39: rt::Vec4<f32>,
+        params_42: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_16: rt::Scalar<f32>;
+        let mut t_17: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_3.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_3.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_37, found_3);
-        let _e9 = self.v_path_uv(path_37, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_37.level));
-        let _e12 = self.v_path_slope(path_37, _e8);
-        t_16 = _e8;
+        let _e8 = self.v_starting_point(path_39, found_3);
+        let _e9 = self.v_path_uv(path_39, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_39.level));
+        let _e12 = self.v_path_slope(path_39, _e8);
+        t_17 = _e8;
         if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
-            let _e16 = self.v_path_height(path_37, _e8);
-            t_16 = (_e8 + ((_e11 - _e16) / _e12));
+            let _e16 = self.v_path_height(path_39, _e8);
+            t_17 = (_e8 + ((_e11 - _e16) / _e12));
         }
-        let _e20 = t_16;
-        let _e30 = self.v_hit_on_path(path_37, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
+        let _e20 = t_17;
+        let _e30 = self.v_hit_on_path(path_39, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
         return _e30;
     }
     pub(crate) fn refine_offset_limited(
         &self,
-        path_38: Path,
+        path_40: Path,
         found_4: Found,
-        params_40: impl rt::Into<rt::Vec4<f32>>,
+        params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_38, found_4, rt::into(params_40)))
+        rt::into(self.v_refine_offset_limited(path_40, found_4, rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
-        path_38: Path,
+        path_40: Path,
         found_4: Found,
-        params_40: rt::Vec4<f32>,
+        params_43: rt::Vec4<f32>,
     ) -> Hit {
-        let mut hit_16: Hit;
+        let mut hit_17: Hit;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_4.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_38, found_4);
-        let _e9 = self.v_path_uv(path_38, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_38.level));
-        let _e12 = self.v_path_height(path_38, _e8);
-        let rise_m = ((_e11 - _e12) * path_38.metric.w());
+        let _e8 = self.v_starting_point(path_40, found_4);
+        let _e9 = self.v_path_uv(path_40, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_40.level));
+        let _e12 = self.v_path_height(path_40, _e8);
+        let rise_m = ((_e11 - _e12) * path_40.metric.w());
         let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e27 = self.v_hit_on_path(path_38, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
-        hit_16 = _e27;
-        let _e30 = rt::Scalar(hit_16.found);
+        let _e27 = self.v_hit_on_path(path_40, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
+        hit_17 = _e27;
+        let _e30 = rt::Scalar(hit_17.found);
         if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
-            rt::Scalar(hit_16.height) = _e11;
+            rt::Scalar(hit_17.height) = _e11;
         }
-        let _e34 = hit_16;
+        let _e34 = hit_17;
         return _e34;
     }
     pub(crate) fn normal_z(
         &self,
-        path_39: Path,
+        path_41: Path,
         slope_1: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_39, rt::into(slope_1)))
+        rt::into(self.v_normal_z(path_41, rt::into(slope_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_z(
         &self,
-        path_39: Path,
+        path_41: Path,
         slope_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m_4 = path_39.metric;
+        let m_4 = path_41.metric;
         let area_5 = ((m_4.x() * m_4.z()) - (m_4.y() * m_4.y()));
         let squared_2 = (((((slope_1.x() * slope_1.x()) * m_4.z()) - (((rt::Scalar(2f32) * slope_1.x()) * slope_1.y()) * m_4.y())) + ((slope_1.y() * slope_1.y()) * m_4.x())) / area_5);
         return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_4.w() * m_4.w()) * squared_2)).sqrt());
     }
     pub(crate) fn refine_slope(
         &self,
-        path_40: Path,
+        path_42: Path,
         found_5: Found,
-        params_41: impl rt::Into<rt::Vec4<f32>>,
+        params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_40, found_5, rt::into(params_41)))
+        rt::into(self.v_refine_slope(path_42, found_5, rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
-        path_40: Path,
+        path_42: Path,
         found_5: Found,
-        params_41: rt::Vec4<f32>,
+        params_44: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_17: rt::Scalar<f32>;
+        let mut t_18: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_5.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_40, found_5);
-        let _e9 = self.v_path_uv(path_40, _e8);
-        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_40.level));
-        let _e13 = self.v_path_height(path_40, _e8);
+        let _e8 = self.v_starting_point(path_42, found_5);
+        let _e9 = self.v_path_uv(path_42, _e8);
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_42.level));
+        let _e13 = self.v_path_height(path_42, _e8);
         let rise_1 = (_e11.x() - _e13);
-        t_17 = _e8;
-        if rt::Scalar::into_branch_condition(params_41.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e19 = self.v_path_slope(path_40, _e8);
-            let closing = (_e19 - ((_e11.y() * path_40.duv.x()) + (_e11.z() * path_40.duv.y())));
+        t_18 = _e8;
+        if rt::Scalar::into_branch_condition(params_44.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e19 = self.v_path_slope(path_42, _e8);
+            let closing = (_e19 - ((_e11.y() * path_42.duv.x()) + (_e11.z() * path_42.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
-                t_17 = (_e8 + (rise_1 / closing));
+                t_18 = (_e8 + (rise_1 / closing));
             }
         } else {
-            let _e40 = self.v_normal_z(path_40, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_17 = (_e8 - ((rise_1 * path_40.metric.w()) * _e40));
+            let _e40 = self.v_normal_z(path_42, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_18 = (_e8 - ((rise_1 * path_42.metric.w()) * _e40));
         }
-        let _e43 = t_17;
-        let _e53 = self.v_hit_on_path(path_40, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
+        let _e43 = t_18;
+        let _e53 = self.v_hit_on_path(path_42, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
         return _e53;
     }
     pub(crate) fn refine_slope_iterative(
         &self,
-        path_41: Path,
+        path_43: Path,
         found_6: Found,
-        params_42: impl rt::Into<rt::Vec4<f32>>,
+        params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_41, found_6, rt::into(params_42)))
+        rt::into(self.v_refine_slope_iterative(path_43, found_6, rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
-        path_41: Path,
+        path_43: Path,
         found_6: Found,
-        params_42: rt::Vec4<f32>,
+        params_45: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_18: rt::Scalar<f32>;
+        let mut t_19: rt::Scalar<f32>;
         let mut cost_4: rt::Vec3<u32>;
-        let mut k_12: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_13: rt::Scalar<f32> = rt::Scalar(0f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_6.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_41, found_6);
-        t_18 = _e8;
+        let _e8 = self.v_starting_point(path_43, found_6);
+        t_19 = _e8;
         cost_4 = found_6.cost;
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_12;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_42.x())) {
+                let _e14 = k_13;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_45.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e17 = cost_4;
                     cost_4 = (_e17 + STEP);
-                    let _e20 = t_18;
-                    let _e21 = self.v_path_uv(path_41, _e20);
-                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_41.level));
+                    let _e20 = t_19;
+                    let _e21 = self.v_path_uv(path_43, _e20);
+                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_43.level));
                     let _e24 = cost_4;
                     cost_4 = (_e24 + HEIGHTS_READ);
-                    let _e28 = t_18;
-                    let _e29 = self.v_path_height(path_41, _e28);
+                    let _e28 = t_19;
+                    let _e29 = self.v_path_height(path_43, _e28);
                     let rise_2 = (_e23.x() - _e29);
-                    if rt::Scalar::into_branch_condition(params_42.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e34 = t_18;
-                        let _e35 = self.v_path_slope(path_41, _e34);
-                        let closing_1 = (_e35 - ((_e23.y() * path_41.duv.x()) + (_e23.z() * path_41.duv.y())));
+                    if rt::Scalar::into_branch_condition(params_45.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e34 = t_19;
+                        let _e35 = self.v_path_slope(path_43, _e34);
+                        let closing_1 = (_e35 - ((_e23.y() * path_43.duv.x()) + (_e23.z() * path_43.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
-                            let _e48 = t_18;
-                            t_18 = (_e48 + (rise_2 / closing_1));
+                            let _e48 = t_19;
+                            t_19 = (_e48 + (rise_2 / closing_1));
                         }
                     } else {
-                        let _e51 = t_18;
-                        let _e58 = self.v_normal_z(path_41, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
-                        t_18 = (_e51 - ((rise_2 * path_41.metric.w()) * _e58));
+                        let _e51 = t_19;
+                        let _e58 = self.v_normal_z(path_43, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
+                        t_19 = (_e51 - ((rise_2 * path_43.metric.w()) * _e58));
                     }
-                    let _e61 = t_18;
-                    t_18 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_41.exit));
-                    let _e65 = k_12;
-                    k_12 = (_e65 + rt::Scalar(1f32));
+                    let _e61 = t_19;
+                    t_19 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_43.exit));
+                    let _e65 = k_13;
+                    k_13 = (_e65 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e68 = t_18;
+        let _e68 = t_19;
         let _e75 = cost_4;
-        let _e76 = self.v_hit_on_path(path_41, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
+        let _e76 = self.v_hit_on_path(path_43, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
         return _e76;
     }
     pub(crate) fn has_interval(&self, found_7: Found) -> bool {
@@ -7714,55 +8101,55 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found_7: Found) -> rt::Scalar<bool> {
-        let mut local_47: rt::Scalar<bool>;
-        let mut local_48: rt::Scalar<bool>;
-        let mut local_49: rt::Scalar<bool>;
+        let mut local_50: rt::Scalar<bool>;
+        let mut local_51: rt::Scalar<bool>;
+        let mut local_52: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.far).elementwise_gt(rt::Scalar(found_7.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                local_48 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
+                local_51 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
-                local_48 = rt::Scalar(true);
+                local_51 = rt::Scalar(true);
             }
-            let _e16 = local_48;
+            let _e16 = local_51;
             if rt::Scalar::into_branch_condition((!_e16)) {
-                local_49 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
+                local_52 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
             } else {
-                local_49 = rt::Scalar(true);
+                local_52 = rt::Scalar(true);
             }
-            let _e24 = local_49;
-            local_47 = _e24;
+            let _e24 = local_52;
+            local_50 = _e24;
         } else {
-            local_47 = rt::Scalar(false);
+            local_50 = rt::Scalar(false);
         }
-        let _e26 = local_47;
+        let _e26 = local_50;
         return _e26;
     }
     pub(crate) fn refine_binary(
         &self,
-        path_42: Path,
+        path_44: Path,
         found_8: Found,
-        params_43: impl rt::Into<rt::Vec4<f32>>,
+        params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_42, found_8, rt::into(params_43)))
+        rt::into(self.v_refine_binary(path_44, found_8, rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
-        path_42: Path,
+        path_44: Path,
         found_8: Found,
-        params_43: rt::Vec4<f32>,
+        params_46: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_2: rt::Scalar<f32>;
         let mut far_4: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_50: rt::Scalar<bool>;
+        let mut local_53: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
-        let mut k_13: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_14: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_42, found_8, params_43);
+            let _e5 = self.v_refine_none(path_44, found_8, params_46);
             return _e5;
         }
         near_2 = rt::Scalar(found_8.near);
@@ -7770,17 +8157,17 @@ impl<'g> Resources<'g> {
         cost_5 = found_8.cost;
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_8.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_4;
-            let _e19 = self.v_path_height(path_42, _e18);
-            local_50 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            let _e19 = self.v_path_height(path_44, _e18);
+            local_53 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_50 = rt::Scalar(true);
+            local_53 = rt::Scalar(true);
         }
-        let _e23 = local_50;
+        let _e23 = local_53;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = k_13;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_43.x())) {
+                let _e27 = k_14;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_46.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -7789,18 +8176,18 @@ impl<'g> Resources<'g> {
                     cost_5 = (_e30 + STEP);
                     let _e33 = near_2;
                     let _e34 = far_4;
-                    let middle_13 = (rt::Scalar(0.5f32) * (_e33 + _e34));
+                    let middle_14 = (rt::Scalar(0.5f32) * (_e33 + _e34));
                     let _e38 = cost_5;
                     cost_5 = (_e38 + HEIGHTS_READ);
-                    let _e41 = self.v_path_gap(path_42, middle_13);
+                    let _e41 = self.v_path_gap(path_44, middle_14);
                     if rt::Scalar::into_branch_condition(_e41.elementwise_le(rt::Scalar(0f32))) {
-                        far_4 = middle_13;
+                        far_4 = middle_14;
                         crossed = rt::Scalar(true);
                     } else {
-                        near_2 = middle_13;
+                        near_2 = middle_14;
                     }
-                    let _e45 = k_13;
-                    k_13 = (_e45 + rt::Scalar(1f32));
+                    let _e45 = k_14;
+                    k_14 = (_e45 + rt::Scalar(1f32));
                 }
             }
         }
@@ -7813,35 +8200,35 @@ impl<'g> Resources<'g> {
         let _e52 = near_2;
         let _e53 = far_4;
         let _e58 = cost_5;
-        let _e59 = self.v_hit_on_path(path_42, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
+        let _e59 = self.v_hit_on_path(path_44, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
         return _e59;
     }
     pub(crate) fn refine_secant(
         &self,
-        path_43: Path,
+        path_45: Path,
         found_9: Found,
-        params_44: impl rt::Into<rt::Vec4<f32>>,
+        params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_43, found_9, rt::into(params_44)))
+        rt::into(self.v_refine_secant(path_45, found_9, rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
-        path_43: Path,
+        path_45: Path,
         found_9: Found,
-        params_44: rt::Vec4<f32>,
+        params_47: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_3: rt::Scalar<f32>;
         let mut far_5: rt::Scalar<f32>;
         let mut near_gap_1: rt::Scalar<f32>;
         let mut far_gap_1: rt::Scalar<f32>;
         let mut cost_6: rt::Vec3<u32>;
-        let mut t_19: rt::Scalar<f32>;
-        let mut k_14: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut t_20: rt::Scalar<f32>;
+        let mut k_15: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_43, found_9, params_44);
+            let _e5 = self.v_refine_none(path_45, found_9, params_47);
             return _e5;
         }
         near_3 = rt::Scalar(found_9.near);
@@ -7851,10 +8238,10 @@ impl<'g> Resources<'g> {
         cost_6 = found_9.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_3;
-            let _e20 = self.v_path_gap(path_43, _e19);
+            let _e20 = self.v_path_gap(path_45, _e19);
             near_gap_1 = _e20;
             let _e21 = far_5;
-            let _e22 = self.v_path_gap(path_43, _e21);
+            let _e22 = self.v_path_gap(path_45, _e21);
             far_gap_1 = _e22;
             let _e23 = cost_6;
             cost_6 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -7866,11 +8253,11 @@ impl<'g> Resources<'g> {
             }
         }
         let _e33 = far_5;
-        t_19 = _e33;
+        t_20 = _e33;
         'naga_break: loop {
             'naga_continue: {
-                let _e37 = k_14;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_44.x())) {
+                let _e37 = k_15;
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_47.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -7887,58 +8274,58 @@ impl<'g> Resources<'g> {
                     let _e50 = far_5;
                     let _e51 = near_3;
                     let _e53 = near_gap_1;
-                    t_19 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
-                    let _e57 = k_14;
-                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_44.x())) {
-                        let _e60 = t_19;
-                        let _e61 = self.v_path_gap(path_43, _e60);
+                    t_20 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
+                    let _e57 = k_15;
+                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_47.x())) {
+                        let _e60 = t_20;
+                        let _e61 = self.v_path_gap(path_45, _e60);
                         let _e62 = cost_6;
                         cost_6 = (_e62 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_le(rt::Scalar(0f32))) {
-                            let _e67 = t_19;
+                            let _e67 = t_20;
                             far_5 = _e67;
                             far_gap_1 = _e61;
                         } else {
-                            let _e68 = t_19;
+                            let _e68 = t_20;
                             near_3 = _e68;
                             near_gap_1 = _e61;
                         }
                     }
-                    let _e69 = k_14;
-                    k_14 = (_e69 + rt::Scalar(1f32));
+                    let _e69 = k_15;
+                    k_15 = (_e69 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e72 = t_19;
+        let _e72 = t_20;
         let _e74 = cost_6;
-        let _e75 = self.v_hit_on_path(path_43, _e72, rt::Scalar(0u32), _e74);
+        let _e75 = self.v_hit_on_path(path_45, _e72, rt::Scalar(0u32), _e74);
         return _e75;
     }
     pub(crate) fn refine_true_secant(
         &self,
-        path_44: Path,
+        path_46: Path,
         found_10: Found,
-        params_45: impl rt::Into<rt::Vec4<f32>>,
+        params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_44, found_10, rt::into(params_45)))
+        rt::into(self.v_refine_true_secant(path_46, found_10, rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
-        path_44: Path,
+        path_46: Path,
         found_10: Found,
-        params_45: rt::Vec4<f32>,
+        params_48: rt::Vec4<f32>,
     ) -> Hit {
         let mut before_1: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
         let mut cost_7: rt::Vec3<u32>;
-        let mut k_15: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_16: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_10);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_44, found_10, params_45);
+            let _e5 = self.v_refine_none(path_46, found_10, params_48);
             return _e5;
         }
         before_1 = rt::Scalar(found_10.near);
@@ -7948,10 +8335,10 @@ impl<'g> Resources<'g> {
         cost_7 = found_10.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before_1;
-            let _e20 = self.v_path_gap(path_44, _e19);
+            let _e20 = self.v_path_gap(path_46, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_44, _e21);
+            let _e22 = self.v_path_gap(path_46, _e21);
             last_gap = _e22;
             let _e23 = cost_7;
             cost_7 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -7964,8 +8351,8 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e35 = k_15;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_45.x())) {
+                let _e35 = k_16;
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_48.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -7982,69 +8369,69 @@ impl<'g> Resources<'g> {
                     let _e47 = last;
                     let _e48 = before_1;
                     let _e50 = last_gap;
-                    let t_36 = (_e46 + ((_e47 - _e48) * (_e50 / change_5))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
+                    let t_37 = (_e46 + ((_e47 - _e48) * (_e50 / change_5))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
                     let _e57 = last;
                     before_1 = _e57;
                     let _e58 = last_gap;
                     before_gap = _e58;
-                    last = t_36;
-                    let _e59 = k_15;
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_45.x())) {
-                        let _e62 = self.v_path_gap(path_44, t_36);
+                    last = t_37;
+                    let _e59 = k_16;
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_48.x())) {
+                        let _e62 = self.v_path_gap(path_46, t_37);
                         last_gap = _e62;
                         let _e63 = cost_7;
                         cost_7 = (_e63 + HEIGHTS_READ);
                     }
-                    let _e66 = k_15;
-                    k_15 = (_e66 + rt::Scalar(1f32));
+                    let _e66 = k_16;
+                    k_16 = (_e66 + rt::Scalar(1f32));
                 }
             }
         }
         let _e69 = last;
         let _e71 = cost_7;
-        let _e72 = self.v_hit_on_path(path_44, _e69, rt::Scalar(0u32), _e71);
+        let _e72 = self.v_hit_on_path(path_46, _e69, rt::Scalar(0u32), _e71);
         return _e72;
     }
     pub(crate) fn refine_patch(
         &self,
-        path_45: Path,
+        path_47: Path,
         found_11: Found,
-        params_46: impl rt::Into<rt::Vec4<f32>>,
+        params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_45, found_11, rt::into(params_46)))
+        rt::into(self.v_refine_patch(path_47, found_11, rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
-        path_45: Path,
+        path_47: Path,
         found_11: Found,
-        params_46: rt::Vec4<f32>,
+        params_49: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_20: rt::Scalar<f32>;
-        let mut cell_7: rt::Vec2<f32>;
+        let mut t_21: rt::Scalar<f32>;
+        let mut cell_8: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_51: rt::Scalar<bool>;
+        let mut local_54: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_11.cost);
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_45, rt::Scalar(found_11.near), rt::Scalar(1u32), found_11.cost);
+            let _e14 = self.v_hit_on_path(path_47, rt::Scalar(found_11.near), rt::Scalar(1u32), found_11.cost);
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_45, rt::Scalar(found_11.near), rt::Scalar(0u32), found_11.cost);
+            let _e21 = self.v_hit_on_path(path_47, rt::Scalar(found_11.near), rt::Scalar(0u32), found_11.cost);
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_45);
-        t_20 = rt::Scalar(found_11.near);
-        let _e27 = t_20;
+        let _e22 = self.v_grid_of(path_47);
+        t_21 = rt::Scalar(found_11.near);
+        let _e27 = t_21;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
-        cell_7 = _e30;
+        cell_8 = _e30;
         cost_8 = found_11.cost;
         let _e35 = cost_8.x();
-        let limit = (_e35 + params_46.x().to_u32());
+        let limit = (_e35 + params_49.x().to_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_8.x();
@@ -8055,196 +8442,196 @@ impl<'g> Resources<'g> {
                 {
                     let _e42 = cost_8;
                     cost_8 = (_e42 + STEP);
-                    let _e45 = cell_7;
+                    let _e45 = cell_8;
                     let _e46 = self.v_cell_leave(_e22, _e45);
                     let end_4 = _e46.x().min(_e46.y()).min(rt::Scalar(found_11.far));
-                    let _e52 = t_20;
+                    let _e52 = t_21;
                     let span_6 = (end_4 - _e52).max(rt::Scalar(0f32));
-                    let _e56 = cell_7;
-                    let _e57 = t_20;
-                    let _e58 = self.v_cell_gap(path_45, _e22, _e56, _e57);
+                    let _e56 = cell_8;
+                    let _e57 = t_21;
+                    let _e58 = self.v_cell_gap(path_47, _e22, _e56, _e57);
                     let _e59 = cost_8;
                     cost_8 = (_e59 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e58.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e65 = t_20;
+                        let _e65 = t_21;
                         let _e67 = cost_8;
-                        let _e68 = self.v_hit_on_path(path_45, _e65, rt::Scalar(0u32), _e67);
+                        let _e68 = self.v_hit_on_path(path_47, _e65, rt::Scalar(0u32), _e67);
                         return _e68;
                     }
                     let _e69 = self.v_first_root(_e58, span_6);
                     if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e72 = t_20;
+                        let _e72 = t_21;
                         let _e75 = cost_8;
-                        let _e76 = self.v_hit_on_path(path_45, (_e72 + _e69), rt::Scalar(0u32), _e75);
+                        let _e76 = self.v_hit_on_path(path_47, (_e72 + _e69), rt::Scalar(0u32), _e75);
                         return _e76;
                     }
                     if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(found_11.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_11.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_51 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
+                            local_54 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_51 = rt::Scalar(true);
+                            local_54 = rt::Scalar(true);
                         }
-                        let _e89 = local_51;
+                        let _e89 = local_54;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
-                            let _e93 = self.v_hit_on_path(path_45, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
+                            let _e93 = self.v_hit_on_path(path_47, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
                             return _e93;
                         }
                         let _e94 = cost_8;
                         let _e95 = self.v_miss(_e94);
                         return _e95;
                     }
-                    let _e96 = cell_7;
+                    let _e96 = cell_8;
                     let _e97 = self.v_cell_next(_e22, _e96, _e46);
-                    cell_7 = _e97;
-                    let _e98 = t_20;
-                    t_20 = _e98.max(end_4);
+                    cell_8 = _e97;
+                    let _e98 = t_21;
+                    t_21 = _e98.max(end_4);
                 }
             }
         }
-        let _e100 = t_20;
+        let _e100 = t_21;
         let _e102 = cost_8;
-        let _e103 = self.v_hit_on_path(path_45, _e100, rt::Scalar(1u32), _e102);
+        let _e103 = self.v_hit_on_path(path_47, _e100, rt::Scalar(1u32), _e102);
         return _e103;
     }
     pub(crate) fn refine_half_texel(
         &self,
-        path_46: Path,
+        path_48: Path,
         found_12: Found,
-        params_47: impl rt::Into<rt::Vec4<f32>>,
+        params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_46, found_12, rt::into(params_47)))
+        rt::into(self.v_refine_half_texel(path_48, found_12, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
-        path_46: Path,
+        path_48: Path,
         found_12: Found,
-        params_47: rt::Vec4<f32>,
+        params_50: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_5: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_12.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_46, found_12, params_47);
+            let _e6 = self.v_refine_none(path_48, found_12, params_50);
             return _e6;
         }
-        let _e9 = self.v_height_size(rt::Scalar(path_46.level));
-        let speed_1 = (path_46.duv * _e9).length();
-        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_46.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_46, found_12, params_47);
+        let _e9 = self.v_height_size(rt::Scalar(path_48.level));
+        let speed_1 = (path_48.duv * _e9).length();
+        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_48.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e17 = self.v_refine_none(path_48, found_12, params_50);
             return _e17;
         }
         let half_1 = (rt::Scalar(0.5f32) / speed_1);
         let backward = (rt::Scalar(found_12.far) - half_1).max(rt::Scalar(0f32));
-        let forward_2 = (rt::Scalar(found_12.far) + half_1).min(rt::Scalar(path_46.exit));
-        let _e28 = self.v_path_gap(path_46, backward);
+        let forward_2 = (rt::Scalar(found_12.far) + half_1).min(rt::Scalar(path_48.exit));
+        let _e28 = self.v_path_gap(path_48, backward);
         let before_3 = _e28.abs();
-        let _e30 = self.v_path_gap(path_46, forward_2);
+        let _e30 = self.v_path_gap(path_48, forward_2);
         let behind_2 = _e30.abs();
         if rt::Scalar::into_branch_condition((before_3 + behind_2).elementwise_gt(rt::Scalar(0f32))) {
             part_5 = (before_3 / (before_3 + behind_2));
         }
-        let cost_22 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
+        let cost_23 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
         let _e45 = part_5;
-        let _e49 = self.v_hit_on_path(path_46, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_22);
+        let _e49 = self.v_hit_on_path(path_48, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_23);
         return _e49;
     }
-    pub(crate) fn refine_stage(&self, path_47: Path, found_13: Found) -> Hit {
-        rt::into(self.v_refine_stage(path_47, found_13))
+    pub(crate) fn refine_stage(&self, path_49: Path, found_13: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_49, found_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_47: Path, found_13: Found) -> Hit {
-        let _e6 = rt::Scalar(self.surface_settings.choices[5usize].number);
+    fn v_refine_stage(&self, path_49: Path, found_13: Found) -> Hit {
+        let _e6 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
-                let _e11 = self.surface_settings.choices[5usize].params;
-                let _e12 = self.v_refine_none(path_47, found_13, _e11);
+                let _e11 = self.surface_settings.choices[6usize].params;
+                let _e12 = self.v_refine_none(path_49, found_13, _e11);
                 return _e12;
             }
             1u32 => {
-                let _e17 = self.surface_settings.choices[5usize].params;
-                let _e18 = self.v_refine_offset(path_47, found_13, _e17);
+                let _e17 = self.surface_settings.choices[6usize].params;
+                let _e18 = self.v_refine_offset(path_49, found_13, _e17);
                 return _e18;
             }
             2u32 => {
-                let _e23 = self.surface_settings.choices[5usize].params;
-                let _e24 = self.v_refine_offset_limited(path_47, found_13, _e23);
+                let _e23 = self.surface_settings.choices[6usize].params;
+                let _e24 = self.v_refine_offset_limited(path_49, found_13, _e23);
                 return _e24;
             }
             3u32 => {
-                let _e29 = self.surface_settings.choices[5usize].params;
-                let _e30 = self.v_refine_slope(path_47, found_13, _e29);
+                let _e29 = self.surface_settings.choices[6usize].params;
+                let _e30 = self.v_refine_slope(path_49, found_13, _e29);
                 return _e30;
             }
             4u32 => {
-                let _e35 = self.surface_settings.choices[5usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_47, found_13, _e35);
+                let _e35 = self.surface_settings.choices[6usize].params;
+                let _e36 = self.v_refine_slope_iterative(path_49, found_13, _e35);
                 return _e36;
             }
             5u32 => {
-                let _e41 = self.surface_settings.choices[5usize].params;
-                let _e42 = self.v_refine_binary(path_47, found_13, _e41);
+                let _e41 = self.surface_settings.choices[6usize].params;
+                let _e42 = self.v_refine_binary(path_49, found_13, _e41);
                 return _e42;
             }
             6u32 => {
-                let _e47 = self.surface_settings.choices[5usize].params;
-                let _e48 = self.v_refine_secant(path_47, found_13, _e47);
+                let _e47 = self.surface_settings.choices[6usize].params;
+                let _e48 = self.v_refine_secant(path_49, found_13, _e47);
                 return _e48;
             }
             7u32 => {
-                let _e53 = self.surface_settings.choices[5usize].params;
-                let _e54 = self.v_refine_true_secant(path_47, found_13, _e53);
+                let _e53 = self.surface_settings.choices[6usize].params;
+                let _e54 = self.v_refine_true_secant(path_49, found_13, _e53);
                 return _e54;
             }
             8u32 => {
-                let _e59 = self.surface_settings.choices[5usize].params;
-                let _e60 = self.v_refine_patch(path_47, found_13, _e59);
+                let _e59 = self.surface_settings.choices[6usize].params;
+                let _e60 = self.v_refine_patch(path_49, found_13, _e59);
                 return _e60;
             }
             _ => {
-                let _e65 = self.surface_settings.choices[5usize].params;
-                let _e66 = self.v_refine_half_texel(path_47, found_13, _e65);
+                let _e65 = self.surface_settings.choices[6usize].params;
+                let _e66 = self.v_refine_half_texel(path_49, found_13, _e65);
                 return _e66;
             }
         }
     }
     pub(crate) fn search_none(
         &self,
-        path_48: Path,
-        params_48: impl rt::Into<rt::Vec4<f32>>,
+        path_50: Path,
+        params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_48, rt::into(params_48)))
+        rt::into(self.v_search_none(path_50, rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_search_none(
         &self,
-        path_48: Path,
-        params_48: rt::Vec4<f32>,
+        path_50: Path,
+        params_51: rt::Vec4<f32>,
     ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
-        path_49: Path,
-        params_49: impl rt::Into<rt::Vec4<f32>>,
+        path_51: Path,
+        params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_49, rt::into(params_49)))
+        rt::into(self.v_search_linear(path_51, rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
-        path_49: Path,
-        params_49: rt::Vec4<f32>,
+        path_51: Path,
+        params_52: rt::Vec4<f32>,
     ) -> Found {
         let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32>;
         let mut cost_9: rt::Vec3<u32> = HEIGHTS_READ;
-        let mut k_16: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_17: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_5 = (path_49.h.y().abs() * path_49.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps_1 = rt::Scalar(1f32).max(((params_49.x() * params_49.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_49.share)).ceil());
-        let _e24 = self.v_path_gap(path_49, rt::Scalar(0f32));
+        let cosine_5 = (path_51.h.y().abs() * path_51.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps_1 = rt::Scalar(1f32).max(((params_52.x() * params_52.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_51.share)).ceil());
+        let _e24 = self.v_path_gap(path_51, rt::Scalar(0f32));
         near_gap_2 = _e24;
         let _e28 = near_gap_2;
         if rt::Scalar::into_branch_condition(_e28.elementwise_lt(rt::Scalar(0f32))) {
@@ -8255,7 +8642,7 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e40 = k_16;
+                let _e40 = k_17;
                 if rt::Scalar::into_branch_condition(_e40.elementwise_le(steps_1)) {
                 } else {
                     break 'naga_break;
@@ -8263,21 +8650,21 @@ impl<'g> Resources<'g> {
                 {
                     let _e42 = cost_9;
                     cost_9 = (_e42 + STEP);
-                    let _e46 = k_16;
-                    let t_37 = (rt::Scalar(path_49.exit) * (_e46 / steps_1));
-                    let _e49 = self.v_path_gap(path_49, t_37);
+                    let _e46 = k_17;
+                    let t_38 = (rt::Scalar(path_51.exit) * (_e46 / steps_1));
+                    let _e49 = self.v_path_gap(path_51, t_38);
                     let _e50 = cost_9;
                     cost_9 = (_e50 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e49.elementwise_le(rt::Scalar(0f32))) {
                         let _e56 = near_4;
                         let _e57 = near_gap_2;
                         let _e58 = cost_9;
-                        return <Found>::new(FOUND_BRACKET, _e56, t_37, _e57, _e49, _e58);
+                        return <Found>::new(FOUND_BRACKET, _e56, t_38, _e57, _e49, _e58);
                     }
-                    near_4 = t_37;
+                    near_4 = t_38;
                     near_gap_2 = _e49;
-                    let _e60 = k_16;
-                    k_16 = (_e60 + rt::Scalar(1f32));
+                    let _e60 = k_17;
+                    k_17 = (_e60 + rt::Scalar(1f32));
                 }
             }
         }
@@ -8310,65 +8697,65 @@ impl<'g> Resources<'g> {
     pub(crate) fn found_in_cell(
         &self,
         c_7: impl rt::Into<rt::Vec3<f32>>,
-        t_21: impl rt::Into<rt::Scalar<f32>>,
+        t_22: impl rt::Into<rt::Scalar<f32>>,
         span_3: impl rt::Into<rt::Scalar<f32>>,
         first_2: impl rt::Into<rt::Scalar<bool>>,
         cost_10: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_found_in_cell(rt::into(c_7), rt::into(t_21), rt::into(span_3), rt::into(first_2), rt::into(cost_10)))
+        rt::into(self.v_found_in_cell(rt::into(c_7), rt::into(t_22), rt::into(span_3), rt::into(first_2), rt::into(cost_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_found_in_cell(
         &self,
         c_7: rt::Vec3<f32>,
-        t_21: rt::Scalar<f32>,
+        t_22: rt::Scalar<f32>,
         span_3: rt::Scalar<f32>,
         first_2: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_52: rt::Scalar<bool>;
+        let mut local_55: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_7.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first_2) {
-                local_52 = c_7.x().elementwise_lt(rt::Scalar(0f32));
+                local_55 = c_7.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_52 = rt::Scalar(false);
+                local_55 = rt::Scalar(false);
             }
-            let _e14 = local_52;
+            let _e14 = local_55;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_7.x(), c_7.x(), cost_10);
             }
-            return <Found>::new(FOUND_BRACKET, t_21, t_21, c_7.x(), c_7.x(), cost_10);
+            return <Found>::new(FOUND_BRACKET, t_22, t_22, c_7.x(), c_7.x(), cost_10);
         }
         let _e25 = self.v_least_at(c_7, span_3);
         let _e26 = self.v_quadratic(c_7, _e25);
         if rt::Scalar::into_branch_condition(_e26.elementwise_le(rt::Scalar(0f32))) {
-            return <Found>::new(FOUND_BRACKET, t_21, (t_21 + _e25), c_7.x(), _e26, cost_10);
+            return <Found>::new(FOUND_BRACKET, t_22, (t_22 + _e25), c_7.x(), _e26, cost_10);
         }
         let _e36 = self.v_quadratic(c_7, span_3);
-        return <Found>::new(FOUND_ABOVE, t_21, (t_21 + span_3), c_7.x(), _e36, cost_10);
+        return <Found>::new(FOUND_ABOVE, t_22, (t_22 + span_3), c_7.x(), _e36, cost_10);
     }
     pub(crate) fn search_cells(
         &self,
-        path_50: Path,
-        params_50: impl rt::Into<rt::Vec4<f32>>,
+        path_52: Path,
+        params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_50, rt::into(params_50)))
+        rt::into(self.v_search_cells(path_52, rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
-        path_50: Path,
-        params_50: rt::Vec4<f32>,
+        path_52: Path,
+        params_53: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_8: rt::Vec2<f32>;
-        let mut t_22: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_9: rt::Vec2<f32>;
+        let mut t_23: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_11: rt::Vec3<u32> = NO_COST;
 
-        let _e2 = self.v_grid_of(path_50);
+        let _e2 = self.v_grid_of(path_52);
         let _e4 = self.v_cell_of(_e2.origin);
-        cell_8 = _e4;
-        let limit_1 = params_50.x().to_u32();
+        cell_9 = _e4;
+        let limit_1 = params_53.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = cost_11.x();
@@ -8379,74 +8766,74 @@ impl<'g> Resources<'g> {
                 {
                     let _e15 = cost_11;
                     cost_11 = (_e15 + STEP);
-                    let _e18 = cell_8;
+                    let _e18 = cell_9;
                     let _e19 = self.v_cell_leave(_e2, _e18);
-                    let end_5 = _e19.x().min(_e19.y()).min(rt::Scalar(path_50.exit));
-                    let _e25 = cell_8;
-                    let _e26 = t_22;
-                    let _e27 = self.v_cell_gap(path_50, _e2, _e25, _e26);
+                    let end_5 = _e19.x().min(_e19.y()).min(rt::Scalar(path_52.exit));
+                    let _e25 = cell_9;
+                    let _e26 = t_23;
+                    let _e27 = self.v_cell_gap(path_52, _e2, _e25, _e26);
                     let _e28 = cost_11;
                     cost_11 = (_e28 + HEIGHTS_READ);
-                    let _e31 = t_22;
+                    let _e31 = t_23;
                     let span_7 = (end_5 - _e31).max(rt::Scalar(0f32));
-                    let _e35 = t_22;
+                    let _e35 = t_23;
                     let _e37 = cost_11.x();
                     let _e40 = cost_11;
                     let _e41 = self.v_found_in_cell(_e27, _e35, span_7, _e37.elementwise_eq(rt::Scalar(1u32)), _e40);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e41.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e41;
                     }
-                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_50.exit))) {
-                        let _e48 = t_22;
+                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_52.exit))) {
+                        let _e48 = t_23;
                         let _e52 = cost_11;
-                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_50.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
+                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_52.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
                     }
-                    let _e54 = cell_8;
+                    let _e54 = cell_9;
                     let _e55 = self.v_cell_next(_e2, _e54, _e19);
-                    cell_8 = _e55;
-                    let _e56 = t_22;
-                    t_22 = _e56.max(end_5);
+                    cell_9 = _e55;
+                    let _e56 = t_23;
+                    t_23 = _e56.max(end_5);
                 }
             }
         }
-        let _e59 = t_22;
+        let _e59 = t_23;
         let _e61 = cost_11;
-        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
+        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_52.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
     }
     pub(crate) fn image_of(
         &self,
-        cell_9: impl rt::Into<rt::Scalar<i32>>,
+        cell_10: impl rt::Into<rt::Scalar<i32>>,
         n_5: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_image_of(rt::into(cell_9), rt::into(n_5)))
+        rt::into(self.v_image_of(rt::into(cell_10), rt::into(n_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_image_of(
         &self,
-        cell_9: rt::Scalar<i32>,
+        cell_10: rt::Scalar<i32>,
         n_5: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_53: rt::Scalar<bool>;
+        let mut local_56: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(cell_9.elementwise_ge(rt::Scalar(0i32))) {
-            local_53 = cell_9.elementwise_lt(n_5);
+        if rt::Scalar::into_branch_condition(cell_10.elementwise_ge(rt::Scalar(0i32))) {
+            local_56 = cell_10.elementwise_lt(n_5);
         } else {
-            local_53 = rt::Scalar(false);
+            local_56 = rt::Scalar(false);
         }
-        let _e8 = local_53;
+        let _e8 = local_56;
         if rt::Scalar::into_branch_condition(_e8) {
-            return <rt::Vec2<i32>>::from_scalars(cell_9, rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_10, rt::Scalar(0i32));
         }
         let _e13 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_CLAMP)) {
-            return <rt::Vec2<i32>>::from_scalars(cell_9.clamp(rt::Scalar(0i32), (n_5 - rt::Scalar(1i32))), rt::Scalar(2i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_10.clamp(rt::Scalar(0i32), (n_5 - rt::Scalar(1i32))), rt::Scalar(2i32));
         }
         let _e24 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e24.elementwise_eq(WRAP_REPEAT)) {
-            return <rt::Vec2<i32>>::from_scalars((((cell_9 % n_5) + n_5) % n_5), rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars((((cell_10 % n_5) + n_5) % n_5), rt::Scalar(0i32));
         }
         let period_1 = (rt::Scalar(2i32) * n_5);
-        let folded_1 = (((cell_9 % period_1) + period_1) % period_1);
+        let folded_1 = (((cell_10 % period_1) + period_1) % period_1);
         if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_5)) {
             return <rt::Vec2<i32>>::from_scalars(folded_1, rt::Scalar(0i32));
         }
@@ -8457,53 +8844,53 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn frustum_slope(
         &self,
-        path_51: Path,
-        cell_10: impl rt::Into<rt::Vec2<i32>>,
+        path_53: Path,
+        cell_11: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_51, rt::into(cell_10), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_53, rt::into(cell_11), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frustum_slope(
         &self,
-        path_51: Path,
-        cell_10: rt::Vec2<i32>,
+        path_53: Path,
+        cell_11: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_54: rt::Scalar<bool>;
+        let mut local_57: rt::Scalar<bool>;
 
-        let _e4 = self.v_height_texels(rt::Scalar(path_51.level));
-        let _e7 = self.v_image_of(cell_10.x(), _e4.x());
-        let _e10 = self.v_image_of(cell_10.y(), _e4.y());
+        let _e4 = self.v_height_texels(rt::Scalar(path_53.level));
+        let _e7 = self.v_image_of(cell_11.x(), _e4.x());
+        let _e10 = self.v_image_of(cell_11.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_54 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_57 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_54 = rt::Scalar(true);
+            local_57 = rt::Scalar(true);
         }
-        let _e21 = local_54;
+        let _e21 = local_57;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
-        let _e29 = self.v_search_texel(path_51, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_51.level).to_i32());
-        let right_1 = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
+        let _e29 = self.v_search_texel(path_53, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_53.level).to_i32());
+        let right_2 = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
         let down = forward_1.y().elementwise_eq(_e10.y().elementwise_eq(rt::Scalar(0i32)));
-        return _e29.w().select(_e29.z(), right_1).select(_e29.y().select(_e29.x(), right_1), down);
+        return _e29.w().select(_e29.z(), right_2).select(_e29.y().select(_e29.x(), right_2), down);
     }
     pub(crate) fn map_read(
         &self,
-        path_52: Path,
+        path_54: Path,
         texels_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_map_read(path_52, rt::into(texels_3)))
+        rt::into(self.v_map_read(path_54, rt::into(texels_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_map_read(
         &self,
-        path_52: Path,
+        path_54: Path,
         texels_3: rt::Scalar<u32>,
     ) -> rt::Vec3<u32> {
-        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_52.ray).elementwise_eq(RAY_SHADOW));
+        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_54.ray).elementwise_eq(RAY_SHADOW));
         let _e14 = rt::Scalar(self.surface_settings.maps[rt::Scalar::into_array_index(slot)].texel_bytes);
         return <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), (texels_3 * _e14));
     }
@@ -8546,29 +8933,29 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_frustum(
         &self,
-        path_53: Path,
-        params_51: impl rt::Into<rt::Vec4<f32>>,
+        path_55: Path,
+        params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_53, rt::into(params_51)))
+        rt::into(self.v_search_frustum(path_55, rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
-        path_53: Path,
-        params_51: rt::Vec4<f32>,
+        path_55: Path,
+        params_54: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_11: rt::Vec2<f32>;
-        let mut t_23: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_12: rt::Vec2<f32>;
+        let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_3: rt::Scalar<f32>;
-        let mut local_55: rt::Scalar<bool>;
+        let mut local_58: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_53);
+        let _e2 = self.v_grid_of(path_55);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_11 = _e9;
-        let limit_2 = params_51.x().to_u32();
+        cell_12 = _e9;
+        let limit_2 = params_54.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_12.x();
@@ -8580,178 +8967,178 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_12;
                     cost_12 = (_e20 + STEP);
                     let _e24 = cost_12.x();
-                    let first_9 = _e24.elementwise_eq(rt::Scalar(0u32));
-                    let _e27 = cell_11;
-                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_53.level));
+                    let first_10 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let _e27 = cell_12;
+                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_55.level));
                     let _e31 = cost_12;
                     cost_12 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_11;
+                    let _e34 = cell_12;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_53.exit));
-                    let _e41 = t_23;
+                    let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_55.exit));
+                    let _e41 = t_24;
                     let span_8 = (end_6 - _e41).max(rt::Scalar(0f32));
-                    let top_7 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
-                    let _e52 = t_23;
-                    let _e53 = self.v_path_height(path_53, _e52);
-                    let _e55 = t_23;
-                    let _e56 = self.v_path_slope(path_53, _e55);
-                    let above_8 = <rt::Vec3<f32>>::from_scalars((_e53 - top_7), _e56, path_53.h.z());
-                    let _e63 = t_23;
-                    let _e67 = t_23;
-                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_53.h.x().abs() + (_e63 * (path_53.h.y().abs() + (_e67 * path_53.h.z().abs())))));
-                    let _e77 = t_23;
+                    let top_8 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
+                    let _e52 = t_24;
+                    let _e53 = self.v_path_height(path_55, _e52);
+                    let _e55 = t_24;
+                    let _e56 = self.v_path_slope(path_55, _e55);
+                    let above_8 = <rt::Vec3<f32>>::from_scalars((_e53 - top_8), _e56, path_55.h.z());
+                    let _e63 = t_24;
+                    let _e67 = t_24;
+                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_55.h.x().abs() + (_e63 * (path_55.h.y().abs() + (_e67 * path_55.h.z().abs())))));
+                    let _e77 = t_24;
                     next_1 = _e77.max(end_6);
                     slope_3 = rt::Scalar(-1f32);
                     let _e82 = self.v_least_at(above_8, span_8);
                     let _e83 = self.v_quadratic(above_8, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_55 = above_8.x().elementwise_gt(of_heights);
+                        local_58 = above_8.x().elementwise_gt(of_heights);
                     } else {
-                        local_55 = rt::Scalar(false);
+                        local_58 = rt::Scalar(false);
                     }
-                    let _e90 = local_55;
+                    let _e90 = local_58;
                     if rt::Scalar::into_branch_condition(_e90) {
-                        if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_53.exit))) {
-                            let _e93 = cell_11;
-                            let _e95 = self.v_frustum_slope(path_53, _e93.to_i32(), forward_3);
+                        if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_55.exit))) {
+                            let _e93 = cell_12;
+                            let _e95 = self.v_frustum_slope(path_55, _e93.to_i32(), forward_3);
                             slope_3 = _e95;
                             let _e96 = slope_3;
                             if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
                                 let _e99 = cost_12;
-                                let _e101 = self.v_map_read(path_53, rt::Scalar(1u32));
+                                let _e101 = self.v_map_read(path_55, rt::Scalar(1u32));
                                 cost_12 = (_e99 + _e101);
                             }
                         }
                     } else {
-                        let _e103 = cell_11;
-                        let _e104 = t_23;
-                        let _e105 = self.v_gap_to(path_53, _e2, _e103, _e30, _e104);
-                        let _e106 = t_23;
+                        let _e103 = cell_12;
+                        let _e104 = t_24;
+                        let _e105 = self.v_gap_to(path_55, _e2, _e103, _e30, _e104);
+                        let _e106 = t_24;
                         let _e107 = cost_12;
-                        let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_9, _e107);
+                        let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_10, _e107);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e108;
                         }
                     }
                     let _e112 = slope_3;
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e116 = cell_11;
-                        let _e119 = t_23;
-                        let at_109 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_3 = at_109.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_109), forward_3);
-                        let _e131 = t_23;
+                        let _e116 = cell_12;
+                        let _e119 = t_24;
+                        let at_118 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_4 = at_118.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_118), forward_3);
+                        let _e131 = t_24;
                         let far_8 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_3;
                         let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_8));
-                        let _e145 = t_23;
-                        let rest_6 = (rt::Scalar(path_53.exit) - _e145);
+                        let _e145 = t_24;
+                        let rest_6 = (rt::Scalar(path_55.exit) - _e145);
                         let _e147 = slope_3;
-                        let _e152 = self.v_stays_above(above_8, _e147, left_3.x(), _e2.step.x(), lost_1.x(), rest_6);
+                        let _e152 = self.v_stays_above(above_8, _e147, left_4.x(), _e2.step.x(), lost_1.x(), rest_6);
                         let _e153 = slope_3;
-                        let _e158 = self.v_stays_above(above_8, _e153, left_3.y(), _e2.step.y(), lost_1.y(), rest_6);
+                        let _e158 = self.v_stays_above(above_8, _e153, left_4.y(), _e2.step.y(), lost_1.y(), rest_6);
                         let _e159 = next_1;
-                        let _e160 = t_23;
+                        let _e160 = t_24;
                         next_1 = _e159.max((_e160 + _e152.min(_e158)));
                     }
                     let _e164 = next_1;
-                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_53.exit))) {
-                        let _e168 = t_23;
+                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_55.exit))) {
+                        let _e168 = t_24;
                         let _e170 = cost_12;
-                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_53.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
+                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_55.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
                     }
                     let _e174 = slope_3;
                     if rt::Scalar::into_branch_condition(_e174.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e177 = cell_11;
+                        let _e177 = cell_12;
                         let _e178 = next_1;
                         let _e179 = self.v_cell_after(_e2, _e177, _e35, forward_3, _e178);
-                        cell_11 = _e179;
+                        cell_12 = _e179;
                     } else {
-                        let _e180 = cell_11;
+                        let _e180 = cell_12;
                         let _e181 = self.v_cell_next(_e2, _e180, _e35);
-                        cell_11 = _e181;
+                        cell_12 = _e181;
                     }
                     let _e182 = next_1;
-                    t_23 = _e182;
+                    t_24 = _e182;
                 }
             }
         }
-        let _e184 = t_23;
+        let _e184 = t_24;
         let _e186 = cost_12;
-        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_53.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
+        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_55.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
-    pub(crate) fn nearest_corner(&self, at_58: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_58)))
+    pub(crate) fn nearest_corner(&self, at_61: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_nearest_corner(&self, at_58: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_58.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_61: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_61.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
-        path_54: Path,
+        path_56: Path,
         grid_8: Grid,
         offset_6: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_4: impl rt::Into<rt::Scalar<f32>>,
-        t_24: impl rt::Into<rt::Scalar<f32>>,
+        t_25: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_54, grid_8, rt::into(offset_6), rt::into(apex), rt::into(slope_4), rt::into(t_24)))
+        rt::into(self.v_stays_inside(path_56, grid_8, rt::into(offset_6), rt::into(apex), rt::into(slope_4), rt::into(t_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
         &self,
-        path_54: Path,
+        path_56: Path,
         grid_8: Grid,
         offset_6: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
         slope_4: rt::Scalar<f32>,
-        t_24: rt::Scalar<f32>,
+        t_25: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_56: rt::Scalar<bool>;
+        let mut local_59: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_7 = (rt::Scalar(path_54.exit) - t_24);
-        let _e8 = self.v_path_height(path_54, t_24);
+        let rest_7 = (rt::Scalar(path_56.exit) - t_25);
+        let _e8 = self.v_path_height(path_56, t_25);
         let height_15 = (_e8 - apex);
-        let terms = (path_54.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_54.exit)) * path_54.h.z().abs()));
-        let _e21 = self.v_path_slope(path_54, t_24);
-        let rise_4 = ((_e21 + (path_54.h.z().min(rt::Scalar(0f32)) * rest_7)) - (rt::Scalar(0.0000009536743f32) * terms));
+        let terms = (path_56.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_56.exit)) * path_56.h.z().abs()));
+        let _e21 = self.v_path_slope(path_56, t_25);
+        let rise_4 = ((_e21 + (path_56.h.z().min(rt::Scalar(0f32)) * rest_7)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_7;
         if rt::Scalar::into_branch_condition(rise_4.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
             most = _e34.min((height_15 / (rt::Scalar(0f32) - rise_4)));
         }
         let _e39 = most;
-        let end_7 = (t_24 + _e39);
-        let _e52 = self.v_height_size(rt::Scalar(path_54.level));
+        let end_7 = (t_25 + _e39);
+        let _e52 = self.v_height_size(rt::Scalar(path_56.level));
         let far_9 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_7)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
-        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_54.h.x().abs() + (end_7 * (path_54.h.y().abs() + (end_7 * path_54.h.z().abs())))));
+        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_56.h.x().abs() + (end_7 * (path_56.h.y().abs() + (end_7 * path_56.h.z().abs())))));
         let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_9.x() + far_9.y())));
         let gap_3 = (height_15 - (rt::Scalar(2f32) * lost_2));
-        let _e85 = self.v_height_size(rt::Scalar(path_54.level));
-        let aside_5 = (((grid_8.origin - offset_6) + (grid_8.step * t_24)) / _e85);
+        let _e85 = self.v_height_size(rt::Scalar(path_56.level));
+        let aside_5 = (((grid_8.origin - offset_6) + (grid_8.step * t_25)) / _e85);
         let c_17 = (((slope_4 * aside_5.length()) - gap_3) * ((slope_4 * aside_5.length()) + gap_3));
         if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
-            local_56 = c_17.elementwise_ge(rt::Scalar(0f32));
+            local_59 = c_17.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_56 = rt::Scalar(true);
+            local_59 = rt::Scalar(true);
         }
-        let _e102 = local_56;
+        let _e102 = local_59;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_26 = (((slope_4 * slope_4) * aside_5.dot(path_54.duv)) - (gap_3 * rise_4));
-        let a_26 = (((slope_4 * slope_4) * path_54.duv.dot(path_54.duv)) - (rise_4 * rise_4));
-        let discriminant_3 = ((b_26 * b_26) - (a_26 * c_17));
+        let b_27 = (((slope_4 * slope_4) * aside_5.dot(path_56.duv)) - (gap_3 * rise_4));
+        let a_27 = (((slope_4 * slope_4) * path_56.duv.dot(path_56.duv)) - (rise_4 * rise_4));
+        let discriminant_3 = ((b_27 * b_27) - (a_27 * c_17));
         if rt::Scalar::into_branch_condition(discriminant_3.elementwise_ge(rt::Scalar(0f32))) {
             let root_4 = discriminant_3.sqrt();
-            if rt::Scalar::into_branch_condition(b_26.elementwise_ge(rt::Scalar(0f32))) {
-                leave_6 = ((rt::Scalar(0f32) - c_17) / (b_26 + root_4));
+            if rt::Scalar::into_branch_condition(b_27.elementwise_ge(rt::Scalar(0f32))) {
+                leave_6 = ((rt::Scalar(0f32) - c_17) / (b_27 + root_4));
             } else {
-                if rt::Scalar::into_branch_condition(a_26.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_6 = ((root_4 - b_26) / a_26);
+                if rt::Scalar::into_branch_condition(a_27.elementwise_gt(rt::Scalar(0f32))) {
+                    leave_6 = ((root_4 - b_27) / a_27);
                 }
             }
         }
@@ -8760,7 +9147,7 @@ impl<'g> Resources<'g> {
         leave_6 = _e135.min(_e136);
         let _e139 = leave_6;
         let _e145 = leave_6;
-        if rt::Scalar::into_branch_condition(((slope_4 * (aside_5 + (path_54.duv * _e139)).length()) + lost_2).elementwise_le((height_15 + (rise_4 * _e145)))) {
+        if rt::Scalar::into_branch_condition(((slope_4 * (aside_5 + (path_56.duv * _e139)).length()) + lost_2).elementwise_le((height_15 + (rise_4 * _e145)))) {
             let _e149 = leave_6;
             return _e149;
         }
@@ -8768,27 +9155,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cone(
         &self,
-        path_55: Path,
-        params_52: impl rt::Into<rt::Vec4<f32>>,
+        path_57: Path,
+        params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_55, rt::into(params_52)))
+        rt::into(self.v_search_cone(path_57, rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
-        path_55: Path,
-        params_52: rt::Vec4<f32>,
+        path_57: Path,
+        params_55: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_12: rt::Vec2<f32>;
-        let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_13: rt::Vec2<f32>;
+        let mut t_26: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_55);
+        let _e2 = self.v_grid_of(path_57);
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_12 = _e9;
-        let limit_3 = params_52.x().to_u32();
+        cell_13 = _e9;
+        let limit_3 = params_55.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_13.x();
@@ -8800,112 +9187,112 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_13;
                     cost_13 = (_e20 + STEP);
                     let _e24 = cost_13.x();
-                    let first_10 = _e24.elementwise_eq(rt::Scalar(0u32));
-                    let _e27 = cell_12;
-                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_55.level));
+                    let first_11 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let _e27 = cell_13;
+                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_57.level));
                     let _e31 = cost_13;
                     cost_13 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_12;
+                    let _e34 = cell_13;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_8 = _e35.x().min(_e35.y()).min(rt::Scalar(path_55.exit));
-                    let _e41 = t_25;
+                    let end_8 = _e35.x().min(_e35.y()).min(rt::Scalar(path_57.exit));
+                    let _e41 = t_26;
                     let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
-                    let _e46 = cell_12;
-                    let _e49 = t_25;
-                    let at_110 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_110);
+                    let _e46 = cell_13;
+                    let _e49 = t_26;
+                    let at_119 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_119);
                     let _e53 = self.v_corner_height(_e30, _e52);
-                    let _e54 = t_25;
+                    let _e54 = t_26;
                     next_2 = _e54;
-                    let _e56 = t_25;
-                    let _e57 = self.v_path_height(path_55, _e56);
+                    let _e56 = t_26;
+                    let _e57 = self.v_path_height(path_57, _e56);
                     if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
-                        let _e59 = cell_12;
+                        let _e59 = cell_13;
                         let texel_8 = (_e59 + _e52);
-                        let _e61 = self.v_cone_slope(path_55, texel_8);
+                        let _e61 = self.v_cone_slope(path_57, texel_8);
                         let _e62 = cost_13;
-                        let _e64 = self.v_map_read(path_55, rt::Scalar(1u32));
+                        let _e64 = self.v_map_read(path_57, rt::Scalar(1u32));
                         cost_13 = (_e62 + _e64);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e68 = t_25;
-                            let _e69 = t_25;
-                            let _e70 = self.v_stays_inside(path_55, _e2, texel_8, _e53, _e61, _e69);
+                            let _e68 = t_26;
+                            let _e69 = t_26;
+                            let _e70 = self.v_stays_inside(path_57, _e2, texel_8, _e53, _e61, _e69);
                             next_2 = (_e68 + _e70);
                         }
                     }
                     let _e72 = next_2;
                     if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_8)) {
-                        let _e74 = cell_12;
-                        let _e75 = t_25;
-                        let _e76 = self.v_gap_to(path_55, _e2, _e74, _e30, _e75);
-                        let _e77 = t_25;
+                        let _e74 = cell_13;
+                        let _e75 = t_26;
+                        let _e76 = self.v_gap_to(path_57, _e2, _e74, _e30, _e75);
+                        let _e77 = t_26;
                         let _e78 = cost_13;
-                        let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_10, _e78);
+                        let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_11, _e78);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e79.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e79;
                         }
-                        let _e83 = t_25;
+                        let _e83 = t_26;
                         next_2 = _e83.max(end_8);
                     }
                     let _e85 = next_2;
-                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_55.exit))) {
-                        let _e89 = t_25;
+                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_57.exit))) {
+                        let _e89 = t_26;
                         let _e91 = cost_13;
-                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_55.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
+                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_57.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
                     }
-                    let _e95 = cell_12;
+                    let _e95 = cell_13;
                     let _e96 = next_2;
                     let _e97 = self.v_cell_after(_e2, _e95, _e35, forward_4, _e96);
-                    cell_12 = _e97;
+                    cell_13 = _e97;
                     let _e98 = next_2;
-                    t_25 = _e98;
+                    t_26 = _e98;
                 }
             }
         }
-        let _e100 = t_25;
+        let _e100 = t_26;
         let _e102 = cost_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_55.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
+        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_57.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
     }
     pub(crate) fn node_extent(
         &self,
-        cell_13: impl rt::Into<rt::Scalar<i32>>,
-        image: impl rt::Into<rt::Vec2<i32>>,
+        cell_14: impl rt::Into<rt::Scalar<i32>>,
+        image_2: impl rt::Into<rt::Vec2<i32>>,
         n_6: impl rt::Into<rt::Scalar<i32>>,
-        level_17: impl rt::Into<rt::Scalar<u32>>,
+        level_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_13), rt::into(image), rt::into(n_6), rt::into(level_17)))
+        rt::into(self.v_node_extent(rt::into(cell_14), rt::into(image_2), rt::into(n_6), rt::into(level_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
         &self,
-        cell_13: rt::Scalar<i32>,
-        image: rt::Vec2<i32>,
+        cell_14: rt::Scalar<i32>,
+        image_2: rt::Vec2<i32>,
         n_6: rt::Scalar<i32>,
-        level_17: rt::Scalar<u32>,
+        level_18: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_57: rt::Scalar<bool>;
+        let mut local_60: rt::Scalar<bool>;
 
-        let first_11 = ((image.x() >> level_17) << level_17);
-        let side_4 = (rt::Scalar(1i32) << level_17);
-        if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low_3 = (cell_13 - (image.x() - first_11));
-            return <rt::Vec2<i32>>::from_scalars(low_3, (low_3 + side_4.min((n_6 - first_11))));
+        let first_12 = ((image_2.x() >> level_18) << level_18);
+        let side_5 = (rt::Scalar(1i32) << level_18);
+        if rt::Scalar::into_branch_condition(image_2.y().elementwise_eq(rt::Scalar(0i32))) {
+            let low_4 = (cell_14 - (image_2.x() - first_12));
+            return <rt::Vec2<i32>>::from_scalars(low_4, (low_4 + side_5.min((n_6 - first_12))));
         }
-        if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high = ((cell_13 + (image.x() - first_11)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high - side_4.min(((n_6 - rt::Scalar(1i32)) - first_11))), high);
+        if rt::Scalar::into_branch_condition(image_2.y().elementwise_eq(rt::Scalar(1i32))) {
+            let high_1 = ((cell_14 + (image_2.x() - first_12)) + rt::Scalar(1i32));
+            return <rt::Vec2<i32>>::from_scalars((high_1 - side_5.min(((n_6 - rt::Scalar(1i32)) - first_12))), high_1);
         }
-        if rt::Scalar::into_branch_condition(level_17.elementwise_gt(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(level_18.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_57 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_60 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_57 = rt::Scalar(false);
+            local_60 = rt::Scalar(false);
         }
-        let _e43 = local_57;
+        let _e43 = local_60;
         if rt::Scalar::into_branch_condition(_e43) {
-            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_6, cell_13.elementwise_ge(n_6)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_13.elementwise_ge(n_6)));
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_6, cell_14.elementwise_ge(n_6)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_14.elementwise_ge(n_6)));
         }
-        return <rt::Vec2<i32>>::from_scalars(cell_13, (cell_13 + rt::Scalar(1i32)));
+        return <rt::Vec2<i32>>::from_scalars(cell_14, (cell_14 + rt::Scalar(1i32)));
     }
     pub(crate) fn leaves_extent(
         &self,
@@ -8933,31 +9320,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid(
         &self,
-        path_56: Path,
-        params_53: impl rt::Into<rt::Vec4<f32>>,
+        path_58: Path,
+        params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_56, rt::into(params_53)))
+        rt::into(self.v_search_pyramid(path_58, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
-        path_56: Path,
-        params_53: rt::Vec4<f32>,
+        path_58: Path,
+        params_56: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_18: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut cell_14: rt::Vec2<i32>;
+        let mut level_19: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut cell_15: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
-        let mut t_26: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_58: rt::Scalar<bool>;
-        let mut local_59: rt::Scalar<bool>;
-        let mut local_60: rt::Scalar<bool>;
         let mut local_61: rt::Scalar<bool>;
+        let mut local_62: rt::Scalar<bool>;
+        let mut local_63: rt::Scalar<bool>;
+        let mut local_64: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_56);
-        let _e4 = self.v_height_texels(rt::Scalar(path_56.level));
-        let long_5 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_56.exit));
+        let _e2 = self.v_grid_of(path_58);
+        let _e4 = self.v_height_texels(rt::Scalar(path_58.level));
+        let long_5 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_58.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = top;
@@ -8968,17 +9355,17 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
-                    let _e28 = level_18;
+                    let _e28 = level_19;
                     if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).to_f32().elementwise_lt(long_5)) {
-                        let _e33 = level_18;
-                        level_18 = (_e33 + rt::Scalar(1u32));
+                        let _e33 = level_19;
+                        level_19 = (_e33 + rt::Scalar(1u32));
                     }
                 }
             }
         }
         let _e37 = self.v_cell_of(_e2.origin);
-        cell_14 = _e37.to_i32();
-        let limit_4 = params_53.x().to_u32();
+        cell_15 = _e37.to_i32();
+        let limit_4 = params_56.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e51 = cost_14.x();
@@ -8989,64 +9376,64 @@ impl<'g> Resources<'g> {
                 {
                     let _e53 = cost_14;
                     cost_14 = (_e53 + STEP);
-                    let _e57 = cell_14.x();
+                    let _e57 = cell_15.x();
                     let _e59 = self.v_image_of(_e57, _e4.x());
-                    let _e61 = cell_14.y();
+                    let _e61 = cell_15.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_22 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
-                    let _e67 = level_18;
+                    let place_23 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let _e67 = level_19;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over_1 = <rt::Vec2<i32>>::from_scalars((place_22.x() >> above_level), (place_22.y() >> above_level));
+                    let over_1 = <rt::Vec2<i32>>::from_scalars((place_23.x() >> above_level), (place_23.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_1.x()))) {
                             let _e89 = parent.y();
-                            local_59 = _e89.elementwise_ne(over_1.y());
+                            local_62 = _e89.elementwise_ne(over_1.y());
                         } else {
-                            local_59 = rt::Scalar(true);
+                            local_62 = rt::Scalar(true);
                         }
-                        let _e93 = local_59;
-                        local_58 = _e93;
+                        let _e93 = local_62;
+                        local_61 = _e93;
                     } else {
-                        local_58 = rt::Scalar(false);
+                        local_61 = rt::Scalar(false);
                     }
-                    let left_4 = local_58;
-                    if rt::Scalar::into_branch_condition(left_4) {
-                        let _e98 = level_18;
+                    let left_5 = local_61;
+                    if rt::Scalar::into_branch_condition(left_5) {
+                        let _e98 = level_19;
                         let _e99 = top;
-                        local_60 = _e98.elementwise_lt(_e99);
+                        local_63 = _e98.elementwise_lt(_e99);
                     } else {
-                        local_60 = rt::Scalar(false);
+                        local_63 = rt::Scalar(false);
                     }
-                    let _e102 = local_60;
+                    let _e102 = local_63;
                     if rt::Scalar::into_branch_condition(_e102) {
-                        level_18 = above_level;
+                        level_19 = above_level;
                     }
-                    let _e104 = cell_14.x();
-                    let _e106 = level_18;
+                    let _e104 = cell_15.x();
+                    let _e106 = level_19;
                     let _e107 = self.v_node_extent(_e104, _e59, _e4.x(), _e106);
-                    let _e109 = cell_14.y();
-                    let _e111 = level_18;
+                    let _e109 = cell_15.y();
+                    let _e111 = level_19;
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
-                    let end_9 = _e117.min(_e122).min(rt::Scalar(path_56.exit));
-                    let _e126 = t_26;
+                    let end_9 = _e117.min(_e122).min(rt::Scalar(path_58.exit));
+                    let _e126 = t_27;
                     let span_10 = (end_9 - _e126).max(rt::Scalar(0f32));
-                    let low_4 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
+                    let low_5 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_5 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
-                    let _e140 = level_18;
+                    let _e140 = level_19;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
                         let _e143 = cost_14;
                         cost_14 = (_e143 + HEIGHTS_READ);
-                        let _e146 = cell_14;
-                        let _e148 = cell_14;
-                        let _e150 = self.v_height_cell(_e148, rt::Scalar(path_56.level));
-                        let _e151 = t_26;
-                        let _e152 = self.v_gap_to(path_56, _e2, _e146.to_f32(), _e150, _e151);
-                        let _e153 = t_26;
-                        let _e154 = t_26;
+                        let _e146 = cell_15;
+                        let _e148 = cell_15;
+                        let _e150 = self.v_grid_cell(_e148, rt::Scalar(path_58.level));
+                        let _e151 = t_27;
+                        let _e152 = self.v_gap_to(path_58, _e2, _e146.to_f32(), _e150, _e151);
+                        let _e153 = t_27;
+                        let _e154 = t_27;
                         let _e157 = cost_14;
                         let _e158 = self.v_found_in_cell(_e152, _e153, span_10, _e154.elementwise_eq(rt::Scalar(0f32)), _e157);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e158.status).elementwise_ne(FOUND_ABOVE)) {
@@ -9054,156 +9441,156 @@ impl<'g> Resources<'g> {
                         }
                     } else {
                         let _e162 = cost_14;
-                        let _e164 = self.v_map_read(path_56, rt::Scalar(1u32));
+                        let _e164 = self.v_map_read(path_58, rt::Scalar(1u32));
                         cost_14 = (_e162 + _e164);
-                        let _e167 = level_18;
-                        let _e170 = level_18;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_22.x() >> _e167), (place_22.y() >> _e170));
-                        let _e174 = level_18;
-                        let _e180 = self.v_search_texel(path_56, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_56.level)).to_i32() - rt::Scalar(1i32)));
+                        let _e167 = level_19;
+                        let _e170 = level_19;
+                        let node = <rt::Vec2<i32>>::from_scalars((place_23.x() >> _e167), (place_23.y() >> _e170));
+                        let _e174 = level_19;
+                        let _e180 = self.v_search_texel(path_58, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_58.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
-                        let _e182 = t_26;
+                        let _e182 = t_27;
                         let furthest = (_e182 + span_10);
-                        let rounded = (path_56.h.x().abs() + (furthest * (path_56.h.y().abs() + (furthest * path_56.h.z().abs()))));
-                        let _e197 = t_26;
-                        let _e198 = self.v_path_height(path_56, _e197);
-                        let _e203 = t_26;
-                        let _e204 = self.v_path_slope(path_56, _e203);
-                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_56.h.z());
+                        let rounded = (path_58.h.x().abs() + (furthest * (path_58.h.y().abs() + (furthest * path_58.h.z().abs()))));
+                        let _e197 = t_27;
+                        let _e198 = self.v_path_height(path_58, _e197);
+                        let _e203 = t_27;
+                        let _e204 = self.v_path_slope(path_58, _e203);
+                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_58.h.z());
                         if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e214 = self.v_least_at(gap_4, span_10);
                             let _e215 = self.v_quadratic(gap_4, _e214);
-                            local_61 = _e215.elementwise_le(rt::Scalar(0f32));
+                            local_64 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_61 = rt::Scalar(true);
+                            local_64 = rt::Scalar(true);
                         }
-                        let _e219 = local_61;
+                        let _e219 = local_64;
                         if rt::Scalar::into_branch_condition(_e219) {
                             if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e223 = t_26;
+                                let _e223 = t_27;
                                 let _e224 = self.v_first_root(gap_4, span_10);
-                                t_26 = (_e223 + _e224.min(span_10));
+                                t_27 = (_e223 + _e224.min(span_10));
                             }
-                            let _e229 = t_26;
+                            let _e229 = t_27;
                             let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
-                            cell_14 = _e232.to_i32().clamp(low_4, last_5);
-                            let _e235 = level_18;
-                            level_18 = (_e235 - rt::Scalar(1u32));
+                            cell_15 = _e232.to_i32().clamp(low_5, last_5);
+                            let _e235 = level_19;
+                            level_19 = (_e235 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_9.elementwise_ge(rt::Scalar(path_56.exit))) {
-                        let _e244 = t_26;
+                    if rt::Scalar::into_branch_condition(end_9.elementwise_ge(rt::Scalar(path_58.exit))) {
+                        let _e244 = t_27;
                         let _e246 = cost_14;
-                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_56.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
+                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_58.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
                     }
                     let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_9)));
-                    cell_14 = _e254.to_i32().clamp(low_4, last_5);
+                    cell_15 = _e254.to_i32().clamp(low_5, last_5);
                     if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_9)) {
-                        cell_14.set_x((low_4.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                        cell_15.set_x((low_5.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
                     if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_9)) {
-                        cell_14.set_y((low_4.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                        cell_15.set_y((low_5.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e280 = level_18;
-                    let _e285 = level_18;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_22.x() >> (_e280 + rt::Scalar(1u32))), (place_22.y() >> (_e285 + rt::Scalar(1u32))));
-                    let _e290 = t_26;
-                    t_26 = _e290.max(end_9);
+                    let _e280 = level_19;
+                    let _e285 = level_19;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_23.x() >> (_e280 + rt::Scalar(1u32))), (place_23.y() >> (_e285 + rt::Scalar(1u32))));
+                    let _e290 = t_27;
+                    t_27 = _e290.max(end_9);
                 }
             }
         }
-        let _e293 = t_26;
+        let _e293 = t_27;
         let _e295 = cost_14;
-        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_56.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
+        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_58.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
     }
     pub(crate) fn texel_extent(
         &self,
         texel_2: impl rt::Into<rt::Scalar<i32>>,
         n_7: impl rt::Into<rt::Scalar<i32>>,
-        level_19: impl rt::Into<rt::Scalar<u32>>,
+        level_20: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_7), rt::into(level_19)))
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_7), rt::into(level_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_texel_extent(
         &self,
         texel_2: rt::Scalar<i32>,
         n_7: rt::Scalar<i32>,
-        level_19: rt::Scalar<u32>,
+        level_20: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_62: rt::Scalar<bool>;
+        let mut local_65: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_7);
-        let first_12 = ((_e3 >> level_19) << level_19);
-        let last_6 = (first_12 + (rt::Scalar(1i32) << level_19)).min(n_7);
+        let first_13 = ((_e3 >> level_20) << level_20);
+        let last_6 = (first_13 + (rt::Scalar(1i32) << level_20)).min(n_7);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_62 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_65 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_62 = rt::Scalar(true);
+            local_65 = rt::Scalar(true);
         }
-        let _e20 = local_62;
+        let _e20 = local_65;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_12), ((texel_2 - _e3) + last_6));
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_13), ((texel_2 - _e3) + last_6));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
             let period_2 = (rt::Scalar(2i32) * n_7);
             let folded_2 = (((texel_2 % period_2) + period_2) % period_2);
             if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_7)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_12), ((texel_2 - _e3) + last_6));
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_13), ((texel_2 - _e3) + last_6));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_6) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_12) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_6) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_13) + rt::Scalar(1i32)));
         }
         return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
     }
     pub(crate) fn search_pyramid_texels(
         &self,
-        path_57: Path,
-        params_54: impl rt::Into<rt::Vec4<f32>>,
+        path_59: Path,
+        params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_57, rt::into(params_54)))
+        rt::into(self.v_search_pyramid_texels(path_59, rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
-        path_57: Path,
-        params_54: rt::Vec4<f32>,
+        path_59: Path,
+        params_57: rt::Vec4<f32>,
     ) -> Found {
-        let mut level_20: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_21: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
-        let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_15: rt::Vec3<u32> = NO_COST;
         let mut finest_1: rt::Scalar<u32>;
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e3 = self.v_height_texels(rt::Scalar(path_57.level));
-        let _e6 = self.v_height_size(rt::Scalar(path_57.level));
-        let origin_6 = (path_57.uv * _e6);
-        let _e10 = self.v_height_size(rt::Scalar(path_57.level));
-        let step_6 = (path_57.duv * _e10);
+        let _e3 = self.v_height_texels(rt::Scalar(path_59.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_59.level));
+        let origin_6 = (path_59.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_59.level));
+        let step_6 = (path_59.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = level_20;
+                let _e14 = level_21;
                 if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(_e3.x().max(_e3.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = level_20;
-                    level_20 = (_e21 + rt::Scalar(1u32));
+                    let _e21 = level_21;
+                    level_21 = (_e21 + rt::Scalar(1u32));
                 }
             }
         }
         let _e24 = self.v_cell_of(origin_6);
         texel_3 = _e24.to_i32();
-        let limit_5 = params_54.x().to_u32();
-        let _e35 = level_20;
-        finest_1 = params_54.y().to_u32().min(_e35);
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_57.ray).elementwise_eq(RAY_SHADOW)) {
+        let limit_5 = params_57.x().to_u32();
+        let _e35 = level_21;
+        finest_1 = params_57.y().to_u32().min(_e35);
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_59.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
         'naga_break: loop {
@@ -9220,142 +9607,142 @@ impl<'g> Resources<'g> {
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_23 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_24 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
-                    let _e59 = level_20;
+                    let _e59 = level_21;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_15;
                         cost_15 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_23, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_24, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
-                        let _e70 = level_20;
-                        let _e73 = level_20;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_23.x() >> _e70), (place_23.y() >> _e73));
+                        let _e70 = level_21;
+                        let _e73 = level_21;
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_24.x() >> _e70), (place_24.y() >> _e73));
                         let _e76 = cost_15;
-                        let _e78 = self.v_map_read(path_57, rt::Scalar(1u32));
+                        let _e78 = self.v_map_read(path_59, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
-                        let _e81 = level_20;
-                        let _e85 = self.v_search_texel(path_57, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
+                        let _e81 = level_21;
+                        let _e85 = self.v_search_texel(path_59, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
-                    let _e90 = level_20;
+                    let _e90 = level_21;
                     let _e91 = self.v_texel_extent(_e88, _e3.x(), _e90);
                     let _e93 = texel_3.y();
-                    let _e95 = level_20;
+                    let _e95 = level_21;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
                     let _e99 = self.v_leaves_extent(origin_6.x(), step_6.x(), _e91);
                     let _e102 = self.v_leaves_extent(origin_6.y(), step_6.y(), _e96);
                     let leave_7 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
-                    let _e109 = t_27;
-                    let end_10 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_57.exit)).max(_e109);
-                    let _e111 = t_27;
-                    let _e112 = self.v_path_height(path_57, _e111);
+                    let _e109 = t_28;
+                    let end_10 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_59.exit)).max(_e109);
+                    let _e111 = t_28;
+                    let _e112 = self.v_path_height(path_59, _e111);
                     let _e113 = highest;
-                    let _e115 = t_27;
-                    let _e116 = self.v_path_slope(path_57, _e115);
-                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_57.h.z());
+                    let _e115 = t_28;
+                    let _e116 = self.v_path_slope(path_59, _e115);
+                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_59.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
-                        let _e125 = t_27;
+                        let _e125 = t_28;
                         let _e127 = self.v_first_root(gap_5, (end_10 - _e125));
                         sinks = _e127;
                     }
-                    let low_5 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
+                    let low_6 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
                     let last_7 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e141 = t_27;
+                        let _e141 = t_28;
                         let _e142 = sinks;
-                        t_27 = (_e141 + _e142);
-                        let _e144 = level_20;
+                        t_28 = (_e141 + _e142);
+                        let _e144 = level_21;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
-                            let _e148 = t_27;
+                            let _e148 = t_28;
                             let _e149 = cost_15;
                             return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
-                        let _e154 = level_20;
-                        level_20 = (_e154 - rt::Scalar(1u32));
-                        let _e157 = t_27;
+                        let _e154 = level_21;
+                        level_21 = (_e154 - rt::Scalar(1u32));
+                        let _e157 = t_28;
                         let _e160 = self.v_cell_of((origin_6 + (step_6 * _e157)));
-                        texel_3 = _e160.to_i32().clamp(low_5, last_7);
+                        texel_3 = _e160.to_i32().clamp(low_6, last_7);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_57.exit))) {
-                            let _e166 = t_27;
+                        if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_59.exit))) {
+                            let _e166 = t_28;
                             let _e168 = cost_15;
-                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_57.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
+                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
                         let _e174 = self.v_cell_of((origin_6 + (step_6 * end_10)));
-                        texel_3 = _e174.to_i32().clamp(low_5, last_7);
+                        texel_3 = _e174.to_i32().clamp(low_6, last_7);
                         if rt::Scalar::into_branch_condition(leave_7.x().elementwise_le(end_10)) {
-                            texel_3.set_x((low_5.x() - rt::Scalar(1i32)).select(_e91.y(), step_6.x().elementwise_gt(rt::Scalar(0f32))));
+                            texel_3.set_x((low_6.x() - rt::Scalar(1i32)).select(_e91.y(), step_6.x().elementwise_gt(rt::Scalar(0f32))));
                         }
                         if rt::Scalar::into_branch_condition(leave_7.y().elementwise_le(end_10)) {
-                            texel_3.set_y((low_5.y() - rt::Scalar(1i32)).select(_e96.y(), step_6.y().elementwise_gt(rt::Scalar(0f32))));
+                            texel_3.set_y((low_6.y() - rt::Scalar(1i32)).select(_e96.y(), step_6.y().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        t_27 = end_10;
+                        t_28 = end_10;
                     }
                 }
             }
         }
-        let _e200 = t_27;
+        let _e200 = t_28;
         let _e202 = cost_15;
-        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_57.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
+        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
     }
     pub(crate) fn leaves_window(
         &self,
         grid_9: Grid,
-        cell_15: impl rt::Into<rt::Vec2<f32>>,
+        cell_16: impl rt::Into<rt::Vec2<f32>>,
         radius: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_leaves_window(grid_9, rt::into(cell_15), rt::into(radius)))
+        rt::into(self.v_leaves_window(grid_9, rt::into(cell_16), rt::into(radius)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_leaves_window(
         &self,
         grid_9: Grid,
-        cell_15: rt::Vec2<f32>,
+        cell_16: rt::Vec2<f32>,
         radius: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let wide_1 = <rt::Vec2<f32>>::from_scalars(radius, radius);
-        let _e5 = self.v_cell_leave(grid_9, (cell_15 - wide_1));
-        let _e7 = self.v_cell_leave(grid_9, (cell_15 + wide_1));
+        let _e5 = self.v_cell_leave(grid_9, (cell_16 - wide_1));
+        let _e7 = self.v_cell_leave(grid_9, (cell_16 + wide_1));
         let leave_8 = _e5.select(_e7, grid_9.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
         return leave_8.x().min(leave_8.y());
     }
     pub(crate) fn search_dilation_erosion(
         &self,
-        path_58: Path,
-        params_55: impl rt::Into<rt::Vec4<f32>>,
+        path_60: Path,
+        params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_58, rt::into(params_55)))
+        rt::into(self.v_search_dilation_erosion(path_60, rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
-        path_58: Path,
-        params_55: rt::Vec4<f32>,
+        path_60: Path,
+        params_58: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_16: rt::Vec2<f32>;
-        let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_17: rt::Vec2<f32>;
+        let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_63: rt::Scalar<bool>;
-        let mut local_64: rt::Scalar<bool>;
-        let mut local_65: rt::Scalar<bool>;
         let mut local_66: rt::Scalar<bool>;
+        let mut local_67: rt::Scalar<bool>;
+        let mut local_68: rt::Scalar<bool>;
+        let mut local_69: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_58);
-        let _e4 = self.v_height_texels(rt::Scalar(path_58.level));
+        let _e2 = self.v_grid_of(path_60);
+        let _e4 = self.v_height_texels(rt::Scalar(path_60.level));
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
-        cell_16 = _e11;
-        let limit_6 = params_55.x().to_u32();
+        cell_17 = _e11;
+        let limit_6 = params_58.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_16.x();
@@ -9366,52 +9753,52 @@ impl<'g> Resources<'g> {
                 {
                     let _e24 = cost_16;
                     cost_16 = (_e24 + STEP);
-                    let _e27 = cell_16;
+                    let _e27 = cell_17;
                     let _e28 = self.v_cell_leave(_e2, _e27);
-                    let end_11 = _e28.x().min(_e28.y()).min(rt::Scalar(path_58.exit));
-                    let _e34 = t_28;
+                    let end_11 = _e28.x().min(_e28.y()).min(rt::Scalar(path_60.exit));
+                    let _e34 = t_29;
                     let span_11 = (end_11 - _e34).max(rt::Scalar(0f32));
-                    let _e38 = t_28;
+                    let _e38 = t_29;
                     next_3 = _e38;
-                    looks = params_55.y().elementwise_gt(rt::Scalar(0.5f32));
-                    let _e45 = cell_16.x();
+                    looks = params_58.y().elementwise_gt(rt::Scalar(0.5f32));
+                    let _e45 = cell_17.x();
                     let _e48 = self.v_image_of(_e45.to_i32(), _e4.x());
-                    let _e50 = cell_16.y();
+                    let _e50 = cell_17.y();
                     let _e53 = self.v_image_of(_e50.to_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_63 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_66 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_63 = rt::Scalar(true);
+                        local_66 = rt::Scalar(true);
                     }
-                    let _e64 = local_63;
+                    let _e64 = local_66;
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e72 = self.v_search_texel(path_58, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_58.level).to_i32());
+                        let _e72 = self.v_search_texel(path_60, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_60.level).to_i32());
                         let _e73 = cost_16;
-                        let _e75 = self.v_map_read(path_58, rt::Scalar(1u32));
+                        let _e75 = self.v_map_read(path_60, rt::Scalar(1u32));
                         cost_16 = (_e73 + _e75);
-                        let _e77 = cell_16;
-                        let _e79 = self.v_leaves_window(_e2, _e77, params_55.z());
-                        let _e82 = t_28;
-                        let reach = (_e79.min(rt::Scalar(path_58.exit)) - _e82).max(rt::Scalar(0f32));
-                        let _e86 = t_28;
+                        let _e77 = cell_17;
+                        let _e79 = self.v_leaves_window(_e2, _e77, params_58.z());
+                        let _e82 = t_29;
+                        let reach = (_e79.min(rt::Scalar(path_60.exit)) - _e82).max(rt::Scalar(0f32));
+                        let _e86 = t_29;
                         let furthest_1 = (_e86 + reach);
-                        let rounded_1 = (path_58.h.x().abs() + (furthest_1 * (path_58.h.y().abs() + (furthest_1 * path_58.h.z().abs()))));
-                        let _e101 = t_28;
-                        let _e102 = self.v_path_height(path_58, _e101);
-                        let _e108 = t_28;
-                        let _e109 = self.v_path_slope(path_58, _e108);
-                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_58.h.z());
+                        let rounded_1 = (path_60.h.x().abs() + (furthest_1 * (path_60.h.y().abs() + (furthest_1 * path_60.h.z().abs()))));
+                        let _e101 = t_29;
+                        let _e102 = self.v_path_height(path_60, _e101);
+                        let _e108 = t_29;
+                        let _e109 = self.v_path_slope(path_60, _e108);
+                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_60.h.z());
                         if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
-                            let _e116 = t_28;
+                            let _e116 = t_29;
                             safe_ = _e116;
-                            let _e117 = t_28;
+                            let _e117 = t_29;
                             next_3 = (_e117 + reach);
                             let _e119 = self.v_least_at(gap_6, reach);
                             let _e120 = self.v_quadratic(gap_6, _e119);
                             if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
-                                let _e123 = t_28;
+                                let _e123 = t_29;
                                 let _e124 = self.v_first_root(gap_6, reach);
                                 next_3 = (_e123 + _e124.min(reach));
                             }
@@ -9419,105 +9806,105 @@ impl<'g> Resources<'g> {
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_64 = _e131.elementwise_lt(end_11);
+                            local_67 = _e131.elementwise_lt(end_11);
                         } else {
-                            local_64 = rt::Scalar(false);
+                            local_67 = rt::Scalar(false);
                         }
-                        let _e134 = local_64;
+                        let _e134 = local_67;
                         if rt::Scalar::into_branch_condition(_e134) {
-                            let _e137 = self.v_path_height(path_58, end_11);
-                            local_65 = _e137.elementwise_lt(_e72.x());
+                            let _e137 = self.v_path_height(path_60, end_11);
+                            local_68 = _e137.elementwise_lt(_e72.x());
                         } else {
-                            local_65 = rt::Scalar(false);
+                            local_68 = rt::Scalar(false);
                         }
-                        let _e141 = local_65;
+                        let _e141 = local_68;
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
-                            let _e144 = self.v_bracket_between(path_58, _e142, end_11, _e143);
+                            let _e144 = self.v_bracket_between(path_60, _e142, end_11, _e143);
                             return _e144;
                         }
                     }
                     let _e145 = next_3;
                     if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_11))) {
-                        let _e150 = t_28;
-                        local_66 = (!end_11.elementwise_gt(_e150));
+                        let _e150 = t_29;
+                        local_69 = (!end_11.elementwise_gt(_e150));
                     } else {
-                        local_66 = rt::Scalar(true);
+                        local_69 = rt::Scalar(true);
                     }
-                    let _e154 = local_66;
+                    let _e154 = local_69;
                     if rt::Scalar::into_branch_condition(_e154) {
                         let _e155 = looks;
                         if rt::Scalar::into_branch_condition(_e155) {
                             let _e156 = cost_16;
                             cost_16 = (_e156 + HEIGHTS_READ);
-                            let _e159 = cell_16;
-                            let _e162 = self.v_height_cell(_e159.to_i32(), rt::Scalar(path_58.level));
-                            let _e163 = cell_16;
-                            let _e164 = t_28;
-                            let _e165 = self.v_gap_to(path_58, _e2, _e163, _e162, _e164);
-                            let _e166 = t_28;
-                            let _e167 = t_28;
+                            let _e159 = cell_17;
+                            let _e162 = self.v_height_cell(_e159.to_i32(), rt::Scalar(path_60.level));
+                            let _e163 = cell_17;
+                            let _e164 = t_29;
+                            let _e165 = self.v_gap_to(path_60, _e2, _e163, _e162, _e164);
+                            let _e166 = t_29;
+                            let _e167 = t_29;
                             let _e170 = cost_16;
                             let _e171 = self.v_found_in_cell(_e165, _e166, span_11, _e167.elementwise_eq(rt::Scalar(0f32)), _e170);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e171.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e171;
                             }
                         }
-                        let _e175 = t_28;
+                        let _e175 = t_29;
                         next_3 = _e175.max(end_11);
                     }
                     let _e177 = next_3;
-                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_58.exit))) {
-                        let _e181 = t_28;
+                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_60.exit))) {
+                        let _e181 = t_29;
                         let _e183 = cost_16;
-                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_58.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
+                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_60.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
                     }
-                    let _e187 = cell_16;
+                    let _e187 = cell_17;
                     let _e188 = next_3;
                     let _e189 = self.v_cell_after(_e2, _e187, _e28, forward_5, _e188);
-                    cell_16 = _e189;
+                    cell_17 = _e189;
                     let _e190 = next_3;
-                    t_28 = _e190;
+                    t_29 = _e190;
                 }
             }
         }
-        let _e192 = t_28;
+        let _e192 = t_29;
         let _e194 = cost_16;
-        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_58.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
+        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_60.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
     }
     pub(crate) fn search_sphere(
         &self,
-        path_59: Path,
-        params_56: impl rt::Into<rt::Vec4<f32>>,
+        path_61: Path,
+        params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_59, rt::into(params_56)))
+        rt::into(self.v_search_sphere(path_61, rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
-        path_59: Path,
-        params_56: rt::Vec4<f32>,
+        path_61: Path,
+        params_59: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_17: rt::Vec2<f32>;
-        let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_18: rt::Vec2<f32>;
+        let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_67: rt::Scalar<bool>;
+        let mut local_70: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_59);
+        let _e2 = self.v_grid_of(path_61);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_59, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_59, rt::Scalar(path_59.exit));
+        let _e9 = self.v_path_slope(path_61, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_61, rt::Scalar(path_61.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let fastest = <rt::Vec3<f32>>::new_21(path_59.duv, climb_1).length();
+        let fastest = <rt::Vec3<f32>>::new_21(path_61.duv, climb_1).length();
         let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_10 = (path_59.uv.abs() + (path_59.duv.abs() * rt::Scalar(path_59.exit)));
-        let height_terms = (path_59.h.x().abs() + (rt::Scalar(path_59.exit) * (path_59.h.y().abs() + (rt::Scalar(path_59.exit) * path_59.h.z().abs()))));
+        let far_10 = (path_61.uv.abs() + (path_61.duv.abs() * rt::Scalar(path_61.exit)));
+        let height_terms = (path_61.h.x().abs() + (rt::Scalar(path_61.exit) * (path_61.h.y().abs() + (rt::Scalar(path_61.exit) * path_61.h.z().abs()))));
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_10.x() + far_10.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
-        cell_17 = _e52;
-        let limit_7 = params_56.x().to_u32();
+        cell_18 = _e52;
+        let limit_7 = params_59.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e61 = cost_17.x();
@@ -9528,216 +9915,216 @@ impl<'g> Resources<'g> {
                 {
                     let _e63 = cost_17;
                     cost_17 = (_e63 + STEP);
-                    let _e66 = cell_17;
+                    let _e66 = cell_18;
                     let _e67 = self.v_cell_leave(_e2, _e66);
-                    let end_12 = _e67.x().min(_e67.y()).min(rt::Scalar(path_59.exit));
-                    let _e73 = t_29;
+                    let end_12 = _e67.x().min(_e67.y()).min(rt::Scalar(path_61.exit));
+                    let _e73 = t_30;
                     let span_12 = (end_12 - _e73).max(rt::Scalar(0f32));
-                    let _e77 = t_29;
-                    let _e78 = self.v_path_uv(path_59, _e77);
-                    let _e79 = t_29;
-                    let _e80 = self.v_path_height(path_59, _e79);
-                    let _e82 = self.v_distance_at(path_59, _e78, _e80, params_56.z());
+                    let _e77 = t_30;
+                    let _e78 = self.v_path_uv(path_61, _e77);
+                    let _e79 = t_30;
+                    let _e80 = self.v_path_height(path_61, _e79);
+                    let _e82 = self.v_distance_at(path_61, _e78, _e80, params_59.z());
                     let free_1 = (_e82 - lost_3);
                     let _e84 = cost_17;
-                    let _e86 = self.v_map_read(path_59, rt::Scalar(4u32));
-                    let _e89 = self.v_map_read(path_59, rt::Scalar(4u32));
+                    let _e86 = self.v_map_read(path_61, rt::Scalar(4u32));
+                    let _e89 = self.v_map_read(path_61, rt::Scalar(4u32));
                     cost_17 = ((_e84 + _e86) + _e89);
-                    let _e91 = t_29;
+                    let _e91 = t_30;
                     next_4 = _e91;
                     if rt::Scalar::into_branch_condition(free_1.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e95 = t_29;
+                        let _e95 = t_30;
                         next_4 = (_e95 + (free_1 / speed_2));
                     }
-                    if rt::Scalar::into_branch_condition(params_56.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_59.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_4;
-                        let _e102 = t_29;
-                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_59.exit))))) {
-                            let _e110 = t_29;
+                        let _e102 = t_30;
+                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_61.exit))))) {
+                            let _e110 = t_30;
                             let _e112 = cost_17;
-                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
+                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
                         }
                     } else {
                         let _e116 = next_4;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_12))) {
-                            let _e121 = t_29;
-                            local_67 = (!end_12.elementwise_gt(_e121));
+                            let _e121 = t_30;
+                            local_70 = (!end_12.elementwise_gt(_e121));
                         } else {
-                            local_67 = rt::Scalar(true);
+                            local_70 = rt::Scalar(true);
                         }
-                        let _e125 = local_67;
+                        let _e125 = local_70;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
-                            let _e129 = cell_17;
-                            let _e130 = cell_17;
-                            let _e133 = self.v_height_cell(_e130.to_i32(), rt::Scalar(path_59.level));
-                            let _e134 = t_29;
-                            let _e135 = self.v_gap_to(path_59, _e2, _e129, _e133, _e134);
-                            let _e136 = t_29;
-                            let _e137 = t_29;
+                            let _e129 = cell_18;
+                            let _e130 = cell_18;
+                            let _e133 = self.v_height_cell(_e130.to_i32(), rt::Scalar(path_61.level));
+                            let _e134 = t_30;
+                            let _e135 = self.v_gap_to(path_61, _e2, _e129, _e133, _e134);
+                            let _e136 = t_30;
+                            let _e137 = t_30;
                             let _e140 = cost_17;
                             let _e141 = self.v_found_in_cell(_e135, _e136, span_12, _e137.elementwise_eq(rt::Scalar(0f32)), _e140);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e141.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e141;
                             }
-                            let _e145 = t_29;
+                            let _e145 = t_30;
                             next_4 = _e145.max(end_12);
                         }
                     }
                     let _e147 = next_4;
-                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_59.exit))) {
-                        let _e151 = t_29;
+                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_61.exit))) {
+                        let _e151 = t_30;
                         let _e153 = cost_17;
-                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
+                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
                     }
-                    let _e157 = cell_17;
+                    let _e157 = cell_18;
                     let _e158 = next_4;
                     let _e159 = self.v_cell_after(_e2, _e157, _e67, forward_6, _e158);
-                    cell_17 = _e159;
+                    cell_18 = _e159;
                     let _e160 = next_4;
-                    t_29 = _e160;
+                    t_30 = _e160;
                 }
             }
         }
-        let _e162 = t_29;
+        let _e162 = t_30;
         let _e164 = cost_17;
-        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
+        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
     }
     pub(crate) fn search_cone_moved(
         &self,
-        path_60: Path,
-        params_57: impl rt::Into<rt::Vec4<f32>>,
+        path_62: Path,
+        params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_60, rt::into(params_57)))
+        rt::into(self.v_search_cone_moved(path_62, rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
-        path_60: Path,
-        params_57: rt::Vec4<f32>,
+        path_62: Path,
+        params_60: rt::Vec4<f32>,
     ) -> Found {
-        let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
-        let mut k_17: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_68: rt::Scalar<bool>;
+        let mut k_18: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_71: rt::Scalar<bool>;
 
-        let aside_6 = path_60.duv.length();
+        let aside_6 = path_62.duv.length();
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_17;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_57.x())) {
+                let _e14 = k_18;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_60.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e17 = cost_18;
                     cost_18 = (_e17 + STEP);
-                    let _e20 = t_30;
-                    let _e21 = self.v_path_gap(path_60, _e20);
+                    let _e20 = t_31;
+                    let _e21 = self.v_path_gap(path_62, _e20);
                     let _e22 = cost_18;
                     cost_18 = (_e22 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
-                        let _e27 = t_30;
+                        let _e27 = t_31;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_68 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_71 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_68 = rt::Scalar(false);
+                            local_71 = rt::Scalar(false);
                         }
-                        let _e35 = local_68;
+                        let _e35 = local_71;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
                         }
                         let _e42 = near_5;
-                        let _e43 = t_30;
+                        let _e43 = t_31;
                         let _e44 = near_gap_3;
                         let _e45 = cost_18;
                         return <Found>::new(FOUND_BRACKET, _e42, _e43, _e44, _e21, _e45);
                     }
-                    let _e47 = t_30;
+                    let _e47 = t_31;
                     near_5 = _e47;
                     near_gap_3 = _e21;
-                    let _e48 = t_30;
-                    let _e49 = self.v_path_uv(path_60, _e48);
-                    let _e51 = self.v_search_texel_between(path_60, _e49, rt::Scalar(0i32));
+                    let _e48 = t_31;
+                    let _e49 = self.v_path_uv(path_62, _e48);
+                    let _e51 = self.v_search_texel_between(path_62, _e49, rt::Scalar(0i32));
                     let _e53 = self.v_slope_of(_e51.x());
                     let _e54 = cost_18;
-                    let _e56 = self.v_map_read(path_60, rt::Scalar(4u32));
+                    let _e56 = self.v_map_read(path_62, rt::Scalar(4u32));
                     cost_18 = (_e54 + _e56);
                     if rt::Scalar::into_branch_condition(_e53.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e61 = t_30;
-                    let rest_8 = (rt::Scalar(path_60.exit) - _e61);
-                    let _e63 = t_30;
-                    let _e64 = self.v_path_slope(path_60, _e63);
-                    let rise_5 = (_e64 + (path_60.h.z().min(rt::Scalar(0f32)) * rest_8));
-                    let terms_1 = (path_60.h.x().abs() + (rt::Scalar(path_60.exit) * (path_60.h.y().abs() + (rt::Scalar(path_60.exit) * path_60.h.z().abs()))));
-                    let far_11 = (((path_60.uv.abs() + (path_60.duv.abs() * rt::Scalar(path_60.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
+                    let _e61 = t_31;
+                    let rest_8 = (rt::Scalar(path_62.exit) - _e61);
+                    let _e63 = t_31;
+                    let _e64 = self.v_path_slope(path_62, _e63);
+                    let rise_5 = (_e64 + (path_62.h.z().min(rt::Scalar(0f32)) * rest_8));
+                    let terms_1 = (path_62.h.x().abs() + (rt::Scalar(path_62.exit) * (path_62.h.y().abs() + (rt::Scalar(path_62.exit) * path_62.h.z().abs()))));
+                    let far_11 = (((path_62.uv.abs() + (path_62.duv.abs() * rt::Scalar(path_62.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
                     let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_11.x()) + far_11.y()));
                     let nearing = ((_e53 * aside_6) - rise_5);
                     let closing_3 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
-                        let _e112 = t_30;
+                        let _e112 = t_31;
                         let _e114 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_60.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
+                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                     }
-                    let _e118 = t_30;
-                    t_30 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
-                    let _e124 = t_30;
-                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_60.exit))) {
+                    let _e118 = t_31;
+                    t_31 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
+                    let _e124 = t_31;
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_62.exit))) {
                         let _e128 = near_5;
                         let _e130 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_60.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
-                    let _e134 = k_17;
-                    k_17 = (_e134 + rt::Scalar(1f32));
+                    let _e134 = k_18;
+                    k_18 = (_e134 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e138 = t_30;
-        let _e140 = t_30;
-        let _e141 = self.v_path_height(path_60, _e140);
+        let _e138 = t_31;
+        let _e140 = t_31;
+        let _e141 = self.v_path_height(path_62, _e140);
         let _e142 = cost_18;
-        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_60.exit), _e141, rt::Scalar(0f32), _e142);
+        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_62.exit), _e141, rt::Scalar(0f32), _e142);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
-        path_61: Path,
-        params_58: impl rt::Into<rt::Vec4<f32>>,
+        path_63: Path,
+        params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_61, rt::into(params_58)))
+        rt::into(self.v_search_relaxed_cone(path_63, rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
-        path_61: Path,
-        params_58: rt::Vec4<f32>,
+        path_63: Path,
+        params_61: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_18: rt::Vec2<f32>;
-        let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_19: rt::Vec2<f32>;
+        let mut t_32: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_69: rt::Scalar<bool>;
+        let mut local_72: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_70: rt::Scalar<bool>;
+        let mut local_73: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_61);
+        let _e2 = self.v_grid_of(path_63);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_7 = path_61.duv.length();
-        let _e11 = self.v_path_slope(path_61, rt::Scalar(0f32));
-        let terms_2 = (path_61.h.x().abs() + (rt::Scalar(path_61.exit) * path_61.h.y().abs()));
-        let _e33 = self.v_height_size(rt::Scalar(path_61.level));
-        let far_12 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_61.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let aside_7 = path_63.duv.length();
+        let _e11 = self.v_path_slope(path_63, rt::Scalar(0f32));
+        let terms_2 = (path_63.h.x().abs() + (rt::Scalar(path_63.exit) * path_63.h.y().abs()));
+        let _e33 = self.v_height_size(rt::Scalar(path_63.level));
+        let far_12 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_63.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
-        cell_18 = _e36;
-        let limit_8 = params_58.x().to_u32();
+        cell_19 = _e36;
+        let limit_8 = params_61.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e49 = cost_19.x();
@@ -9748,74 +10135,74 @@ impl<'g> Resources<'g> {
                 {
                     let _e51 = cost_19;
                     cost_19 = (_e51 + STEP);
-                    let _e54 = cell_18;
+                    let _e54 = cell_19;
                     let _e55 = self.v_cell_leave(_e2, _e54);
-                    let end_13 = _e55.x().min(_e55.y()).min(rt::Scalar(path_61.exit));
-                    let _e61 = t_31;
+                    let end_13 = _e55.x().min(_e55.y()).min(rt::Scalar(path_63.exit));
+                    let _e61 = t_32;
                     let span_13 = (end_13 - _e61).max(rt::Scalar(0f32));
-                    let _e65 = cell_18;
-                    let _e66 = cell_18;
-                    let _e69 = self.v_height_cell(_e66.to_i32(), rt::Scalar(path_61.level));
-                    let _e70 = t_31;
-                    let _e71 = self.v_gap_to(path_61, _e2, _e65, _e69, _e70);
+                    let _e65 = cell_19;
+                    let _e66 = cell_19;
+                    let _e69 = self.v_height_cell(_e66.to_i32(), rt::Scalar(path_63.level));
+                    let _e70 = t_32;
+                    let _e71 = self.v_gap_to(path_63, _e2, _e65, _e69, _e70);
                     let _e72 = cost_19;
                     cost_19 = (_e72 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e71.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e78 = near_6;
-                        let _e79 = t_31;
+                        let _e79 = t_32;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_69 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_72 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_69 = rt::Scalar(false);
+                            local_72 = rt::Scalar(false);
                         }
-                        let _e87 = local_69;
+                        let _e87 = local_72;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
-                            let _e89 = t_31;
+                            let _e89 = t_32;
                             let _e90 = near_gap_4;
                             let _e92 = cost_19;
-                            let _e93 = self.v_entered_once(path_61, _e2, _e88, _e89, _e90, _e71.x(), _e92);
+                            let _e93 = self.v_entered_once(path_63, _e2, _e88, _e89, _e90, _e71.x(), _e92);
                             return _e93;
                         }
-                        let _e94 = t_31;
-                        let _e95 = t_31;
+                        let _e94 = t_32;
+                        let _e95 = t_32;
                         let _e98 = cost_19;
                         let _e99 = self.v_found_in_cell(_e71, _e94, span_13, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
                         return _e99;
                     }
-                    let _e100 = t_31;
+                    let _e100 = t_32;
                     start_1 = _e100;
                     gap = _e71.x();
-                    if rt::Scalar::into_branch_condition(params_58.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e107 = t_31;
-                        let _e108 = t_31;
+                    if rt::Scalar::into_branch_condition(params_61.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e107 = t_32;
+                        let _e108 = t_32;
                         let _e111 = cost_19;
                         let _e112 = self.v_found_in_cell(_e71, _e107, span_13, _e108.elementwise_eq(rt::Scalar(0f32)), _e111);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e112.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e112;
                         }
-                        let _e116 = t_31;
+                        let _e116 = t_32;
                         start_1 = _e116.max(end_13);
                         gap = rt::Scalar(_e112.far_gap);
                     }
                     let _e119 = start_1;
-                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_61.exit))) {
-                        let _e123 = t_31;
+                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_63.exit))) {
+                        let _e123 = t_32;
                         let _e125 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
+                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
                     }
                     let _e129 = start_1;
                     near_6 = _e129;
                     let _e130 = gap;
                     near_gap_4 = _e130;
-                    let _e131 = cell_18;
-                    let _e133 = cell_18;
+                    let _e131 = cell_19;
+                    let _e133 = cell_19;
                     let _e136 = start_1;
                     let _e139 = self.v_nearest_corner(((_e2.origin - _e133) + (_e2.step * _e136)));
-                    let _e141 = self.v_cone_slope(path_61, (_e131 + _e139));
+                    let _e141 = self.v_cone_slope(path_63, (_e131 + _e139));
                     let _e142 = cost_19;
-                    let _e144 = self.v_map_read(path_61, rt::Scalar(1u32));
+                    let _e144 = self.v_map_read(path_63, rt::Scalar(1u32));
                     cost_19 = (_e142 + _e144);
                     let _e146 = start_1;
                     next_5 = _e146;
@@ -9830,75 +10217,75 @@ impl<'g> Resources<'g> {
                             next_5 = (_e167 + (room_1.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_58.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_61.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
-                        let _e178 = t_31;
-                        local_70 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_61.exit))));
+                        let _e178 = t_32;
+                        local_73 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_63.exit))));
                     } else {
-                        local_70 = rt::Scalar(false);
+                        local_73 = rt::Scalar(false);
                     }
-                    let _e186 = local_70;
+                    let _e186 = local_73;
                     if rt::Scalar::into_branch_condition(_e186) {
-                        let _e188 = t_31;
+                        let _e188 = t_32;
                         let _e190 = gap;
                         let _e191 = cost_19;
-                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_61.exit), _e190, rt::Scalar(0f32), _e191);
+                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_63.exit), _e190, rt::Scalar(0f32), _e191);
                     }
                     let _e194 = next_5;
-                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_61.exit))) {
-                        let _e198 = self.v_path_gap(path_61, rt::Scalar(path_61.exit));
+                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_63.exit))) {
+                        let _e198 = self.v_path_gap(path_63, rt::Scalar(path_63.exit));
                         let _e199 = cost_19;
                         cost_19 = (_e199 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e198.elementwise_le(rt::Scalar(0f32))) {
                             let _e204 = start_1;
                             let _e206 = gap;
                             let _e207 = cost_19;
-                            let _e208 = self.v_entered_once(path_61, _e2, _e204, rt::Scalar(path_61.exit), _e206, _e198, _e207);
+                            let _e208 = self.v_entered_once(path_63, _e2, _e204, rt::Scalar(path_63.exit), _e206, _e198, _e207);
                             return _e208;
                         }
                         let _e210 = start_1;
                         let _e212 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
+                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
                     }
-                    let _e216 = cell_18;
+                    let _e216 = cell_19;
                     let _e217 = next_5;
                     let _e218 = self.v_cell_after(_e2, _e216, _e55, forward_7, _e217);
-                    cell_18 = _e218;
+                    cell_19 = _e218;
                     let _e219 = next_5;
-                    t_31 = _e219;
+                    t_32 = _e219;
                 }
             }
         }
-        let _e221 = t_31;
+        let _e221 = t_32;
         let _e223 = cost_19;
-        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
+        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
-        path_62: Path,
-        params_59: impl rt::Into<rt::Vec4<f32>>,
+        path_64: Path,
+        params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_62, rt::into(params_59)))
+        rt::into(self.v_search_relaxed_cone_resting(path_64, rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
-        path_62: Path,
-        params_59: rt::Vec4<f32>,
+        path_64: Path,
+        params_62: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_19: rt::Vec2<f32>;
-        let mut t_32: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_20: rt::Vec2<f32>;
+        let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_71: rt::Scalar<bool>;
+        let mut local_74: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_62);
+        let _e2 = self.v_grid_of(path_64);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_19 = _e9;
-        let limit_9 = params_59.x().to_u32();
+        cell_20 = _e9;
+        let limit_9 = params_62.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_20.x();
@@ -9909,245 +10296,384 @@ impl<'g> Resources<'g> {
                 {
                     let _e24 = cost_20;
                     cost_20 = (_e24 + STEP);
-                    let _e27 = cell_19;
-                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_62.level));
+                    let _e27 = cell_20;
+                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_64.level));
                     let _e31 = cost_20;
                     cost_20 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_19;
+                    let _e34 = cell_20;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_14 = _e35.x().min(_e35.y()).min(rt::Scalar(path_62.exit));
-                    let _e41 = t_32;
+                    let end_14 = _e35.x().min(_e35.y()).min(rt::Scalar(path_64.exit));
+                    let _e41 = t_33;
                     let span_14 = (end_14 - _e41).max(rt::Scalar(0f32));
-                    let _e45 = cell_19;
-                    let _e46 = t_32;
-                    let _e47 = self.v_gap_to(path_62, _e2, _e45, _e30, _e46);
+                    let _e45 = cell_20;
+                    let _e46 = t_33;
+                    let _e47 = self.v_gap_to(path_64, _e2, _e45, _e30, _e46);
                     if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_7;
-                        let _e52 = t_32;
+                        let _e52 = t_33;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_71 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_74 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_71 = rt::Scalar(false);
+                            local_74 = rt::Scalar(false);
                         }
-                        let _e60 = local_71;
+                        let _e60 = local_74;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
-                            let _e62 = t_32;
+                            let _e62 = t_33;
                             let _e63 = near_gap_5;
                             let _e65 = cost_20;
-                            let _e66 = self.v_entered_once(path_62, _e2, _e61, _e62, _e63, _e47.x(), _e65);
+                            let _e66 = self.v_entered_once(path_64, _e2, _e61, _e62, _e63, _e47.x(), _e65);
                             return _e66;
                         }
-                        let _e67 = t_32;
-                        let _e68 = t_32;
+                        let _e67 = t_33;
+                        let _e68 = t_33;
                         let _e71 = cost_20;
                         let _e72 = self.v_found_in_cell(_e47, _e67, span_14, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
                         return _e72;
                     }
-                    let _e73 = t_32;
-                    let _e74 = t_32;
+                    let _e73 = t_33;
+                    let _e74 = t_33;
                     let _e77 = cost_20;
                     let _e78 = self.v_found_in_cell(_e47, _e73, span_14, _e74.elementwise_eq(rt::Scalar(0f32)), _e77);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e78.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e78;
                     }
-                    let _e82 = t_32;
-                    let start_3 = _e82.max(end_14);
-                    if rt::Scalar::into_branch_condition(start_3.elementwise_ge(rt::Scalar(path_62.exit))) {
-                        let _e87 = t_32;
+                    let _e82 = t_33;
+                    let start_4 = _e82.max(end_14);
+                    if rt::Scalar::into_branch_condition(start_4.elementwise_ge(rt::Scalar(path_64.exit))) {
+                        let _e87 = t_33;
                         let _e89 = cost_20;
-                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
-                    near_7 = start_3;
+                    near_7 = start_4;
                     near_gap_5 = rt::Scalar(_e78.far_gap);
-                    let _e95 = cell_19;
-                    let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_3)));
+                    let _e95 = cell_20;
+                    let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_4)));
                     let _e101 = self.v_corner_height(_e30, _e100);
-                    next_6 = start_3;
-                    let _e103 = self.v_path_height(path_62, start_3);
+                    next_6 = start_4;
+                    let _e103 = self.v_path_height(path_64, start_4);
                     if rt::Scalar::into_branch_condition(_e103.elementwise_gt(_e101)) {
-                        let _e105 = cell_19;
+                        let _e105 = cell_20;
                         let texel_9 = (_e105 + _e100);
-                        let _e107 = self.v_cone_slope(path_62, texel_9);
+                        let _e107 = self.v_cone_slope(path_64, texel_9);
                         let _e108 = cost_20;
-                        let _e110 = self.v_map_read(path_62, rt::Scalar(1u32));
+                        let _e110 = self.v_map_read(path_64, rt::Scalar(1u32));
                         cost_20 = (_e108 + _e110);
                         if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e114 = self.v_stays_inside(path_62, _e2, texel_9, _e101, _e107, start_3);
-                            next_6 = (start_3 + _e114);
+                            let _e114 = self.v_stays_inside(path_64, _e2, texel_9, _e101, _e107, start_4);
+                            next_6 = (start_4 + _e114);
                         }
                     }
                     let _e116 = next_6;
-                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_62.exit))) {
-                        let _e120 = self.v_path_gap(path_62, rt::Scalar(path_62.exit));
+                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_64.exit))) {
+                        let _e120 = self.v_path_gap(path_64, rt::Scalar(path_64.exit));
                         let _e121 = cost_20;
                         cost_20 = (_e121 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
                             let _e127 = near_gap_5;
                             let _e128 = cost_20;
-                            let _e129 = self.v_entered_once(path_62, _e2, start_3, rt::Scalar(path_62.exit), _e127, _e120, _e128);
+                            let _e129 = self.v_entered_once(path_64, _e2, start_4, rt::Scalar(path_64.exit), _e127, _e120, _e128);
                             return _e129;
                         }
                         let _e132 = cost_20;
-                        return <Found>::new(FOUND_MISS, start_3, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
+                        return <Found>::new(FOUND_MISS, start_4, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
                     }
-                    let _e136 = cell_19;
+                    let _e136 = cell_20;
                     let _e137 = next_6;
                     let _e138 = self.v_cell_after(_e2, _e136, _e35, forward_8, _e137);
-                    cell_19 = _e138;
+                    cell_20 = _e138;
                     let _e139 = next_6;
-                    t_32 = _e139;
+                    t_33 = _e139;
                 }
             }
         }
-        let _e141 = t_32;
+        let _e141 = t_33;
         let _e143 = cost_20;
-        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
+        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
     }
-    pub(crate) fn search_stage(&self, path_63: Path) -> Found {
-        rt::into(self.v_search_stage(path_63))
+    pub(crate) fn search_stage(&self, path_65: Path) -> Found {
+        rt::into(self.v_search_stage(path_65))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_63: Path) -> Found {
-        let _e5 = rt::Scalar(self.surface_settings.choices[4usize].number);
+    fn v_search_stage(&self, path_65: Path) -> Found {
+        let _e5 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
-                let _e10 = self.surface_settings.choices[4usize].params;
-                let _e11 = self.v_search_none(path_63, _e10);
+                let _e10 = self.surface_settings.choices[5usize].params;
+                let _e11 = self.v_search_none(path_65, _e10);
                 return _e11;
             }
             1u32 => {
-                let _e16 = self.surface_settings.choices[4usize].params;
-                let _e17 = self.v_search_linear(path_63, _e16);
+                let _e16 = self.surface_settings.choices[5usize].params;
+                let _e17 = self.v_search_linear(path_65, _e16);
                 return _e17;
             }
             2u32 => {
-                let _e22 = self.surface_settings.choices[4usize].params;
-                let _e23 = self.v_search_cells(path_63, _e22);
+                let _e22 = self.surface_settings.choices[5usize].params;
+                let _e23 = self.v_search_cells(path_65, _e22);
                 return _e23;
             }
             3u32 => {
-                let _e28 = self.surface_settings.choices[4usize].params;
-                let _e29 = self.v_search_frustum(path_63, _e28);
+                let _e28 = self.surface_settings.choices[5usize].params;
+                let _e29 = self.v_search_frustum(path_65, _e28);
                 return _e29;
             }
             4u32 => {
-                let _e34 = self.surface_settings.choices[4usize].params;
-                let _e35 = self.v_search_cone(path_63, _e34);
+                let _e34 = self.surface_settings.choices[5usize].params;
+                let _e35 = self.v_search_cone(path_65, _e34);
                 return _e35;
             }
             5u32 => {
-                let _e40 = self.surface_settings.choices[4usize].params;
-                let _e41 = self.v_search_pyramid(path_63, _e40);
+                let _e40 = self.surface_settings.choices[5usize].params;
+                let _e41 = self.v_search_pyramid(path_65, _e40);
                 return _e41;
             }
             6u32 => {
-                let _e46 = self.surface_settings.choices[4usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_63, _e46);
+                let _e46 = self.surface_settings.choices[5usize].params;
+                let _e47 = self.v_search_pyramid_texels(path_65, _e46);
                 return _e47;
             }
             7u32 => {
-                let _e52 = self.surface_settings.choices[4usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_63, _e52);
+                let _e52 = self.surface_settings.choices[5usize].params;
+                let _e53 = self.v_search_dilation_erosion(path_65, _e52);
                 return _e53;
             }
             8u32 => {
-                let _e58 = self.surface_settings.choices[4usize].params;
-                let _e59 = self.v_search_sphere(path_63, _e58);
+                let _e58 = self.surface_settings.choices[5usize].params;
+                let _e59 = self.v_search_sphere(path_65, _e58);
                 return _e59;
             }
             9u32 => {
-                let _e64 = self.surface_settings.choices[4usize].params;
-                let _e65 = self.v_search_cone_moved(path_63, _e64);
+                let _e64 = self.surface_settings.choices[5usize].params;
+                let _e65 = self.v_search_cone_moved(path_65, _e64);
                 return _e65;
             }
             10u32 => {
-                let _e70 = self.surface_settings.choices[4usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_63, _e70);
+                let _e70 = self.surface_settings.choices[5usize].params;
+                let _e71 = self.v_search_relaxed_cone(path_65, _e70);
                 return _e71;
             }
             _ => {
-                let _e76 = self.surface_settings.choices[4usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_63, _e76);
+                let _e76 = self.surface_settings.choices[5usize].params;
+                let _e77 = self.v_search_relaxed_cone_resting(path_65, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn trace(&self, path_64: Path) -> Hit {
-        rt::into(self.v_trace(path_64))
+    pub(crate) fn trace(&self, path_66: Path) -> Hit {
+        rt::into(self.v_trace(path_66))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_trace(&self, path_64: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_64);
-        let _e2 = self.v_refine_stage(path_64, _e1);
+    fn v_trace(&self, path_66: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_66);
+        let _e2 = self.v_refine_stage(path_66, _e1);
         return _e2;
     }
-    pub(crate) fn first_hit(&self, pixel_66: PixelIn, at_59: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_66, at_59))
+    pub(crate) fn object_none(
+        &self,
+        pixel_69: PixelIn,
+        at_62: Entered,
+        params_63: impl rt::Into<rt::Vec4<f32>>,
+    ) -> FirstHit {
+        rt::into(self.v_object_none(pixel_69, at_62, rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_hit(&self, pixel_66: PixelIn, at_59: Entered) -> FirstHit {
+    fn v_object_none(
+        &self,
+        pixel_69: PixelIn,
+        at_62: Entered,
+        params_63: rt::Vec4<f32>,
+    ) -> FirstHit {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
         let mut first_3: FirstHit;
-        let mut k_18: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_72: rt::Scalar<bool>;
+        let mut k_19: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_75: rt::Scalar<bool>;
 
-        let _e4 = cost_21;
-        let _e5 = self.v_miss(_e4);
-        first_3 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
+        let _e5 = cost_21;
+        let _e6 = self.v_miss(_e5);
+        first_3 = <FirstHit>::new(_e6, rt::Scalar(0u32), rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e12 = k_18;
-                if rt::Scalar::into_branch_condition(_e12.elementwise_lt(rt::Scalar(at_59.segments))) {
+                let _e13 = k_19;
+                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_62.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_18;
-                    let _e16 = self.v_segment_of(pixel_66, at_59, _e15);
-                    if rt::Scalar::into_branch_condition(rt::Scalar(_e16.exit).elementwise_gt(rt::Scalar(0f32))) {
-                        let _e20 = self.v_trace(_e16);
-                        let _e21 = k_18;
-                        let _e22 = self.v_hit_on_segment(pixel_66, at_59, _e16, _e20, _e21);
-                        let _e23 = cost_21;
-                        cost_21 = (_e23 + _e22.hit.cost);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e22.hit.found).elementwise_eq(rt::Scalar(1u32))) {
-                            let _e33 = rt::Scalar(first_3.hit.found);
-                            if rt::Scalar::into_branch_condition((!_e33.elementwise_eq(rt::Scalar(0u32)))) {
-                                let _e41 = rt::Scalar(first_3.key);
-                                local_72 = rt::Scalar(_e22.key).elementwise_gt(_e41);
+                    let _e16 = k_19;
+                    let _e17 = self.v_segment_of(pixel_69, at_62, _e16);
+                    if rt::Scalar::into_branch_condition(rt::Scalar(_e17.exit).elementwise_gt(rt::Scalar(0f32))) {
+                        let _e21 = self.v_trace(_e17);
+                        let _e22 = k_19;
+                        let _e23 = self.v_hit_on_segment(pixel_69, at_62, _e17, _e21, _e22);
+                        let _e24 = cost_21;
+                        cost_21 = (_e24 + _e23.hit.cost);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e23.hit.found).elementwise_eq(rt::Scalar(1u32))) {
+                            let _e34 = rt::Scalar(first_3.hit.found);
+                            if rt::Scalar::into_branch_condition((!_e34.elementwise_eq(rt::Scalar(0u32)))) {
+                                let _e42 = rt::Scalar(first_3.key);
+                                local_75 = rt::Scalar(_e23.key).elementwise_gt(_e42);
                             } else {
-                                local_72 = rt::Scalar(true);
+                                local_75 = rt::Scalar(true);
                             }
-                            let _e44 = local_72;
-                            if rt::Scalar::into_branch_condition(_e44) {
-                                first_3 = _e22;
+                            let _e45 = local_75;
+                            if rt::Scalar::into_branch_condition(_e45) {
+                                first_3 = _e23;
                             }
-                            if rt::Scalar::into_branch_condition(rt::Scalar(pixel_66.shell.order).elementwise_lt(SHELL_FOLDED)) {
+                            if rt::Scalar::into_branch_condition(rt::Scalar(pixel_69.shell.order).elementwise_lt(SHELL_FOLDED)) {
                                 break 'naga_break;
                             }
                         }
                     }
-                    let _e49 = k_18;
-                    k_18 = (_e49 + rt::Scalar(1u32));
+                    let _e50 = k_19;
+                    k_19 = (_e50 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e54 = cost_21;
-        first_3.hit.cost = _e54;
-        let _e55 = first_3;
-        return _e55;
+        let _e55 = cost_21;
+        first_3.hit.cost = _e55;
+        let _e56 = first_3;
+        return _e56;
     }
-    pub(crate) fn footprint_m(&self, at_60: Entered) -> f32 {
-        rt::into(self.v_footprint_m(at_60))
+    pub(crate) fn object_depth(
+        &self,
+        pixel_70: PixelIn,
+        at_63: Entered,
+        params_64: impl rt::Into<rt::Vec4<f32>>,
+    ) -> FirstHit {
+        rt::into(self.v_object_depth(pixel_70, at_63, rt::into(params_64)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_object_depth(
+        &self,
+        pixel_70: PixelIn,
+        at_63: Entered,
+        params_64: rt::Vec4<f32>,
+    ) -> FirstHit {
+        let mut cost_22: rt::Vec3<u32> = NO_COST;
+        let mut first_4: FirstHit;
+        let mut reached_1: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut agreed: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_20: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut turns: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_76: rt::Scalar<bool>;
+        let mut local_77: rt::Scalar<bool>;
+
+        let _e5 = cost_22;
+        let _e6 = self.v_miss(_e5);
+        first_4 = <FirstHit>::new(_e6, rt::Scalar(0u32), rt::Scalar(0f32));
+        let most_12 = (rt::Scalar(at_63.segments) * MOST_ROUNDS);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e22 = agreed;
+                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(rt::Scalar(at_63.segments))) {
+                    let _e27 = turns;
+                    local_76 = _e27.elementwise_lt(most_12);
+                } else {
+                    local_76 = rt::Scalar(false);
+                }
+                let _e30 = local_76;
+                if rt::Scalar::into_branch_condition(_e30) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e31 = k_20;
+                    let _e32 = self.v_segment_of(pixel_70, at_63, _e31);
+                    let _e33 = reached_1;
+                    let passed = (_e33 - rt::Scalar(_e32.start)).max(rt::Scalar(0f32));
+                    if rt::Scalar::into_branch_condition((!passed.elementwise_lt(rt::Scalar(_e32.exit)))) {
+                        let _e42 = cost_22;
+                        let _e43 = self.v_miss(_e42);
+                        first_4.hit = _e43;
+                        let _e44 = first_4;
+                        return _e44;
+                    }
+                    let _e45 = self.v_beginning_at(_e32, passed);
+                    let _e46 = self.v_trace(_e45);
+                    let _e47 = cost_22;
+                    cost_22 = (_e47 + _e46.cost);
+                    if rt::Scalar::into_branch_condition(rt::Scalar(_e46.found).elementwise_eq(rt::Scalar(0u32))) {
+                        let _e54 = cost_22;
+                        let _e55 = self.v_miss(_e54);
+                        first_4.hit = _e55;
+                        let _e56 = first_4;
+                        return _e56;
+                    }
+                    let t_39 = (passed + rt::Scalar(_e46.t));
+                    let _e61 = rt::Scalar(first_4.hit.found);
+                    if rt::Scalar::into_branch_condition((!_e61.elementwise_eq(rt::Scalar(0u32)))) {
+                        let _e69 = reached_1;
+                        let _e70 = reached_1;
+                        local_77 = (rt::Scalar(_e32.start) + t_39).elementwise_gt((_e69 + (_e70 * rt::Scalar(0.000002f32))));
+                    } else {
+                        local_77 = rt::Scalar(true);
+                    }
+                    let _e76 = local_77;
+                    if rt::Scalar::into_branch_condition(_e76) {
+                        reached_1 = (rt::Scalar(_e32.start) + t_39);
+                        agreed = rt::Scalar(0u32);
+                        let _e84 = cost_22;
+                        let _e86 = k_20;
+                        let _e87 = self.v_hit_on_segment(pixel_70, at_63, _e32, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e46.uv, rt::Scalar(_e46.height), t_39, _e84), _e86);
+                        first_4 = _e87;
+                    }
+                    let _e88 = agreed;
+                    agreed = (_e88 + rt::Scalar(1u32));
+                    let _e91 = k_20;
+                    let _e95 = k_20;
+                    k_20 = (_e91 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e95 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_63.segments)));
+                    let _e101 = turns;
+                    turns = (_e101 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e108 = agreed;
+        rt::Scalar(first_4.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e108.elementwise_lt(rt::Scalar(at_63.segments)));
+        let _e114 = cost_22;
+        first_4.hit.cost = _e114;
+        let _e115 = first_4;
+        return _e115;
+    }
+    pub(crate) fn object_stage(&self, pixel_71: PixelIn, at_64: Entered) -> FirstHit {
+        rt::into(self.v_object_stage(pixel_71, at_64))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_footprint_m(&self, at_60: Entered) -> rt::Scalar<f32> {
+    fn v_object_stage(&self, pixel_71: PixelIn, at_64: Entered) -> FirstHit {
+        let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
+        match rt::Scalar::into_inner(_e6) {
+            0u32 => {
+                let _e11 = self.surface_settings.choices[3usize].params;
+                let _e12 = self.v_object_none(pixel_71, at_64, _e11);
+                return _e12;
+            }
+            _ => {
+                let _e17 = self.surface_settings.choices[3usize].params;
+                let _e18 = self.v_object_depth(pixel_71, at_64, _e17);
+                return _e18;
+            }
+        }
+    }
+    pub(crate) fn first_hit(&self, pixel_72: PixelIn, at_65: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_72, at_65))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_first_hit(&self, pixel_72: PixelIn, at_65: Entered) -> FirstHit {
+        let _e2 = self.v_object_stage(pixel_72, at_65);
+        return _e2;
+    }
+    pub(crate) fn footprint_m(&self, at_66: Entered) -> f32 {
+        rt::into(self.v_footprint_m(at_66))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_footprint_m(&self, at_66: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        return ((rt::Scalar(at_60.footprint) * at_60.metric.x().sqrt()) / _e7.x());
+        return ((rt::Scalar(at_66.footprint) * at_66.metric.x().sqrt()) / _e7.x());
     }
     pub(crate) fn near_uv(&self, uv_18: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_near_uv(rt::into(uv_18)))
@@ -10165,49 +10691,49 @@ impl<'g> Resources<'g> {
         }
         return uv_18;
     }
-    pub(crate) fn from_hit(&self, at_61: Entered, hit_17: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_61, hit_17, light_1))
+    pub(crate) fn from_hit(&self, at_67: Entered, hit_18: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_67, hit_18, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_from_hit(&self, at_61: Entered, hit_17: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_61, light_1.direction);
-        let _e6 = self.v_near_uv(hit_17.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_61.level));
-        let h_5 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_5, rt::Scalar(0f32), rt::Scalar(0f32), at_61.metric, RAY_SHADOW, rt::Scalar(at_61.level), rt::Scalar(0f32), rt::Scalar(1f32));
+    fn v_from_hit(&self, at_67: Entered, hit_18: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_67, light_1.direction);
+        let _e6 = self.v_near_uv(hit_18.uv);
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_67.level));
+        let h_7 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
+        return <Path>::new(_e6, _e4.xy(), h_7, rt::Scalar(0f32), rt::Scalar(0f32), at_67.metric, RAY_SHADOW, rt::Scalar(at_67.level), rt::Scalar(0f32), rt::Scalar(1f32));
     }
-    pub(crate) fn way_out(&self, path_65: Path, light_2: Toward) -> f32 {
-        rt::into(self.v_way_out(path_65, light_2))
+    pub(crate) fn way_out(&self, path_67: Path, light_2: Toward) -> f32 {
+        rt::into(self.v_way_out(path_67, light_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_way_out(&self, path_65: Path, light_2: Toward) -> rt::Scalar<f32> {
+    fn v_way_out(&self, path_67: Path, light_2: Toward) -> rt::Scalar<f32> {
         let mut way_6: rt::Scalar<f32>;
-        let mut interval_5: rt::Vec2<f32>;
+        let mut interval_7: rt::Vec2<f32>;
 
-        way_6 = ((rt::Scalar(1f32) - path_65.h.x()) / path_65.h.y()).min(rt::Scalar(light_2.distance));
+        way_6 = ((rt::Scalar(1f32) - path_67.h.x()) / path_67.h.y()).min(rt::Scalar(light_2.distance));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
             let _e21 = way_6;
-            let _e24 = self.v_inside_unit(path_65.uv.x(), path_65.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
-            interval_5 = _e24;
-            let _e30 = interval_5;
-            let _e31 = self.v_inside_unit(path_65.uv.y(), path_65.duv.y(), _e30);
-            interval_5 = _e31;
-            let _e33 = interval_5.y();
+            let _e24 = self.v_inside_unit(path_67.uv.x(), path_67.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
+            interval_7 = _e24;
+            let _e30 = interval_7;
+            let _e31 = self.v_inside_unit(path_67.uv.y(), path_67.duv.y(), _e30);
+            interval_7 = _e31;
+            let _e33 = interval_7.y();
             way_6 = _e33;
         }
         let _e34 = way_6;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_62: Entered, hit_18: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_62, hit_18, light_3))
+    pub(crate) fn light_ray(&self, at_68: Entered, hit_19: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_68, hit_19, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_62: Entered, hit_18: Hit, light_3: Toward) -> LightRay {
-        let mut local_73: rt::Scalar<bool>;
+    fn v_light_ray(&self, at_68: Entered, hit_19: Hit, light_3: Toward) -> LightRay {
+        let mut local_78: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_62, hit_18, light_3);
+        let _e3 = self.v_from_hit(at_68, hit_19, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -10222,11 +10748,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.to_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_73 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
+            local_78 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_73 = rt::Scalar(true);
+            local_78 = rt::Scalar(true);
         }
-        let _e45 = local_73;
+        let _e45 = local_78;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -10236,86 +10762,86 @@ impl<'g> Resources<'g> {
         let _e51 = self.v_path_uv(_e3, end_15);
         let gap_7 = (end_15 * (_e31.y() + (_e31.z() * end_15)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
-        let h_6 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_76 = <Path>::new(_e51, _e3.duv, h_6, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_76);
+        let h_8 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
+        let path_79 = <Path>::new(_e51, _e3.duv, h_8, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_79);
     }
-    pub(crate) fn shadow_search_stage(&self, path_66: Path) -> Found {
-        rt::into(self.v_shadow_search_stage(path_66))
+    pub(crate) fn shadow_search_stage(&self, path_68: Path) -> Found {
+        rt::into(self.v_shadow_search_stage(path_68))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_search_stage(&self, path_66: Path) -> Found {
-        let _e5 = rt::Scalar(self.surface_settings.choices[8usize].number);
+    fn v_shadow_search_stage(&self, path_68: Path) -> Found {
+        let _e5 = rt::Scalar(self.surface_settings.choices[9usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
-                let _e10 = self.surface_settings.choices[8usize].params;
-                let _e11 = self.v_search_none(path_66, _e10);
+                let _e10 = self.surface_settings.choices[9usize].params;
+                let _e11 = self.v_search_none(path_68, _e10);
                 return _e11;
             }
             1u32 => {
-                let _e16 = self.surface_settings.choices[8usize].params;
-                let _e17 = self.v_search_linear(path_66, _e16);
+                let _e16 = self.surface_settings.choices[9usize].params;
+                let _e17 = self.v_search_linear(path_68, _e16);
                 return _e17;
             }
             2u32 => {
-                let _e22 = self.surface_settings.choices[8usize].params;
-                let _e23 = self.v_search_cells(path_66, _e22);
+                let _e22 = self.surface_settings.choices[9usize].params;
+                let _e23 = self.v_search_cells(path_68, _e22);
                 return _e23;
             }
             3u32 => {
-                let _e28 = self.surface_settings.choices[8usize].params;
-                let _e29 = self.v_search_frustum(path_66, _e28);
+                let _e28 = self.surface_settings.choices[9usize].params;
+                let _e29 = self.v_search_frustum(path_68, _e28);
                 return _e29;
             }
             4u32 => {
-                let _e34 = self.surface_settings.choices[8usize].params;
-                let _e35 = self.v_search_cone(path_66, _e34);
+                let _e34 = self.surface_settings.choices[9usize].params;
+                let _e35 = self.v_search_cone(path_68, _e34);
                 return _e35;
             }
             5u32 => {
-                let _e40 = self.surface_settings.choices[8usize].params;
-                let _e41 = self.v_search_pyramid(path_66, _e40);
+                let _e40 = self.surface_settings.choices[9usize].params;
+                let _e41 = self.v_search_pyramid(path_68, _e40);
                 return _e41;
             }
             6u32 => {
-                let _e46 = self.surface_settings.choices[8usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_66, _e46);
+                let _e46 = self.surface_settings.choices[9usize].params;
+                let _e47 = self.v_search_pyramid_texels(path_68, _e46);
                 return _e47;
             }
             7u32 => {
-                let _e52 = self.surface_settings.choices[8usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_66, _e52);
+                let _e52 = self.surface_settings.choices[9usize].params;
+                let _e53 = self.v_search_dilation_erosion(path_68, _e52);
                 return _e53;
             }
             8u32 => {
-                let _e58 = self.surface_settings.choices[8usize].params;
-                let _e59 = self.v_search_sphere(path_66, _e58);
+                let _e58 = self.surface_settings.choices[9usize].params;
+                let _e59 = self.v_search_sphere(path_68, _e58);
                 return _e59;
             }
             9u32 => {
-                let _e64 = self.surface_settings.choices[8usize].params;
-                let _e65 = self.v_search_cone_moved(path_66, _e64);
+                let _e64 = self.surface_settings.choices[9usize].params;
+                let _e65 = self.v_search_cone_moved(path_68, _e64);
                 return _e65;
             }
             10u32 => {
-                let _e70 = self.surface_settings.choices[8usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_66, _e70);
+                let _e70 = self.surface_settings.choices[9usize].params;
+                let _e71 = self.v_search_relaxed_cone(path_68, _e70);
                 return _e71;
             }
             _ => {
-                let _e76 = self.surface_settings.choices[8usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_66, _e76);
+                let _e76 = self.surface_settings.choices[9usize].params;
+                let _e77 = self.v_search_relaxed_cone_resting(path_68, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn free_way(&self, at_63: Entered, hit_19: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_63, hit_19, light_4))
+    pub(crate) fn free_way(&self, at_69: Entered, hit_20: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_69, hit_20, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_free_way(&self, at_63: Entered, hit_19: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_63, hit_19, light_4);
+    fn v_free_way(&self, at_69: Entered, hit_20: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_69, hit_20, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -10335,36 +10861,36 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn holds_filter(
         &self,
-        view_6: LightView,
-        place_14: impl rt::Into<rt::Vec3<f32>>,
+        view_7: LightView,
+        place_15: impl rt::Into<rt::Vec3<f32>>,
         half: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_holds_filter(view_6, rt::into(place_14), rt::into(half)))
+        rt::into(self.v_holds_filter(view_7, rt::into(place_15), rt::into(half)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_holds_filter(
         &self,
-        view_6: LightView,
-        place_14: rt::Vec3<f32>,
+        view_7: LightView,
+        place_15: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_74: rt::Scalar<bool>;
-        let mut local_75: rt::Scalar<bool>;
+        let mut local_79: rt::Scalar<bool>;
+        let mut local_80: rt::Scalar<bool>;
 
-        let least_3 = (place_14.x().min(place_14.y()) - half);
-        let most_10 = (place_14.x().max(place_14.y()) + half);
-        if rt::Scalar::into_branch_condition(place_14.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_74 = least_3.elementwise_ge(rt::Scalar(0f32));
+        let least_5 = (place_15.x().min(place_15.y()) - half);
+        let most_13 = (place_15.x().max(place_15.y()) + half);
+        if rt::Scalar::into_branch_condition(place_15.z().elementwise_gt(rt::Scalar(0f32))) {
+            local_79 = least_5.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_74 = rt::Scalar(false);
+            local_79 = rt::Scalar(false);
         }
-        let _e19 = local_74;
+        let _e19 = local_79;
         if rt::Scalar::into_branch_condition(_e19) {
-            local_75 = most_10.elementwise_le(rt::Scalar(view_6.size).to_f32());
+            local_80 = most_13.elementwise_le(rt::Scalar(view_7.size).to_f32());
         } else {
-            local_75 = rt::Scalar(false);
+            local_80 = rt::Scalar(false);
         }
-        let _e26 = local_75;
+        let _e26 = local_80;
         return _e26;
     }
     pub(crate) fn is_before(
@@ -10387,16 +10913,16 @@ impl<'g> Resources<'g> {
         low_m: rt::Scalar<f32>,
         high_m: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_76: rt::Scalar<bool>;
+        let mut local_81: rt::Scalar<bool>;
 
-        let low_6 = (plane.xyz().dot((position + (direction_5 * low_m))) + plane.w());
-        let high_1 = (plane.xyz().dot((position + (direction_5 * high_m))) + plane.w());
-        if rt::Scalar::into_branch_condition(low_6.elementwise_gt(rt::Scalar(0f32))) {
-            local_76 = high_1.elementwise_gt(rt::Scalar(0f32));
+        let low_7 = (plane.xyz().dot((position + (direction_5 * low_m))) + plane.w());
+        let high_2 = (plane.xyz().dot((position + (direction_5 * high_m))) + plane.w());
+        if rt::Scalar::into_branch_condition(low_7.elementwise_gt(rt::Scalar(0f32))) {
+            local_81 = high_2.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_76 = rt::Scalar(false);
+            local_81 = rt::Scalar(false);
         }
-        let _e24 = local_76;
+        let _e24 = local_81;
         return _e24;
     }
     pub(crate) fn is_left_out(
@@ -10420,37 +10946,37 @@ impl<'g> Resources<'g> {
         low_m_1: rt::Scalar<f32>,
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut k_19: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_77: rt::Scalar<bool>;
-        let mut local_78: rt::Scalar<bool>;
+        let mut k_21: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_82: rt::Scalar<bool>;
+        let mut local_83: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e8 = k_19;
+                let _e8 = k_21;
                 if rt::Scalar::into_branch_condition(_e8.elementwise_lt(rt::Scalar(5u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e12 = k_19;
+                    let _e12 = k_21;
                     let plane_1 = grid_10.planes[rt::Scalar::into_array_index(_e12)];
-                    let _e14 = k_19;
-                    k_19 = (_e14 + rt::Scalar(1u32));
+                    let _e14 = k_21;
+                    k_21 = (_e14 + rt::Scalar(1u32));
                     let _e19 = self.v_is_before(plane_1, a_11.position, a_11.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
                         let _e24 = self.v_is_before(plane_1, b_11.position, b_11.direction, low_m_1, high_m_1);
-                        local_77 = _e24;
+                        local_82 = _e24;
                     } else {
-                        local_77 = rt::Scalar(false);
+                        local_82 = rt::Scalar(false);
                     }
-                    let _e26 = local_77;
+                    let _e26 = local_82;
                     if rt::Scalar::into_branch_condition(_e26) {
                         let _e31 = self.v_is_before(plane_1, c_8.position, c_8.direction, low_m_1, high_m_1);
-                        local_78 = _e31;
+                        local_83 = _e31;
                     } else {
-                        local_78 = rt::Scalar(false);
+                        local_83 = rt::Scalar(false);
                     }
-                    let _e33 = local_78;
+                    let _e33 = local_83;
                     if rt::Scalar::into_branch_condition(_e33) {
                         return rt::Scalar(true);
                     }
@@ -10461,111 +10987,111 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_place(
         &self,
-        view_7: LightView,
-        point_7: impl rt::Into<rt::Vec3<f32>>,
+        view_8: LightView,
+        point_9: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_light_place(view_7, rt::into(point_7)))
+        rt::into(self.v_light_place(view_8, rt::into(point_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_light_place(
         &self,
-        view_7: LightView,
-        point_7: rt::Vec3<f32>,
+        view_8: LightView,
+        point_9: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_111 = <rt::Vec4<f32>>::new_31(point_7, rt::Scalar(1f32));
-        let depth_7 = view_7.depth.dot(at_111);
-        let over_2 = rt::Scalar(1f32).select(depth_7, rt::Scalar(view_7.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_7.column.dot(at_111), view_7.row.dot(at_111)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
+        let at_120 = <rt::Vec4<f32>>::new_31(point_9, rt::Scalar(1f32));
+        let depth_7 = view_8.depth.dot(at_120);
+        let over_2 = rt::Scalar(1f32).select(depth_7, rt::Scalar(view_8.from_point).elementwise_eq(rt::Scalar(1u32)));
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_8.column.dot(at_120), view_8.row.dot(at_120)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
     }
     pub(crate) fn patch_normal(
         &self,
-        at_64: Entered,
+        at_70: Entered,
         uv_19: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_64, rt::into(uv_19)))
+        rt::into(self.v_patch_normal(at_70, rt::into(uv_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_patch_normal(
         &self,
-        at_64: Entered,
+        at_70: Entered,
         uv_19: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let facet = at_64.facing.normalize();
-            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_64.normal).elementwise_ge(rt::Scalar(0f32))));
+            let facet = at_70.facing.normalize();
+            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_70.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_19, rt::Scalar(at_64.level));
+        let _e18 = self.v_height_and_slope(uv_19, rt::Scalar(at_70.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_2 = (at_64.tangent + (at_64.normal * (_e18.y() * _e24)));
+        let along_u_2 = (at_70.tangent + (at_70.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_2 = (at_64.bitangent + (at_64.normal * (_e18.z() * _e33)));
+        let along_v_2 = (at_70.bitangent + (at_70.normal * (_e18.z() * _e33)));
         let across_6 = along_v_2.cross(along_u_2).normalize();
-        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_64.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_70.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
-        view_8: LightView,
-        point_8: impl rt::Into<rt::Vec3<f32>>,
+        view_9: LightView,
+        point_10: impl rt::Into<rt::Vec3<f32>>,
         normal_15: impl rt::Into<rt::Vec3<f32>>,
         texel_4: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_plane_depth(view_8, rt::into(point_8), rt::into(normal_15), rt::into(texel_4)))
+        rt::into(self.v_plane_depth(view_9, rt::into(point_10), rt::into(normal_15), rt::into(texel_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_depth(
         &self,
-        view_8: LightView,
-        point_8: rt::Vec3<f32>,
+        view_9: LightView,
+        point_10: rt::Vec3<f32>,
         normal_15: rt::Vec3<f32>,
         texel_4: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let corner_7 = ((view_8.corner.xyz() + (view_8.across.xyz() * texel_4.x())) + (view_8.along.xyz() * texel_4.y()));
-        if rt::Scalar::into_branch_condition(rt::Scalar(view_8.from_point).elementwise_eq(rt::Scalar(1u32))) {
-            return (normal_15.dot((point_8 - view_8.eye.xyz())) / normal_15.dot(corner_7));
+        let corner_7 = ((view_9.corner.xyz() + (view_9.across.xyz() * texel_4.x())) + (view_9.along.xyz() * texel_4.y()));
+        if rt::Scalar::into_branch_condition(rt::Scalar(view_9.from_point).elementwise_eq(rt::Scalar(1u32))) {
+            return (normal_15.dot((point_10 - view_9.eye.xyz())) / normal_15.dot(corner_7));
         }
-        return (normal_15.dot((point_8 - corner_7)) / normal_15.dot(view_8.depth.xyz()));
+        return (normal_15.dot((point_10 - corner_7)) / normal_15.dot(view_9.depth.xyz()));
     }
     pub(crate) fn light_texel(
         &self,
-        place_15: impl rt::Into<rt::Vec2<i32>>,
-        view_9: impl rt::Into<rt::Scalar<i32>>,
+        place_16: impl rt::Into<rt::Vec2<i32>>,
+        view_10: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_light_texel(rt::into(place_15), rt::into(view_9)))
+        rt::into(self.v_light_texel(rt::into(place_16), rt::into(view_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_light_texel(
         &self,
-        place_15: rt::Vec2<i32>,
-        view_9: rt::Scalar<i32>,
+        place_16: rt::Vec2<i32>,
+        view_10: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_15, rt::Scalar::into_inner(view_9), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_16, rt::Scalar::into_inner(view_10), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4.x();
     }
     pub(crate) fn row_sees(
         &self,
-        at_65: InView,
+        at_71: InView,
         row_6: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_65, rt::into(row_6), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_71, rt::into(row_6), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_row_sees(
         &self,
-        at_65: InView,
+        at_71: InView,
         row_6: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column: rt::Scalar<f32>;
 
-        let view_16 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_65.number))];
-        column = at_65.low.x().floor();
+        let view_19 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_71.number))];
+        column = at_71.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = column;
@@ -10576,13 +11102,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e18 = column;
                     let _e24 = column;
-                    let wide_2 = (at_65.high.x().min((_e18 + rt::Scalar(1f32))) - at_65.low.x().max(_e24));
+                    let wide_2 = (at_71.high.x().min((_e18 + rt::Scalar(1f32))) - at_71.low.x().max(_e24));
                     let _e27 = column;
-                    let place_24 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_16, at_65.point, at_65.normal, (place_24 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_8 = _e35.clamp(rt::Scalar(at_65.least_depth), rt::Scalar(at_65.most_depth));
-                    let key = (rt::Scalar(view_16.near) / (rt::Scalar(view_16.near) + depth_8.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_24.to_i32(), rt::Scalar(at_65.number).to_i32());
+                    let place_25 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
+                    let _e35 = self.v_plane_depth(view_19, at_71.point, at_71.normal, (place_25 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_8 = _e35.clamp(rt::Scalar(at_71.least_depth), rt::Scalar(at_71.most_depth));
+                    let key = (rt::Scalar(view_19.near) / (rt::Scalar(view_19.near) + depth_8.max(rt::Scalar(0f32))));
+                    let _e48 = self.v_light_texel(place_25.to_i32(), rt::Scalar(at_71.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -10597,38 +11123,38 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_part(
         &self,
-        number_8: impl rt::Into<rt::Scalar<u32>>,
-        at_66: Entered,
+        number_9: impl rt::Into<rt::Scalar<u32>>,
+        at_72: Entered,
         normal_16: impl rt::Into<rt::Vec3<f32>>,
-        place_16: impl rt::Into<rt::Vec3<f32>>,
+        place_17: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_8), at_66, rt::into(normal_16), rt::into(place_16), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_9), at_72, rt::into(normal_16), rt::into(place_17), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
         &self,
-        number_8: rt::Scalar<u32>,
-        at_66: Entered,
+        number_9: rt::Scalar<u32>,
+        at_72: Entered,
         normal_16: rt::Vec3<f32>,
-        place_16: rt::Vec3<f32>,
+        place_17: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
         bias: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut seen: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut row_7: rt::Scalar<f32>;
 
-        let view_17 = self.frame.light_views[rt::Scalar::into_array_index(number_8)];
-        let texel_m = (rt::Scalar(view_17.texel_m) * rt::Scalar(1f32).select(place_16.z(), rt::Scalar(view_17.from_point).elementwise_eq(rt::Scalar(1u32))));
-        let _e19 = self.v_footprint_m(at_66);
-        let point_20 = (at_66.point + (normal_16 * (bias * texel_m.max(_e19))));
+        let view_20 = self.frame.light_views[rt::Scalar::into_array_index(number_9)];
+        let texel_m = (rt::Scalar(view_20.texel_m) * rt::Scalar(1f32).select(place_17.z(), rt::Scalar(view_20.from_point).elementwise_eq(rt::Scalar(1u32))));
+        let _e19 = self.v_footprint_m(at_72);
+        let point_22 = (at_72.point + (normal_16 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
-        let low_7 = (place_16.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
-        let high_2 = (low_7 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
-        let last_8 = high_2.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_17.size).to_f32(), rt::Scalar(view_17.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_8, point_20, normal_16, low_7, high_2, (place_16.z() - reach_1), (place_16.z() + reach_1));
-        row_7 = low_7.y().floor();
+        let low_8 = (place_17.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
+        let high_3 = (low_8 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
+        let last_8 = high_3.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_20.size).to_f32(), rt::Scalar(view_20.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
+        let in_view = <InView>::new(number_9, point_22, normal_16, low_8, high_3, (place_17.z() - reach_1), (place_17.z() + reach_1));
+        row_7 = low_8.y().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e55 = row_7;
@@ -10639,7 +11165,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e59 = row_7;
                     let _e64 = row_7;
-                    let tall = (high_2.y().min((_e59 + rt::Scalar(1f32))) - low_7.y().max(_e64));
+                    let tall = (high_3.y().min((_e59 + rt::Scalar(1f32))) - low_8.y().max(_e64));
                     let _e67 = seen;
                     let _e68 = row_7;
                     let _e70 = self.v_row_sees(in_view, _e68, last_8.x());
@@ -10654,58 +11180,58 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_seen(
         &self,
-        at_67: Entered,
+        at_73: Entered,
         uv_20: impl rt::Into<rt::Vec2<f32>>,
-        number_9: impl rt::Into<rt::Scalar<u32>>,
+        number_10: impl rt::Into<rt::Scalar<u32>>,
         toward: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_67, rt::into(uv_20), rt::into(number_9), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_73, rt::into(uv_20), rt::into(number_10), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
-        at_67: Entered,
+        at_73: Entered,
         uv_20: rt::Vec2<f32>,
-        number_9: rt::Scalar<u32>,
+        number_10: rt::Scalar<u32>,
         toward: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
         bias_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut k_20: rt::Scalar<u32>;
+        let mut k_22: rt::Scalar<u32>;
 
-        let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_9)];
+        let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_10)];
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_67, uv_20);
+        let _e14 = self.v_patch_normal(at_73, uv_20);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let width_5 = filter_texels.max(rt::Scalar(0.001f32));
-        k_20 = rt::Scalar(light_17.first_view);
+        let width_6 = filter_texels.max(rt::Scalar(0.001f32));
+        k_22 = rt::Scalar(light_17.first_view);
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_20;
+                let _e24 = k_22;
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt((rt::Scalar(light_17.first_view) + rt::Scalar(light_17.views)))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e31 = k_20;
+                    let _e31 = k_22;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_light_place(_e33, at_67.point);
-                    let _e38 = k_20;
+                    let _e35 = self.v_light_place(_e33, at_73.point);
+                    let _e38 = k_22;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
-                    let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_5));
+                    let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_6));
                     if rt::Scalar::into_branch_condition(_e43) {
-                        let _e44 = k_20;
-                        let _e45 = self.v_seen_part(_e44, at_67, _e14, _e35, width_5, bias_1);
+                        let _e44 = k_22;
+                        let _e45 = self.v_seen_part(_e44, at_73, _e14, _e35, width_6, bias_1);
                         return _e45;
                     }
-                    let _e46 = k_20;
-                    k_20 = (_e46 + rt::Scalar(1u32));
+                    let _e46 = k_22;
+                    k_22 = (_e46 + rt::Scalar(1u32));
                 }
             }
         }
@@ -10755,64 +11281,64 @@ impl<'g> Resources<'g> {
     fn v_one_seen(&self, normal_17: rt::Vec3<f32>) -> SeenNormals {
         let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let none_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let parts_4 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let parts_5 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let _e13 = self.v_no_table();
-        return <SeenNormals>::new(normal_17, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts_4, rt::Scalar(0f32), _e13);
+        return <SeenNormals>::new(normal_17, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts_5, rt::Scalar(0f32), _e13);
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_68: Entered,
-        v: impl rt::Into<rt::Vec3<f32>>,
+        at_74: Entered,
+        v_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_68, rt::into(v)))
+        rt::into(self.v_to_tangent_space(at_74, rt::into(v_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_to_tangent_space(
         &self,
-        at_68: Entered,
-        v: rt::Vec3<f32>,
+        at_74: Entered,
+        v_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_3 = at_68.tangent.normalize();
-        let along_v_3 = at_68.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v), (-along_v_3.dot(v)), at_68.normal.dot(v));
+        let along_u_3 = at_74.tangent.normalize();
+        let along_v_3 = at_74.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_74.normal.dot(v_1));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_69: Entered,
+        at_75: Entered,
         uv_21: impl rt::Into<rt::Vec2<f32>>,
-        level_21: impl rt::Into<rt::Scalar<u32>>,
+        level_22: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_69, rt::into(uv_21), rt::into(level_21)))
+        rt::into(self.v_normals_of_level(at_75, rt::into(uv_21), rt::into(level_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_69: Entered,
+        at_75: Entered,
         uv_21: rt::Vec2<f32>,
-        level_21: rt::Scalar<u32>,
+        level_22: rt::Scalar<u32>,
     ) -> Normals {
-        if rt::Scalar::into_branch_condition(level_21.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_69, uv_21);
-            let _e6 = self.v_to_tangent_space(at_69, _e5);
+        if rt::Scalar::into_branch_condition(level_22.elementwise_eq(rt::Scalar(0u32))) {
+            let _e5 = self.v_finest_normal(at_75, uv_21);
+            let _e6 = self.v_to_tangent_space(at_75, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_21, rt::Scalar(0i32), level_21);
-            let _e16 = self.v_normal_at(uv_21, rt::Scalar(1i32), level_21);
+            let _e14 = self.v_normal_at(uv_21, rt::Scalar(0i32), level_22);
+            let _e16 = self.v_normal_at(uv_21, rt::Scalar(1i32), level_22);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_3 = ((tile.x() * at_69.tangent.normalize().dot(at_69.tangent)) / at_69.tangent.dot(at_69.tangent));
-        let y_2 = ((tile.y() * at_69.bitangent.normalize().dot(at_69.bitangent)) / at_69.bitangent.dot(at_69.bitangent));
-        let _e44 = self.v_normal_at(uv_21, rt::Scalar(0i32), (level_21 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_21, rt::Scalar(1i32), (level_21 - rt::Scalar(1u32)));
-        let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_3), (_e44.y() * y_2), _e44.z());
+        let x_5 = ((tile.x() * at_75.tangent.normalize().dot(at_75.tangent)) / at_75.tangent.dot(at_75.tangent));
+        let y_3 = ((tile.y() * at_75.bitangent.normalize().dot(at_75.bitangent)) / at_75.bitangent.dot(at_75.bitangent));
+        let _e44 = self.v_normal_at(uv_21, rt::Scalar(0i32), (level_22 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_21, rt::Scalar(1i32), (level_22 - rt::Scalar(1u32)));
+        let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_5), (_e44.y() * y_3), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
-        let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_3) * x_3), ((_e48.y() * x_3) * y_2), ((_e48.z() * y_2) * y_2)) * longer_1);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (_e44.w() * x_3)), <rt::Vec4<f32>>::new_31(squares, (_e48.w() * y_2)));
+        let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_5) * x_5), ((_e48.y() * x_5) * y_3), ((_e48.z() * y_3) * y_3)) * longer_1);
+        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (_e44.w() * x_5)), <rt::Vec4<f32>>::new_31(squares, (_e48.w() * y_3)));
     }
     pub(crate) fn sum_of_four(&self, four_1: impl rt::Into<rt::Vec4<f32>>) -> f32 {
         rt::into(self.v_sum_of_four(rt::into(four_1)))
@@ -10824,73 +11350,73 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_70: Entered,
+        at_76: Entered,
         normals: Normals,
-        view_10: impl rt::Into<rt::Vec3<f32>>,
+        view_11: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_70, normals, rt::into(view_10)))
+        rt::into(self.v_seen_normals(at_76, normals, rt::into(view_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_70: Entered,
+        at_76: Entered,
         normals: Normals,
-        view_10: rt::Vec3<f32>,
+        view_11: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let first_13 = normals.first;
+        let first_14 = normals.first;
         let second_5 = normals.second;
-        let slope_12 = <rt::Vec2<f32>>::from_scalars(first_13.w(), second_5.w());
-        let upright_1 = first_13.z().max(rt::Scalar(0.05f32));
-        let x_4 = (first_13.x() / upright_1);
-        let y_3 = (first_13.y() / upright_1);
-        let a_27 = ((second_5.x() / upright_1) - (x_4 * x_4)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_27 = (((second_5.y() / upright_1) - (x_4 * y_3)) / a_27);
-        let spread = ((second_5.z() / upright_1) - (y_3 * y_3)).max(rt::Scalar(0f32));
-        let d_2 = (spread - (b_27 * b_27)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_13.x())) - (first_13.xyz() * slope_12.x()));
-        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_13.y())) - (first_13.xyz() * slope_12.y()));
-        let most_11 = ((a_27 * a_27) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_34 = (with_x / rt::Vec3::splat_from_scalar(a_27.max((with_x.length() / most_11))));
-        let rest_9 = (with_y - (along_34 * b_27));
-        let across_7 = (rest_9 / rt::Vec3::splat_from_scalar(d_2.max((rest_9.length() / most_11))));
-        let _e77 = self.v_to_tangent_space(at_70, view_10);
-        let middle_14 = (_e77.z() - _e77.xy().dot(slope_12));
-        let _e91 = self.v_facing_four(middle_14, (-((_e77.x() * a_27) + (_e77.y() * b_27))), (-(_e77.y() * d_2)));
-        let one = middle_14.max(rt::Scalar(0f32));
+        let slope_12 = <rt::Vec2<f32>>::from_scalars(first_14.w(), second_5.w());
+        let upright_1 = first_14.z().max(rt::Scalar(0.05f32));
+        let x_6 = (first_14.x() / upright_1);
+        let y_4 = (first_14.y() / upright_1);
+        let a_28 = ((second_5.x() / upright_1) - (x_6 * x_6)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_28 = (((second_5.y() / upright_1) - (x_6 * y_4)) / a_28);
+        let spread = ((second_5.z() / upright_1) - (y_4 * y_4)).max(rt::Scalar(0f32));
+        let d_2 = (spread - (b_28 * b_28)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_14.x())) - (first_14.xyz() * slope_12.x()));
+        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_14.y())) - (first_14.xyz() * slope_12.y()));
+        let most_14 = ((a_28 * a_28) + spread).sqrt().min(rt::Scalar(1f32));
+        let along_35 = (with_x / rt::Vec3::splat_from_scalar(a_28.max((with_x.length() / most_14))));
+        let rest_9 = (with_y - (along_35 * b_28));
+        let across_7 = (rest_9 / rt::Vec3::splat_from_scalar(d_2.max((rest_9.length() / most_14))));
+        let _e77 = self.v_to_tangent_space(at_76, view_11);
+        let middle_15 = (_e77.z() - _e77.xy().dot(slope_12));
+        let _e91 = self.v_facing_four(middle_15, (-((_e77.x() * a_28) + (_e77.y() * b_28))), (-(_e77.y() * d_2)));
+        let one = middle_15.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one, _e94);
         let all_1 = _e95.max(rt::Scalar(0.001f32));
-        let aside_8 = ((along_34 * ((_e91.x() - _e91.y()) / all_1)) + (across_7 * ((_e91.z() - _e91.w()) / all_1)));
-        let _e113 = self.v_from_tangent_space(at_70, (first_13.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
+        let aside_8 = ((along_35 * ((_e91.x() - _e91.y()) / all_1)) + (across_7 * ((_e91.z() - _e91.w()) / all_1)));
+        let _e113 = self.v_from_tangent_space(at_76, (first_14.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_13.xyz(), along_34, across_7, slope_12, <rt::Vec2<f32>>::from_scalars(a_27, b_27), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_14.xyz(), along_35, across_7, slope_12, <rt::Vec2<f32>>::from_scalars(a_28, b_28), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_71: Entered) -> f32 {
-        rt::into(self.v_table_part(at_71))
+    pub(crate) fn table_part(&self, at_77: Entered) -> f32 {
+        rt::into(self.v_table_part(at_77))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_table_part(&self, at_71: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_77: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_71.fade) * ((rt::Scalar(at_71.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_77.fade) * ((rt::Scalar(at_77.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_72: Entered,
+        at_78: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_72, seen_1, table, rt::into(part_6)))
+        rt::into(self.v_with_table(at_78, seen_1, table, rt::into(part_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_with_table(
         &self,
-        at_72: Entered,
+        at_78: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: rt::Scalar<f32>,
@@ -10899,7 +11425,7 @@ impl<'g> Resources<'g> {
 
         told = seen_1;
         let before_4 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_72, table.mean);
+        let _e9 = self.v_from_tangent_space(at_78, table.mean);
         let mean_4 = (before_4 + ((_e9 - before_4) * part_6));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
@@ -10907,36 +11433,6 @@ impl<'g> Resources<'g> {
         told.table = table;
         let _e21 = told;
         return _e21;
-    }
-    pub(crate) fn turn_of(&self, v_1: impl rt::Into<rt::Vec2<f32>>) -> f32 {
-        rt::into(self.v_turn_of(rt::into(v_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_turn_of(&self, v_1: rt::Vec2<f32>) -> rt::Scalar<f32> {
-        let mut turn: rt::Scalar<f32>;
-
-        let x_5 = v_1.x().abs();
-        let y_4 = v_1.y().abs();
-        if rt::Scalar::into_branch_condition((!(x_5 + y_4).elementwise_gt(rt::Scalar(0f32)))) {
-            return rt::Scalar(0f32);
-        }
-        let _e13 = self.v_eighth_turn((x_5.min(y_4) / x_5.max(y_4)));
-        turn = _e13;
-        if rt::Scalar::into_branch_condition(y_4.elementwise_gt(x_5)) {
-            let _e16 = turn;
-            turn = (rt::Scalar(0.25f32) - _e16);
-        }
-        if rt::Scalar::into_branch_condition(v_1.x().elementwise_lt(rt::Scalar(0f32))) {
-            let _e22 = turn;
-            turn = (rt::Scalar(0.5f32) - _e22);
-        }
-        if rt::Scalar::into_branch_condition(v_1.y().elementwise_lt(rt::Scalar(0f32))) {
-            let _e28 = turn;
-            turn = (rt::Scalar(1f32) - _e28);
-        }
-        let _e31 = turn;
-        let _e32 = turn;
-        return _e31.select(rt::Scalar(0f32), _e32.elementwise_ge(rt::Scalar(1f32)));
     }
     pub(crate) fn seen_between(
         &self,
@@ -10961,9 +11457,9 @@ impl<'g> Resources<'g> {
         uv_22: impl rt::Into<rt::Vec2<f32>>,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
-        level_22: impl rt::Into<rt::Scalar<u32>>,
+        level_23: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_22), rt::into(azimuth), rt::into(elevation), rt::into(level_22)))
+        rt::into(self.v_seen_texel(rt::into(uv_22), rt::into(azimuth), rt::into(elevation), rt::into(level_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -10972,11 +11468,11 @@ impl<'g> Resources<'g> {
         uv_22: rt::Vec2<f32>,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
-        level_22: rt::Scalar<u32>,
+        level_23: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_8 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_22, layer_8, level_22);
-        let _e12 = self.v_detail_texel_between(uv_22, (layer_8 + rt::Scalar(1i32)), level_22);
+        let _e9 = self.v_detail_texel_between(uv_22, layer_8, level_23);
+        let _e12 = self.v_detail_texel_between(uv_22, (layer_8 + rt::Scalar(1i32)), level_23);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
@@ -11007,28 +11503,28 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_73: Entered,
+        at_79: Entered,
         uv_24: impl rt::Into<rt::Vec2<f32>>,
-        view_11: impl rt::Into<rt::Vec3<f32>>,
+        view_12: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_73, rt::into(uv_24), rt::into(view_11), levels_2))
+        rt::into(self.v_table_of(at_79, rt::into(uv_24), rt::into(view_12), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_73: Entered,
+        at_79: Entered,
         uv_24: rt::Vec2<f32>,
-        view_11: rt::Vec3<f32>,
+        view_12: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_73, view_11);
+        let _e4 = self.v_climb(at_79, view_12);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
-        let toward_5 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
-        let up_3 = (toward_5.z() / toward_5.length());
+        let toward_6 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
+        let up_3 = (toward_6.z() / toward_6.length());
         let elevation_3 = ((up_3 * rt::Scalar(4f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(3f32));
-        let _e29 = self.v_turn_of(toward_5.xy());
+        let _e29 = self.v_turn_of(toward_6.xy());
         let azimuth_3 = (_e29 * rt::Scalar(8f32));
         let a0_ = (azimuth_3.floor().to_i32() % rt::Scalar(8i32));
         let a1_ = ((a0_ + rt::Scalar(1i32)) % rt::Scalar(8i32));
@@ -11042,79 +11538,79 @@ impl<'g> Resources<'g> {
         let _e52 = self.v_seen_in_levels(uv_24, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_8);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_6 = ((tile_1.x() * at_73.tangent.normalize().dot(at_73.tangent)) / at_73.tangent.dot(at_73.tangent));
-        let y_5 = ((tile_1.y() * at_73.bitangent.normalize().dot(at_73.bitangent)) / at_73.bitangent.dot(at_73.bitangent));
+        let x_7 = ((tile_1.x() * at_79.tangent.normalize().dot(at_79.tangent)) / at_79.tangent.dot(at_79.tangent));
+        let y_5 = ((tile_1.y() * at_79.bitangent.normalize().dot(at_79.bitangent)) / at_79.bitangent.dot(at_79.bitangent));
         let mean_5 = _e56.first.xyz();
-        let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_6), (mean_5.y() * y_5), mean_5.z());
+        let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_7), (mean_5.y() * y_5), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
         let upright_2 = ((rt::Scalar(1f32) - _e56.first.w()) - _e56.second.y()).max(rt::Scalar(0f32));
-        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_6) * x_6), ((_e56.second.y() * y_5) * y_5), upright_2) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_6) * y_5), (_e56.second.z() * x_6), (_e56.second.w() * y_5)) * squared_3));
+        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_7) * x_7), ((_e56.second.y() * y_5) * y_5), upright_2) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_7) * y_5), (_e56.second.z() * x_7), (_e56.second.w() * y_5)) * squared_3));
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_74: Entered,
+        at_80: Entered,
         uv_25: impl rt::Into<rt::Vec2<f32>>,
-        view_12: impl rt::Into<rt::Vec3<f32>>,
+        view_13: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_74, rt::into(uv_25), rt::into(view_12)))
+        rt::into(self.v_mesostructure_normals(at_80, rt::into(uv_25), rt::into(view_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_74: Entered,
+        at_80: Entered,
         uv_25: rt::Vec2<f32>,
-        view_12: rt::Vec3<f32>,
+        view_13: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_79: rt::Scalar<bool>;
-        let mut first_4: rt::Vec4<f32>;
+        let mut local_84: rt::Scalar<bool>;
+        let mut first_5: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
         let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_one_seen(at_74.normal);
+            let _e9 = self.v_one_seen(at_80.normal);
             return _e9;
         }
-        let upright_3 = at_74.normal.dot(view_12);
+        let upright_3 = at_80.normal.dot(view_13);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_6 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_74.fade)));
+        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_80.fade)));
         let _e22 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_6 = ((rt::Scalar(at_74.footprint) * _e22) * width_6);
+        let texels_6 = ((rt::Scalar(at_80.footprint) * _e22) * width_7);
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_6, _e27);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_79 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
+            local_84 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_79 = rt::Scalar(false);
+            local_84 = rt::Scalar(false);
         }
-        let _e39 = local_79;
+        let _e39 = local_84;
         if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_74, uv_25);
+            let _e40 = self.v_finest_normal(at_80, uv_25);
             let _e41 = self.v_one_seen(_e40);
             return _e41;
         }
-        let _e43 = self.v_normals_of_level(at_74, uv_25, rt::Scalar(_e28.fine));
-        first_4 = _e43.first;
+        let _e43 = self.v_normals_of_level(at_80, uv_25, rt::Scalar(_e28.fine));
+        first_5 = _e43.first;
         second = _e43.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_74, uv_25, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
-            let _e55 = first_4;
-            let _e57 = first_4;
-            first_4 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
+            let _e54 = self.v_normals_of_level(at_80, uv_25, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e55 = first_5;
+            let _e57 = first_5;
+            first_5 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
             let _e62 = second;
             let _e64 = second;
             second = (_e62 + ((_e54.second - _e64) * rt::Scalar(_e28.part)));
         }
-        let _e69 = first_4;
+        let _e69 = first_5;
         let _e70 = second;
-        let _e72 = self.v_seen_normals(at_74, <Normals>::new(_e69, _e70), view_12);
-        let _e73 = self.v_table_part(at_74);
+        let _e72 = self.v_seen_normals(at_80, <Normals>::new(_e69, _e70), view_13);
+        let _e73 = self.v_table_part(at_80);
         if rt::Scalar::into_branch_condition(_e73.elementwise_gt(rt::Scalar(0f32))) {
             let _e79 = rt::Scalar(self.surface_settings.height_levels);
-            let _e80 = self.v_levels_of(rt::Scalar(at_74.footprint), _e79);
+            let _e80 = self.v_levels_of(rt::Scalar(at_80.footprint), _e79);
             let _e81 = self.v_has_table(_e80);
             if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_74, uv_25, view_12, _e80);
-                let _e83 = self.v_with_table(at_74, _e72, _e82, _e73);
+                let _e82 = self.v_table_of(at_80, uv_25, view_13, _e80);
+                let _e83 = self.v_with_table(at_80, _e72, _e82, _e73);
                 return _e83;
             }
         }
@@ -11122,63 +11618,63 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_75: Entered,
-        hit_20: Hit,
+        at_81: Entered,
+        hit_21: Hit,
         light_5: Toward,
-        params_60: impl rt::Into<rt::Vec4<f32>>,
+        params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_75, hit_20, light_5, rt::into(params_60)))
+        rt::into(self.v_shadow_ray(at_81, hit_21, light_5, rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_ray(
         &self,
-        at_75: Entered,
-        hit_20: Hit,
+        at_81: Entered,
+        hit_21: Hit,
         light_5: Toward,
-        params_60: rt::Vec4<f32>,
+        params_65: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_75, hit_20, light_5);
+        let _e4 = self.v_free_way(at_81, hit_21, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_76: Entered,
-        hit_21: Hit,
+        at_82: Entered,
+        hit_22: Hit,
         light_6: Toward,
-        params_61: impl rt::Into<rt::Vec4<f32>>,
+        params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_76, hit_21, light_6, rt::into(params_61)))
+        rt::into(self.v_shadow_none(at_82, hit_22, light_6, rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_none(
         &self,
-        at_76: Entered,
-        hit_21: Hit,
+        at_82: Entered,
+        hit_22: Hit,
         light_6: Toward,
-        params_61: rt::Vec4<f32>,
+        params_66: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_77: Entered,
-        hit_22: Hit,
+        at_83: Entered,
+        hit_23: Hit,
         light_7: Toward,
-        params_62: impl rt::Into<rt::Vec4<f32>>,
+        params_67: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_77, hit_22, light_7, rt::into(params_62)))
+        rt::into(self.v_shadow_entry(at_83, hit_23, light_7, rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_77: Entered,
-        hit_22: Hit,
+        at_83: Entered,
+        hit_23: Hit,
         light_7: Toward,
-        params_62: rt::Vec4<f32>,
+        params_67: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_77, hit_22, light_7);
+        let _e4 = self.v_from_hit(at_83, hit_23, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -11197,7 +11693,7 @@ impl<'g> Resources<'g> {
         }
         let _e51 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_4 = ((_e41.uv - _e4.uv).abs() * _e51);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_62.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_67.x()));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
         rt::into(self.v_mixed(rt::into(seed)))
@@ -11205,29 +11701,29 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_mixed(&self, seed: rt::Scalar<u32>) -> rt::Scalar<u32> {
-        let mut x: rt::Scalar<u32>;
+        let mut x_1: rt::Scalar<u32>;
 
-        x = (seed ^ (seed >> rt::Scalar(16u32)));
-        let _e5 = x;
-        x = (_e5 * rt::Scalar(2146121005u32));
-        let _e8 = x;
-        let _e9 = x;
-        x = (_e8 ^ (_e9 >> rt::Scalar(15u32)));
-        let _e13 = x;
-        x = (_e13 * rt::Scalar(2221713035u32));
-        let _e16 = x;
-        let _e17 = x;
+        x_1 = (seed ^ (seed >> rt::Scalar(16u32)));
+        let _e5 = x_1;
+        x_1 = (_e5 * rt::Scalar(2146121005u32));
+        let _e8 = x_1;
+        let _e9 = x_1;
+        x_1 = (_e8 ^ (_e9 >> rt::Scalar(15u32)));
+        let _e13 = x_1;
+        x_1 = (_e13 * rt::Scalar(2221713035u32));
+        let _e16 = x_1;
+        let _e17 = x_1;
         return (_e16 ^ (_e17 >> rt::Scalar(16u32)));
     }
-    pub(crate) fn seed_of(&self, hit_23: Hit) -> u32 {
-        rt::into(self.v_seed_of(hit_23))
+    pub(crate) fn seed_of(&self, hit_24: Hit) -> u32 {
+        rt::into(self.v_seed_of(hit_24))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_seed_of(&self, hit_23: Hit) -> rt::Scalar<u32> {
-        let place_25 = ((hit_23.uv - hit_23.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
-        let _e10 = self.v_mixed(place_25.y());
-        let _e12 = self.v_mixed((place_25.x() ^ _e10));
+    fn v_seed_of(&self, hit_24: Hit) -> rt::Scalar<u32> {
+        let place_26 = ((hit_24.uv - hit_24.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+        let _e10 = self.v_mixed(place_26.y());
+        let _e12 = self.v_mixed((place_26.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn unit_of(&self, bits: impl rt::Into<rt::Scalar<u32>>) -> f32 {
@@ -11244,10 +11740,10 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_quarter_sine(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_7 = (turn_1 * rt::Scalar(6.2831855f32));
-        let s_2 = (x_7 * x_7);
+        let x_8 = (turn_1 * rt::Scalar(6.2831855f32));
+        let s_2 = (x_8 * x_8);
         let last_9 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
-        return (x_7 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_9)))))));
+        return (x_8 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_9)))))));
     }
     pub(crate) fn sine_of(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_sine_of(rt::into(turn_2)))
@@ -11273,10 +11769,10 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: impl rt::Into<rt::Scalar<u32>>,
-        k_21: impl rt::Into<rt::Scalar<u32>>,
+        k_23: impl rt::Into<rt::Scalar<u32>>,
         count_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_21), rt::into(count_4)))
+        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_23), rt::into(count_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -11284,59 +11780,59 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: rt::Scalar<u32>,
-        k_21: rt::Scalar<u32>,
+        k_23: rt::Scalar<u32>,
         count_4: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_1 + k_21) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_1 + k_23) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_21.to_f32() + _e9) / count_4.to_f32());
+        let ring = ((k_23.to_f32() + _e9) / count_4.to_f32());
         let _e16 = self.v_unit_of(seed_1);
-        let _e18 = self.v_turned_1(((k_21.to_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_26 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
+        let _e18 = self.v_turned_1(((k_23.to_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let place_27 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
-        let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
-        let up_4 = light_8.direction.cross(right_2);
-        let toward_6 = ((light_8.direction + (right_2 * place_26.x())) + (up_4 * place_26.y()));
-        let along_35 = toward_6.length();
-        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_35)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_35), rt::Scalar(0f32), rt::Scalar(light_8.number));
+        let right_3 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
+        let up_4 = light_8.direction.cross(right_3);
+        let toward_7 = ((light_8.direction + (right_3 * place_27.x())) + (up_4 * place_27.y()));
+        let along_36 = toward_7.length();
+        return <Toward>::new((toward_7 / rt::Vec3::splat_from_scalar(along_36)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_36), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_78: Entered,
-        hit_24: Hit,
+        at_84: Entered,
+        hit_25: Hit,
         light_9: Toward,
-        params_63: impl rt::Into<rt::Vec4<f32>>,
+        params_68: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_78, hit_24, light_9, rt::into(params_63)))
+        rt::into(self.v_shadow_soft(at_84, hit_25, light_9, rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_78: Entered,
-        hit_24: Hit,
+        at_84: Entered,
+        hit_25: Hit,
         light_9: Toward,
-        params_63: rt::Vec4<f32>,
+        params_68: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_22: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_24: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_7 = params_63.x().to_u32();
-        let _e6 = self.v_seed_of(hit_24);
+        let count_7 = params_68.x().to_u32();
+        let _e6 = self.v_seed_of(hit_25);
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_22;
+                let _e11 = k_24;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_7)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
-                    let _e14 = k_22;
+                    let _e14 = k_24;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_7);
-                    let _e16 = self.v_free_way(at_78, hit_24, _e15);
+                    let _e16 = self.v_free_way(at_84, hit_25, _e15);
                     free = (_e13 + _e16);
-                    let _e18 = k_22;
-                    k_22 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_24;
+                    k_24 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
@@ -11345,67 +11841,67 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_79: Entered,
-        hit_25: Hit,
+        at_85: Entered,
+        hit_26: Hit,
         light_10: Toward,
-        params_64: impl rt::Into<rt::Vec4<f32>>,
+        params_69: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_79, hit_25, light_10, rt::into(params_64)))
+        rt::into(self.v_shadow_heuristic(at_85, hit_26, light_10, rt::into(params_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_79: Entered,
-        hit_25: Hit,
+        at_85: Entered,
+        hit_26: Hit,
         light_10: Toward,
-        params_64: rt::Vec4<f32>,
+        params_69: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_23: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_25: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_79, hit_25, light_10);
+        let _e4 = self.v_from_hit(at_85, hit_26, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let _e11 = self.v_way_out(_e4, light_10);
         'naga_break: loop {
             'naga_continue: {
-                let _e16 = k_23;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_64.x())) {
+                let _e16 = k_25;
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_69.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = k_23;
-                    let part_18 = (_e19 / params_64.x());
+                    let _e19 = k_25;
+                    let part_18 = (_e19 / params_69.x());
                     let _e22 = most_1;
                     let _e24 = self.v_path_gap(_e4, (part_18 * _e11));
                     most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_18)));
-                    let _e31 = k_23;
-                    k_23 = (_e31 + rt::Scalar(1f32));
+                    let _e31 = k_25;
+                    k_25 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
         let _e35 = most_1;
-        return (rt::Scalar(1f32) - (params_64.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_69.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
-        place_17: impl rt::Into<rt::Vec2<i32>>,
+        place_18: impl rt::Into<rt::Vec2<i32>>,
         layer_6: impl rt::Into<rt::Scalar<i32>>,
-        level_23: impl rt::Into<rt::Scalar<i32>>,
+        level_24: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_17), rt::into(layer_6), rt::into(level_23)))
+        rt::into(self.v_shadow_texel(rt::into(place_18), rt::into(layer_6), rt::into(level_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_texel(
         &self,
-        place_17: rt::Vec2<i32>,
+        place_18: rt::Vec2<i32>,
         layer_6: rt::Scalar<i32>,
-        level_23: rt::Scalar<i32>,
+        level_24: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_17, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_23));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_18, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_24));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -11414,9 +11910,9 @@ impl<'g> Resources<'g> {
         &self,
         uv_26: impl rt::Into<rt::Vec2<f32>>,
         layer_7: impl rt::Into<rt::Scalar<i32>>,
-        level_24: impl rt::Into<rt::Scalar<u32>>,
+        level_25: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_26), rt::into(layer_7), rt::into(level_24)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_26), rt::into(layer_7), rt::into(level_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -11424,15 +11920,15 @@ impl<'g> Resources<'g> {
         &self,
         uv_26: rt::Vec2<f32>,
         layer_7: rt::Scalar<i32>,
-        level_24: rt::Scalar<u32>,
+        level_25: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_24);
+        let _e3 = self.v_height_texels(level_25);
         let _e4 = self.v_texels_around(uv_26, _e3);
-        let k_34 = level_24.to_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_34);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_34);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_34);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_34);
+        let k_37 = level_25.to_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_37);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_37);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_37);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_37);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -11442,16 +11938,16 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_own_slope(&self, way_7: Path) -> rt::Scalar<f32> {
-        let mut level_25: Path;
+        let mut level_26: Path;
 
         let _e1 = self.v_grid_of(way_7);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
         let end_16 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        level_25 = way_7;
-        level_25.h = <rt::Vec3<f32>>::from_scalars(way_7.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
-        rt::Scalar(level_25.exit) = end_16;
-        let _e18 = level_25;
+        level_26 = way_7;
+        level_26.h = <rt::Vec3<f32>>::from_scalars(way_7.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
+        rt::Scalar(level_26.exit) = end_16;
+        let _e18 = level_26;
         let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_7.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_16))));
@@ -11462,116 +11958,116 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_part_above(&self, height_6: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_8 = height_6.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
-        let s_3 = (x_8 * x_8);
-        return (rt::Scalar(0.5f32) + (x_8 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
+        let x_9 = height_6.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
+        let s_3 = (x_9 * x_9);
+        return (rt::Scalar(0.5f32) + (x_9 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_80: Entered,
-        hit_26: Hit,
+        at_86: Entered,
+        hit_27: Hit,
         light_11: Toward,
-        params_65: impl rt::Into<rt::Vec4<f32>>,
+        params_70: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_80, hit_26, light_11, rt::into(params_65)))
+        rt::into(self.v_shadow_horizon(at_86, hit_27, light_11, rt::into(params_70)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_80: Entered,
-        hit_26: Hit,
+        at_86: Entered,
+        hit_27: Hit,
         light_11: Toward,
-        params_65: rt::Vec4<f32>,
+        params_70: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_80, light_11.direction);
+        let _e5 = self.v_climb(at_86, light_11.direction);
         let map_5 = self.surface_settings.maps[3usize];
-        let along_36 = (_e5.xy() * map_5.tile_m);
-        let _e13 = self.v_turn_of(along_36);
-        let azimuth_4 = (_e13 * params_65.x());
-        let first_14 = azimuth_4.floor();
-        let count_8 = params_65.x().to_i32();
-        let before_5 = (first_14.to_i32() % count_8);
-        let part_19 = (azimuth_4 - first_14);
-        let _e24 = self.v_shadow_texel_between(hit_26.uv, before_5, rt::Scalar(at_80.level));
-        let low_8 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_26.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_80.level));
-        let sine_1 = (low_8 + ((_e31.x() - low_8) * part_19));
+        let along_37 = (_e5.xy() * map_5.tile_m);
+        let _e13 = self.v_turn_of(along_37);
+        let azimuth_4 = (_e13 * params_70.x());
+        let first_15 = azimuth_4.floor();
+        let count_8 = params_70.x().to_i32();
+        let before_5 = (first_15.to_i32() % count_8);
+        let part_19 = (azimuth_4 - first_15);
+        let _e24 = self.v_shadow_texel_between(hit_27.uv, before_5, rt::Scalar(at_86.level));
+        let low_9 = _e24.x();
+        let _e31 = self.v_shadow_texel_between(hit_27.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_86.level));
+        let sine_1 = (low_9 + ((_e31.x() - low_9) * part_19));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
-        let far_13 = (squared_4 * along_36.dot(along_36)).sqrt();
-        let _e48 = self.v_from_hit(at_80, hit_26, light_11);
+        let far_13 = (squared_4 * along_37.dot(along_37)).sqrt();
+        let _e48 = self.v_from_hit(at_86, hit_27, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_9 = (_e49 * _e52);
         let horizon = far_13.max(near_9);
-        let up_5 = at_80.normal.dot(light_11.direction);
+        let up_5 = at_86.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_5.elementwise_gt(horizon));
         }
         let flat = (rt::Scalar(1f32) - (up_5 * up_5)).max(rt::Scalar(0f32));
-        let beside_3 = (flat + (up_5 * horizon));
-        if rt::Scalar::into_branch_condition((!beside_3.elementwise_gt(rt::Scalar(0f32)))) {
+        let beside_4 = (flat + (up_5 * horizon));
+        if rt::Scalar::into_branch_condition((!beside_4.elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_5.elementwise_gt(horizon));
         }
-        let _e86 = self.v_part_above(((flat.sqrt() * (up_5 - horizon)) / (beside_3 * rt::Scalar(light_11.radius))));
+        let _e86 = self.v_part_above(((flat.sqrt() * (up_5 - horizon)) / (beside_4 * rt::Scalar(light_11.radius))));
         return _e86;
     }
     pub(crate) fn open_part(
         &self,
-        at_81: Entered,
-        hit_27: Hit,
+        at_87: Entered,
+        hit_28: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_81, hit_27, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_87, hit_28, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_open_part(
         &self,
-        at_81: Entered,
-        hit_27: Hit,
+        at_87: Entered,
+        hit_28: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_27.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_81.level));
+        let _e9 = self.v_shadow_texel_between(hit_28.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_87.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_82: Entered,
-        hit_28: Hit,
+        at_88: Entered,
+        hit_29: Hit,
         light_12: Toward,
-        params_66: impl rt::Into<rt::Vec4<f32>>,
+        params_71: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_82, hit_28, light_12, rt::into(params_66)))
+        rt::into(self.v_shadow_visibility(at_88, hit_29, light_12, rt::into(params_71)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_82: Entered,
-        hit_28: Hit,
+        at_88: Entered,
+        hit_29: Hit,
         light_12: Toward,
-        params_66: rt::Vec4<f32>,
+        params_71: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_82, light_12.direction);
+        let _e5 = self.v_climb(at_88, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_6 = self.surface_settings.maps[3usize];
-        let along_37 = (_e5.xy() * map_6.tile_m);
+        let along_38 = (_e5.xy() * map_6.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_16 = (_e5.z() * _e21);
-        let squared_5 = ((height_16 * height_16) / (along_37.dot(along_37) + (height_16 * height_16)));
-        let azimuths = params_66.x().to_i32();
-        let elevations_1 = params_66.y().to_i32();
-        let _e32 = self.v_turn_of(along_37);
-        let azimuth_5 = (_e32 * params_66.x());
-        let elevation_4 = ((squared_5 * params_66.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_66.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_66.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_28 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_82, hit_28, a_28, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+        let squared_5 = ((height_16 * height_16) / (along_38.dot(along_38) + (height_16 * height_16)));
+        let azimuths = params_71.x().to_i32();
+        let elevations_1 = params_71.y().to_i32();
+        let _e32 = self.v_turn_of(along_38);
+        let azimuth_5 = (_e32 * params_71.x());
+        let elevation_4 = ((squared_5 * params_71.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_71.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_71.z().elementwise_lt(rt::Scalar(2f32))) {
+            let a_29 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
+            let _e56 = self.v_open_part(at_88, hit_29, a_29, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().to_i32() % azimuths);
@@ -11580,131 +12076,265 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_82, hit_28, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_82, hit_28, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_88, hit_29, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_88, hit_29, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_82, hit_28, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_88, hit_29, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_82, hit_28, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_88, hit_29, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_83: Entered,
-        hit_29: Hit,
+        at_89: Entered,
+        hit_30: Hit,
         light_13: Toward,
-        params_67: impl rt::Into<rt::Vec4<f32>>,
+        params_72: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_83, hit_29, light_13, rt::into(params_67)))
+        rt::into(self.v_shadow_map(at_89, hit_30, light_13, rt::into(params_72)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_map(
         &self,
-        at_83: Entered,
-        hit_29: Hit,
+        at_89: Entered,
+        hit_30: Hit,
         light_13: Toward,
-        params_67: rt::Vec4<f32>,
+        params_72: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_83, hit_29.uv, rt::Scalar(light_13.number), light_13.direction, params_67.z(), params_67.w());
+        let _e9 = self.v_light_seen(at_89, hit_30.uv, rt::Scalar(light_13.number), light_13.direction, params_72.z(), params_72.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_84: Entered,
-        hit_30: Hit,
+        at_90: Entered,
+        hit_31: Hit,
         light_14: Toward,
-        params_68: impl rt::Into<rt::Vec4<f32>>,
+        params_73: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_84, hit_30, light_14, rt::into(params_68)))
+        rt::into(self.v_shadow_scene(at_90, hit_31, light_14, rt::into(params_73)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_scene(
         &self,
-        at_84: Entered,
-        hit_30: Hit,
+        at_90: Entered,
+        hit_31: Hit,
         light_14: Toward,
-        params_68: rt::Vec4<f32>,
+        params_73: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_85: Entered, hit_31: Hit, light_15: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_85, hit_31, light_15))
+    pub(crate) fn shadow_stage(&self, at_91: Entered, hit_32: Hit, light_15: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_91, hit_32, light_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_85: Entered, hit_31: Hit, light_15: Toward) -> rt::Scalar<f32> {
-        let _e7 = rt::Scalar(self.surface_settings.choices[7usize].number);
+    fn v_shadow_stage(&self, at_91: Entered, hit_32: Hit, light_15: Toward) -> rt::Scalar<f32> {
+        let _e7 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
-                let _e12 = self.surface_settings.choices[7usize].params;
-                let _e13 = self.v_shadow_ray(at_85, hit_31, light_15, _e12);
+                let _e12 = self.surface_settings.choices[8usize].params;
+                let _e13 = self.v_shadow_ray(at_91, hit_32, light_15, _e12);
                 return _e13;
             }
             1u32 => {
-                let _e18 = self.surface_settings.choices[7usize].params;
-                let _e19 = self.v_shadow_none(at_85, hit_31, light_15, _e18);
+                let _e18 = self.surface_settings.choices[8usize].params;
+                let _e19 = self.v_shadow_none(at_91, hit_32, light_15, _e18);
                 return _e19;
             }
             2u32 => {
-                let _e24 = self.surface_settings.choices[7usize].params;
-                let _e25 = self.v_shadow_entry(at_85, hit_31, light_15, _e24);
+                let _e24 = self.surface_settings.choices[8usize].params;
+                let _e25 = self.v_shadow_entry(at_91, hit_32, light_15, _e24);
                 return _e25;
             }
             3u32 => {
-                let _e30 = self.surface_settings.choices[7usize].params;
-                let _e31 = self.v_shadow_soft(at_85, hit_31, light_15, _e30);
+                let _e30 = self.surface_settings.choices[8usize].params;
+                let _e31 = self.v_shadow_soft(at_91, hit_32, light_15, _e30);
                 return _e31;
             }
             4u32 => {
-                let _e36 = self.surface_settings.choices[7usize].params;
-                let _e37 = self.v_shadow_heuristic(at_85, hit_31, light_15, _e36);
+                let _e36 = self.surface_settings.choices[8usize].params;
+                let _e37 = self.v_shadow_heuristic(at_91, hit_32, light_15, _e36);
                 return _e37;
             }
             5u32 => {
-                let _e42 = self.surface_settings.choices[7usize].params;
-                let _e43 = self.v_shadow_horizon(at_85, hit_31, light_15, _e42);
+                let _e42 = self.surface_settings.choices[8usize].params;
+                let _e43 = self.v_shadow_horizon(at_91, hit_32, light_15, _e42);
                 return _e43;
             }
             6u32 => {
-                let _e48 = self.surface_settings.choices[7usize].params;
-                let _e49 = self.v_shadow_visibility(at_85, hit_31, light_15, _e48);
+                let _e48 = self.surface_settings.choices[8usize].params;
+                let _e49 = self.v_shadow_visibility(at_91, hit_32, light_15, _e48);
                 return _e49;
             }
             7u32 => {
-                let _e54 = self.surface_settings.choices[7usize].params;
-                let _e55 = self.v_shadow_map(at_85, hit_31, light_15, _e54);
+                let _e54 = self.surface_settings.choices[8usize].params;
+                let _e55 = self.v_shadow_map(at_91, hit_32, light_15, _e54);
                 return _e55;
             }
             _ => {
-                let _e60 = self.surface_settings.choices[7usize].params;
-                let _e61 = self.v_shadow_scene(at_85, hit_31, light_15, _e60);
+                let _e60 = self.surface_settings.choices[8usize].params;
+                let _e61 = self.v_shadow_scene(at_91, hit_32, light_15, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_67: PixelIn, at_86: Entered, hit_32: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_67, at_86, hit_32))
+    pub(crate) fn mirrored_light(&self, pixel_73: PixelIn, at_92: Entered, hit_33: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_73, at_92, hit_33))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mirrored_light(&self, pixel_67: PixelIn, at_86: Entered, hit_32: Hit) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_32.found).elementwise_eq(rt::Scalar(0u32))) {
+    fn v_mirrored_light(&self, pixel_73: PixelIn, at_92: Entered, hit_33: Hit) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_33.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
-        let down_2 = pixel_67.direction.normalize();
-        let up_6 = (down_2 - (at_86.normal * (rt::Scalar(2f32) * down_2.dot(at_86.normal))));
-        let _e24 = self.v_shadow_stage(at_86, hit_32, <Toward>::new(up_6, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
+        let down_2 = pixel_73.direction.normalize();
+        let up_6 = (down_2 - (at_92.normal * (rt::Scalar(2f32) * down_2.dot(at_92.normal))));
+        let _e24 = self.v_shadow_stage(at_92, hit_33, <Toward>::new(up_6, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
         return _e24;
+    }
+    pub(crate) fn object_color(
+        &self,
+        at_93: Entered,
+        view_14: impl rt::Into<rt::Vec3<f32>>,
+        asked_1: impl rt::Into<rt::Scalar<bool>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_object_color(at_93, rt::into(view_14), rt::into(asked_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_object_color(
+        &self,
+        at_93: Entered,
+        view_14: rt::Vec3<f32>,
+        asked_1: rt::Scalar<bool>,
+    ) -> rt::Vec3<f32> {
+        let mut angle1_: rt::Scalar<f32> = rt::Scalar(4f32);
+        let mut angle2_: rt::Scalar<f32> = rt::Scalar(4f32);
+        let mut angle3_: rt::Scalar<f32> = rt::Scalar(4f32);
+        let mut angle4_: rt::Scalar<f32> = rt::Scalar(4f32);
+        let mut image1_: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut image2_: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut image3_: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_26: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut weight1_: rt::Scalar<f32>;
+        let mut weight2_: rt::Scalar<f32>;
+        let mut weight3_: rt::Scalar<f32>;
+
+        'naga_break: loop {
+            'naga_continue: {
+                let _e19 = k_26;
+                let _e22 = rt::Scalar(self.surface_settings.images);
+                if rt::Scalar::into_branch_condition(_e19.elementwise_lt(_e22)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e24 = k_26;
+                    let _e25 = self.v_image_of_object(_e24);
+                    let _e27 = self.v_angle_to_image(_e25, at_93.point, view_14, asked_1);
+                    let _e28 = angle1_;
+                    if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e28)) {
+                        let _e30 = angle3_;
+                        angle4_ = _e30;
+                        let _e31 = angle2_;
+                        angle3_ = _e31;
+                        let _e32 = image2_;
+                        image3_ = _e32;
+                        let _e33 = angle1_;
+                        angle2_ = _e33;
+                        let _e34 = image1_;
+                        image2_ = _e34;
+                        angle1_ = _e27;
+                        let _e35 = k_26;
+                        image1_ = _e35;
+                    } else {
+                        let _e36 = angle2_;
+                        if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e36)) {
+                            let _e38 = angle3_;
+                            angle4_ = _e38;
+                            let _e39 = angle2_;
+                            angle3_ = _e39;
+                            let _e40 = image2_;
+                            image3_ = _e40;
+                            angle2_ = _e27;
+                            let _e41 = k_26;
+                            image2_ = _e41;
+                        } else {
+                            let _e42 = angle3_;
+                            if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e42)) {
+                                let _e44 = angle3_;
+                                angle4_ = _e44;
+                                angle3_ = _e27;
+                                let _e45 = k_26;
+                                image3_ = _e45;
+                            } else {
+                                let _e46 = angle4_;
+                                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e46)) {
+                                    angle4_ = _e27;
+                                }
+                            }
+                        }
+                    }
+                    let _e48 = k_26;
+                    k_26 = (_e48 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e51 = angle1_;
+        let less = rt::Scalar(0f32).select(rt::Scalar(2f32), _e51.elementwise_ge(rt::Scalar(2f32)));
+        let _e57 = angle4_;
+        let last_10 = (_e57 - less).min(rt::Scalar(0.5f32));
+        let _e61 = angle1_;
+        weight1_ = (rt::Scalar(1f32) - ((_e61 - less) / last_10)).max(rt::Scalar(0f32));
+        let _e69 = angle2_;
+        weight2_ = (rt::Scalar(1f32) - ((_e69 - less) / last_10)).max(rt::Scalar(0f32));
+        let _e77 = angle3_;
+        weight3_ = (rt::Scalar(1f32) - ((_e77 - less) / last_10)).max(rt::Scalar(0f32));
+        let _e85 = weight1_;
+        let _e86 = weight2_;
+        let _e88 = weight3_;
+        if rt::Scalar::into_branch_condition((!((_e85 + _e86) + _e88).elementwise_gt(rt::Scalar(0f32)))) {
+            weight1_ = rt::Scalar(1f32);
+            let _e94 = angle2_;
+            let _e95 = angle1_;
+            weight2_ = rt::Scalar(0f32).select(rt::Scalar(1f32), _e94.elementwise_eq(_e95));
+            let _e100 = angle3_;
+            let _e101 = angle1_;
+            weight3_ = rt::Scalar(0f32).select(rt::Scalar(1f32), _e100.elementwise_eq(_e101));
+        }
+        let _e106 = image1_;
+        let _e107 = self.v_image_of_object(_e106);
+        let _e109 = self.v_place_in_image(_e107, at_93.point);
+        let uv1_ = _e109.xy();
+        let _e111 = image2_;
+        let _e112 = self.v_image_of_object(_e111);
+        let _e114 = self.v_place_in_image(_e112, at_93.point);
+        let uv2_ = _e114.xy();
+        let _e116 = image3_;
+        let _e117 = self.v_image_of_object(_e116);
+        let _e119 = self.v_place_in_image(_e117, at_93.point);
+        let uv3_ = _e119.xy();
+        let _e122 = self.v_color_at(uv1_, rt::Scalar(0u32));
+        let _e124 = weight1_;
+        let first_16 = (_e122.xyz() * _e124);
+        let _e127 = self.v_color_at(uv2_, rt::Scalar(0u32));
+        let _e129 = weight2_;
+        let _e133 = self.v_color_at(uv3_, rt::Scalar(0u32));
+        let _e135 = weight3_;
+        let sum_6 = ((first_16 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
+        let _e138 = weight1_;
+        let _e139 = weight2_;
+        let _e141 = weight3_;
+        return (sum_6 * (rt::Scalar(1f32) / ((_e138 + _e139) + _e141)));
     }
     pub(crate) fn parts_between(
         &self,
         a_13: Voxel,
         b_13: Voxel,
-        level_26: impl rt::Into<rt::Scalar<u32>>,
+        level_27: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_between(a_13, b_13, rt::into(level_26)))
+        rt::into(self.v_parts_between(a_13, b_13, rt::into(level_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -11712,34 +12342,34 @@ impl<'g> Resources<'g> {
         &self,
         a_13: Voxel,
         b_13: Voxel,
-        level_26: rt::Scalar<u32>,
+        level_27: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let apart_5 = (b_13.at - a_13.at).abs().to_u32();
         let farthest = apart_5.x().max(apart_5.y()).max(apart_5.z());
-        let parts_5 = (((farthest + (rt::Scalar(1u32) << level_26)) - rt::Scalar(1u32)) >> level_26);
-        return parts_5.clamp(rt::Scalar(1u32), DICE_PARTS).select(rt::Scalar(1u32), level_26.elementwise_eq(COARSEST));
+        let parts_6 = (((farthest + (rt::Scalar(1u32) << level_27)) - rt::Scalar(1u32)) >> level_27);
+        return parts_6.clamp(rt::Scalar(1u32), DICE_PARTS).select(rt::Scalar(1u32), level_27.elementwise_eq(COARSEST));
     }
-    pub(crate) fn pixel_direction(&self, pixel_68: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_direction(rt::into(pixel_68)))
+    pub(crate) fn pixel_direction(&self, pixel_74: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_direction(rt::into(pixel_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_direction(&self, pixel_68: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_direction(&self, pixel_74: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.corner;
         let _e7 = self.frame.right;
         let _e14 = self.frame.down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_68.x())) + (_e14.xyz() * pixel_68.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_74.x())) + (_e14.xyz() * pixel_74.y()));
     }
-    pub(crate) fn pixel_eye(&self, pixel_69: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_eye(rt::into(pixel_69)))
+    pub(crate) fn pixel_eye(&self, pixel_75: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_eye(rt::into(pixel_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_eye(&self, pixel_69: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_eye(&self, pixel_75: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.eye;
         let _e7 = self.frame.eye_right;
         let _e14 = self.frame.eye_down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_69.x())) + (_e14.xyz() * pixel_69.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_75.x())) + (_e14.xyz() * pixel_75.y()));
     }
     pub(crate) fn pixel_of(
         &self,
@@ -11748,9 +12378,9 @@ impl<'g> Resources<'g> {
         c_9: Corner,
         shell_4: Shell,
         side_3: impl rt::Into<rt::Scalar<f32>>,
-        point_9: impl rt::Into<rt::Vec2<f32>>,
+        point_11: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_14, b_14, c_9, shell_4, rt::into(side_3), rt::into(point_9)))
+        rt::into(self.v_pixel_of(a_14, b_14, c_9, shell_4, rt::into(side_3), rt::into(point_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -11761,156 +12391,156 @@ impl<'g> Resources<'g> {
         c_9: Corner,
         shell_4: Shell,
         side_3: rt::Scalar<f32>,
-        point_9: rt::Vec2<f32>,
+        point_11: rt::Vec2<f32>,
     ) -> PixelIn {
-        let _e6 = self.v_pixel_eye(point_9);
-        let _e7 = self.v_pixel_direction(point_9);
+        let _e6 = self.v_pixel_eye(point_11);
+        let _e7 = self.v_pixel_direction(point_11);
         return <PixelIn>::new(_e6, _e7, side_3, a_14, b_14, c_9, shell_4);
     }
     pub(crate) fn placed_over(
         &self,
-        at_87: Entered,
+        at_94: Entered,
         uv_27: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_over(at_87, rt::into(uv_27)))
+        rt::into(self.v_placed_over(at_94, rt::into(uv_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_over(
         &self,
-        at_87: Entered,
+        at_94: Entered,
         uv_27: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_9 = (uv_27 - at_87.uv);
+        let aside_9 = (uv_27 - at_94.uv);
         let _e6 = rt::Scalar(self.surface_settings.bias_m);
         let _e9 = rt::Scalar(self.surface_settings.scale_m);
-        let _e11 = self.v_height_at(uv_27, rt::Scalar(at_87.level));
+        let _e11 = self.v_height_at(uv_27, rt::Scalar(at_94.level));
         let height_17 = (_e6 + (_e9 * _e11));
-        placed = at_87;
-        placed.point = (((at_87.point + (at_87.tangent * aside_9.x())) + (at_87.bitangent * aside_9.y())) + (at_87.normal * height_17));
+        placed = at_94;
+        placed.point = (((at_94.point + (at_94.tangent * aside_9.x())) + (at_94.bitangent * aside_9.y())) + (at_94.normal * height_17));
         placed.uv = uv_27;
         let _e29 = placed;
         return _e29;
     }
     pub(crate) fn surface_plane_place(
         &self,
-        pixel_70: PixelIn,
-        at_88: Entered,
-        path_67: Path,
-        hit_33: Hit,
-        params_69: impl rt::Into<rt::Vec4<f32>>,
+        pixel_76: PixelIn,
+        at_95: Entered,
+        path_69: Path,
+        hit_34: Hit,
+        params_74: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_70, at_88, path_67, hit_33, rt::into(params_69)))
+        rt::into(self.v_surface_plane_place(pixel_76, at_95, path_69, hit_34, rt::into(params_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_place(
         &self,
-        pixel_70: PixelIn,
-        at_88: Entered,
-        path_67: Path,
-        hit_33: Hit,
-        params_69: rt::Vec4<f32>,
+        pixel_76: PixelIn,
+        at_95: Entered,
+        path_69: Path,
+        hit_34: Hit,
+        params_74: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_88, hit_33.uv);
+        let _e6 = self.v_placed_over(at_95, hit_34.uv);
         return _e6;
     }
     pub(crate) fn placed_at(
         &self,
-        pixel_71: PixelIn,
-        at_89: Entered,
+        pixel_77: PixelIn,
+        at_96: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
-        point_10: impl rt::Into<rt::Vec3<f32>>,
+        point_12: impl rt::Into<rt::Vec3<f32>>,
         uv_28: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_71, at_89, rt::into(weights_4), rt::into(point_10), rt::into(uv_28)))
+        rt::into(self.v_placed_at(pixel_77, at_96, rt::into(weights_4), rt::into(point_12), rt::into(uv_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_at(
         &self,
-        pixel_71: PixelIn,
-        at_89: Entered,
+        pixel_77: PixelIn,
+        at_96: Entered,
         weights_4: rt::Vec3<f32>,
-        point_10: rt::Vec3<f32>,
+        point_12: rt::Vec3<f32>,
         uv_28: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_71, weights_4, point_10, uv_28, at_89.facing);
+        let _e6 = self.v_frame_at(pixel_77, weights_4, point_12, uv_28, at_96.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_89.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_89.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_89.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_96.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_96.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_96.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_prism_place(
         &self,
-        pixel_72: PixelIn,
-        at_90: Entered,
-        path_68: Path,
-        hit_34: Hit,
-        params_70: impl rt::Into<rt::Vec4<f32>>,
+        pixel_78: PixelIn,
+        at_97: Entered,
+        path_70: Path,
+        hit_35: Hit,
+        params_75: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_72, at_90, path_68, hit_34, rt::into(params_70)))
+        rt::into(self.v_surface_prism_place(pixel_78, at_97, path_70, hit_35, rt::into(params_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_prism_place(
         &self,
-        pixel_72: PixelIn,
-        at_90: Entered,
-        path_68: Path,
-        hit_34: Hit,
-        params_70: rt::Vec4<f32>,
+        pixel_78: PixelIn,
+        at_97: Entered,
+        path_70: Path,
+        hit_35: Hit,
+        params_75: rt::Vec4<f32>,
     ) -> Entered {
-        let along_38 = pixel_72.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_72, along_38);
-        let _e8 = self.v_prism_of(pixel_72, along_38, _e7, params_70);
-        let s_4 = ((rt::Scalar(path_68.start) + rt::Scalar(hit_34.t)) - _e7);
-        let _e15 = self.v_point_of_way(pixel_72, _e8, (along_38 * s_4), rt::Scalar(hit_34.height));
+        let along_39 = pixel_78.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_78, along_39);
+        let _e8 = self.v_prism_of(pixel_78, along_39, _e7, params_75);
+        let s_4 = ((rt::Scalar(path_70.start) + rt::Scalar(hit_35.t)) - _e7);
+        let _e15 = self.v_point_of_way(pixel_78, _e8, (along_39 * s_4), rt::Scalar(hit_35.height));
         let weights_6 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_72, at_90, weights_6, (pixel_72.origin + (along_38 * (rt::Scalar(path_68.start) + rt::Scalar(hit_34.t)))), hit_34.uv);
+        let _e24 = self.v_placed_at(pixel_78, at_97, weights_6, (pixel_78.origin + (along_39 * (rt::Scalar(path_70.start) + rt::Scalar(hit_35.t)))), hit_35.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_91: Entered,
+        at_98: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_91, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_98, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_frame(
         &self,
-        at_91: Entered,
+        at_98: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_80: rt::Scalar<bool>;
+        let mut local_85: rt::Scalar<bool>;
 
-        placed_2 = at_91;
-        let _e5 = self.v_quadric_slope(at_91.of_surface.xyz(), aside);
+        placed_2 = at_98;
+        let _e5 = self.v_quadric_slope(at_98.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_80 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_85 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_80 = rt::Scalar(false);
+            local_85 = rt::Scalar(false);
         }
-        let _e15 = local_80;
+        let _e15 = local_85;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_5 = at_91.metric;
+        let m_5 = at_98.metric;
         let area_6 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
         let along_t = (((_e5.x() * m_5.z()) - (_e5.y() * m_5.y())) / area_6);
         let along_b = (((_e5.y() * m_5.x()) - (_e5.x() * m_5.y())) / area_6);
-        placed_2.tangent = (at_91.tangent + (at_91.normal * _e5.x()));
-        placed_2.bitangent = (at_91.bitangent + (at_91.normal * _e5.y()));
-        placed_2.normal = ((at_91.normal - (at_91.tangent * along_t)) - (at_91.bitangent * along_b)).normalize();
+        placed_2.tangent = (at_98.tangent + (at_98.normal * _e5.x()));
+        placed_2.bitangent = (at_98.bitangent + (at_98.normal * _e5.y()));
+        placed_2.normal = ((at_98.normal - (at_98.tangent * along_t)) - (at_98.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_3 = _e63.dot(_e65);
@@ -11926,329 +12556,368 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
-        pixel_73: PixelIn,
-        at_92: Entered,
-        path_69: Path,
-        hit_35: Hit,
-        params_71: impl rt::Into<rt::Vec4<f32>>,
+        pixel_79: PixelIn,
+        at_99: Entered,
+        path_71: Path,
+        hit_36: Hit,
+        params_76: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_73, at_92, path_69, hit_35, rt::into(params_71)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_79, at_99, path_71, hit_36, rt::into(params_76)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_place(
         &self,
-        pixel_73: PixelIn,
-        at_92: Entered,
-        path_69: Path,
-        hit_35: Hit,
-        params_71: rt::Vec4<f32>,
+        pixel_79: PixelIn,
+        at_99: Entered,
+        path_71: Path,
+        hit_36: Hit,
+        params_76: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_92, (hit_35.uv - at_92.uv));
+        let _e8 = self.v_quadric_frame(at_99, (hit_36.uv - at_99.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_73.origin + (pixel_73.direction.normalize() * (rt::Scalar(path_69.start) + rt::Scalar(hit_35.t))));
-        placed_3.uv = hit_35.uv;
+        placed_3.point = (pixel_79.origin + (pixel_79.direction.normalize() * (rt::Scalar(path_71.start) + rt::Scalar(hit_36.t))));
+        placed_3.uv = hit_36.uv;
         let _e21 = placed_3;
         return _e21;
     }
     pub(crate) fn surface_quadric_vertical_place(
         &self,
-        pixel_74: PixelIn,
-        at_93: Entered,
-        path_70: Path,
-        hit_36: Hit,
-        params_72: impl rt::Into<rt::Vec4<f32>>,
+        pixel_80: PixelIn,
+        at_100: Entered,
+        path_72: Path,
+        hit_37: Hit,
+        params_77: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_74, at_93, path_70, hit_36, rt::into(params_72)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_80, at_100, path_72, hit_37, rt::into(params_77)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
-        pixel_74: PixelIn,
-        at_93: Entered,
-        path_70: Path,
-        hit_36: Hit,
-        params_72: rt::Vec4<f32>,
+        pixel_80: PixelIn,
+        at_100: Entered,
+        path_72: Path,
+        hit_37: Hit,
+        params_77: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_10 = (hit_36.uv - at_93.uv);
+        let aside_10 = (hit_37.uv - at_100.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_36.uv, rt::Scalar(at_93.level));
+        let _e16 = self.v_height_at(hit_37.uv, rt::Scalar(at_100.level));
         let height_18 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_93.of_surface.xyz(), aside_10);
-        let lifted_2 = (((_e19 - at_93.of_surface.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_93, aside_10);
+        let _e27 = self.v_quadric_at(at_100.of_surface.xyz(), aside_10);
+        let lifted_2 = (((_e19 - at_100.of_surface.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_100, aside_10);
         placed_4 = _e29;
-        placed_4.point = (((at_93.point + (at_93.tangent * aside_10.x())) + (at_93.bitangent * aside_10.y())) + (at_93.normal * (height_18 + lifted_2)));
-        placed_4.uv = hit_36.uv;
+        placed_4.point = (((at_100.point + (at_100.tangent * aside_10.x())) + (at_100.bitangent * aside_10.y())) + (at_100.normal * (height_18 + lifted_2)));
+        placed_4.uv = hit_37.uv;
         let _e47 = placed_4;
         return _e47;
     }
     pub(crate) fn surface_tetrahedra_place(
         &self,
-        pixel_75: PixelIn,
-        at_94: Entered,
-        path_71: Path,
-        hit_37: Hit,
-        params_73: impl rt::Into<rt::Vec4<f32>>,
+        pixel_81: PixelIn,
+        at_101: Entered,
+        path_73: Path,
+        hit_38: Hit,
+        params_78: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_75, at_94, path_71, hit_37, rt::into(params_73)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_81, at_101, path_73, hit_38, rt::into(params_78)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
-        pixel_75: PixelIn,
-        at_94: Entered,
-        path_71: Path,
-        hit_37: Hit,
-        params_73: rt::Vec4<f32>,
+        pixel_81: PixelIn,
+        at_101: Entered,
+        path_73: Path,
+        hit_38: Hit,
+        params_78: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
-        let mut number_10: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut number_11: rt::Scalar<u32> = rt::Scalar(1u32);
 
-        let along_39 = pixel_75.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_75, along_39);
-        let t_38 = ((rt::Scalar(path_71.start) + rt::Scalar(hit_37.t)) - _e7);
-        let _e13 = self.v_tetrahedron(pixel_75, along_39, _e7, rt::Scalar(0u32));
+        let along_40 = pixel_81.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_81, along_40);
+        let t_40 = ((rt::Scalar(path_73.start) + rt::Scalar(hit_38.t)) - _e7);
+        let _e13 = self.v_tetrahedron(pixel_81, along_40, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
-        beside_1 = (_e17 - t_38).max((t_38 - _e21));
+        beside_1 = (_e17 - t_40).max((t_40 - _e21));
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = number_10;
+                let _e27 = number_11;
                 if rt::Scalar::into_branch_condition(_e27.elementwise_lt(rt::Scalar(3u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = number_10;
-                    let _e31 = self.v_tetrahedron(pixel_75, along_39, _e7, _e30);
-                    let aside_11 = (_e31.inside.x() - t_38).max((t_38 - _e31.inside.y()));
+                    let _e30 = number_11;
+                    let _e31 = self.v_tetrahedron(pixel_81, along_40, _e7, _e30);
+                    let aside_11 = (_e31.inside.x() - t_40).max((t_40 - _e31.inside.y()));
                     let _e39 = beside_1;
                     if rt::Scalar::into_branch_condition(aside_11.elementwise_lt(_e39)) {
                         nearest = _e31;
                         beside_1 = aside_11;
                     }
-                    let _e41 = number_10;
-                    number_10 = (_e41 + rt::Scalar(1u32));
+                    let _e41 = number_11;
+                    number_11 = (_e41 + rt::Scalar(1u32));
                 }
             }
         }
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
-        let weights_7 = (_e45 + (_e47 * t_38));
-        let point_21 = (pixel_75.origin + (along_39 * (rt::Scalar(path_71.start) + rt::Scalar(hit_37.t))));
-        let _e58 = self.v_placed_at(pixel_75, at_94, weights_7.xyz(), point_21, hit_37.uv);
+        let weights_7 = (_e45 + (_e47 * t_40));
+        let point_23 = (pixel_81.origin + (along_40 * (rt::Scalar(path_73.start) + rt::Scalar(hit_38.t))));
+        let _e58 = self.v_placed_at(pixel_81, at_101, weights_7.xyz(), point_23, hit_38.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
-        pixel_76: PixelIn,
-        at_95: Entered,
-        path_72: Path,
-        hit_38: Hit,
-        params_74: impl rt::Into<rt::Vec4<f32>>,
+        pixel_82: PixelIn,
+        at_102: Entered,
+        path_74: Path,
+        hit_39: Hit,
+        params_79: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_76, at_95, path_72, hit_38, rt::into(params_74)))
+        rt::into(self.v_surface_facets_place(pixel_82, at_102, path_74, hit_39, rt::into(params_79)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_place(
         &self,
-        pixel_76: PixelIn,
-        at_95: Entered,
-        path_72: Path,
-        hit_38: Hit,
-        params_74: rt::Vec4<f32>,
+        pixel_82: PixelIn,
+        at_102: Entered,
+        path_74: Path,
+        hit_39: Hit,
+        params_79: rt::Vec4<f32>,
     ) -> Entered {
-        return at_95;
+        return at_102;
     }
     pub(crate) fn surface_slices_place(
         &self,
-        pixel_77: PixelIn,
-        at_96: Entered,
-        path_73: Path,
-        hit_39: Hit,
-        params_75: impl rt::Into<rt::Vec4<f32>>,
+        pixel_83: PixelIn,
+        at_103: Entered,
+        path_75: Path,
+        hit_40: Hit,
+        params_80: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_77, at_96, path_73, hit_39, rt::into(params_75)))
+        rt::into(self.v_surface_slices_place(pixel_83, at_103, path_75, hit_40, rt::into(params_80)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_place(
         &self,
-        pixel_77: PixelIn,
-        at_96: Entered,
-        path_73: Path,
-        hit_39: Hit,
-        params_75: rt::Vec4<f32>,
+        pixel_83: PixelIn,
+        at_103: Entered,
+        path_75: Path,
+        hit_40: Hit,
+        params_80: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_96, hit_39.uv);
+        let _e6 = self.v_placed_over(at_103, hit_40.uv);
         return _e6;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_78: PixelIn, at_97: Entered, path_74: Path, hit_40: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_78, at_97, path_74, hit_40))
+    pub(crate) fn surface_object_place(
+        &self,
+        pixel_84: PixelIn,
+        at_104: Entered,
+        path_76: Path,
+        hit_41: Hit,
+        params_81: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_object_place(pixel_84, at_104, path_76, hit_41, rt::into(params_81)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_78: PixelIn, at_97: Entered, path_74: Path, hit_40: Hit) -> Entered {
+    #[inline(always)]
+    fn v_surface_object_place(
+        &self,
+        pixel_84: PixelIn,
+        at_104: Entered,
+        path_76: Path,
+        hit_41: Hit,
+        params_81: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut placed_5: Entered;
+
+        let _e7 = self.v_image_of_object(rt::Scalar(path_76.base).to_u32());
+        placed_5 = at_104;
+        placed_5.point = (pixel_84.origin + (pixel_84.direction.normalize() * (rt::Scalar(path_76.start) + rt::Scalar(hit_41.t))));
+        placed_5.uv = hit_41.uv;
+        placed_5.tangent = (_e7.u.xyz() / rt::Vec3::splat_from_scalar((_e7.u.xyz().dot(_e7.u.xyz()) * _e7.extent.x())));
+        placed_5.bitangent = (_e7.v.xyz() / rt::Vec3::splat_from_scalar((_e7.v.xyz().dot(_e7.v.xyz()) * _e7.extent.y())));
+        placed_5.normal = _e7.toward;
+        placed_5.metric = path_76.metric;
+        placed_5.facing = _e7.toward;
+        let _e52 = placed_5;
+        return _e52;
+    }
+    pub(crate) fn surface_place_stage(&self, pixel_85: PixelIn, at_105: Entered, path_77: Path, hit_42: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_85, at_105, path_77, hit_42))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_place_stage(&self, pixel_85: PixelIn, at_105: Entered, path_77: Path, hit_42: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_78, at_97, path_74, hit_40, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_85, at_105, path_77, hit_42, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_78, at_97, path_74, hit_40, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_85, at_105, path_77, hit_42, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_78, at_97, path_74, hit_40, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_85, at_105, path_77, hit_42, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_78, at_97, path_74, hit_40, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_85, at_105, path_77, hit_42, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_78, at_97, path_74, hit_40, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_85, at_105, path_77, hit_42, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_78, at_97, path_74, hit_40, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_85, at_105, path_77, hit_42, _e43);
                 return _e44;
             }
-            _ => {
+            6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_78, at_97, path_74, hit_40, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_85, at_105, path_77, hit_42, _e49);
                 return _e50;
+            }
+            _ => {
+                let _e55 = self.surface_settings.choices[1usize].params;
+                let _e56 = self.v_surface_object_place(pixel_85, at_105, path_77, hit_42, _e55);
+                return _e56;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_79: PixelIn, at_98: Entered, path_75: Path, hit_41: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_79, at_98, path_75, hit_41))
+    pub(crate) fn place_on_segment(&self, pixel_86: PixelIn, at_106: Entered, path_78: Path, hit_43: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_86, at_106, path_78, hit_43))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_place_on_segment(&self, pixel_79: PixelIn, at_98: Entered, path_75: Path, hit_41: Hit) -> Entered {
-        let mut placed_5: Entered;
+    fn v_place_on_segment(&self, pixel_86: PixelIn, at_106: Entered, path_78: Path, hit_43: Hit) -> Entered {
+        let mut placed_6: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_79, at_98, path_75, hit_41);
-        placed_5 = _e4;
-        let _e7 = self.v_depth_on_ray(pixel_79, path_75, hit_41);
-        rt::Scalar(placed_5.depth) = _e7;
-        let _e8 = placed_5;
+        let _e4 = self.v_surface_place_stage(pixel_86, at_106, path_78, hit_43);
+        placed_6 = _e4;
+        let _e7 = self.v_depth_on_ray(pixel_86, path_78, hit_43);
+        rt::Scalar(placed_6.depth) = _e7;
+        let _e8 = placed_6;
         return _e8;
     }
     pub(crate) fn place_hit(
         &self,
-        pixel_80: PixelIn,
-        at_99: Entered,
+        pixel_87: PixelIn,
+        at_107: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
-        hit_42: Hit,
+        hit_44: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_80, at_99, rt::into(segment), hit_42))
+        rt::into(self.v_place_hit(pixel_87, at_107, rt::into(segment), hit_44))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_place_hit(
         &self,
-        pixel_80: PixelIn,
-        at_99: Entered,
+        pixel_87: PixelIn,
+        at_107: Entered,
         segment: rt::Scalar<u32>,
-        hit_42: Hit,
+        hit_44: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_80, at_99, segment);
-        let _e5 = self.v_place_on_segment(pixel_80, at_99, _e4, hit_42);
+        let _e4 = self.v_segment_of(pixel_87, at_107, segment);
+        let _e5 = self.v_place_on_segment(pixel_87, at_107, _e4, hit_44);
         return _e5;
     }
     pub(crate) fn toward_light(
         &self,
-        number_11: impl rt::Into<rt::Scalar<u32>>,
+        number_12: impl rt::Into<rt::Scalar<u32>>,
         position_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> Toward {
-        rt::into(self.v_toward_light(rt::into(number_11), rt::into(position_1)))
+        rt::into(self.v_toward_light(rt::into(number_12), rt::into(position_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_toward_light(
         &self,
-        number_11: rt::Scalar<u32>,
+        number_12: rt::Scalar<u32>,
         position_1: rt::Vec3<f32>,
     ) -> Toward {
-        let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_11)];
+        let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_12)];
         if rt::Scalar::into_branch_condition(light_18.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_7 = (light_18.place.xyz() - position_1);
-            let squared_6 = toward_7.dot(toward_7);
+            let toward_8 = (light_18.place.xyz() - position_1);
+            let squared_6 = toward_8.dot(toward_8);
             let distance_3 = squared_6.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_6.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_7.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_11);
+            return <Toward>::new(toward_8.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_12);
         }
-        return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_11);
+        return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_12);
     }
     pub(crate) fn point_of_light(
         &self,
-        at_100: Entered,
-        hit_43: Hit,
-        number_12: impl rt::Into<rt::Scalar<u32>>,
-        k_24: impl rt::Into<rt::Scalar<u32>>,
+        at_108: Entered,
+        hit_45: Hit,
+        number_13: impl rt::Into<rt::Scalar<u32>>,
+        k_27: impl rt::Into<rt::Scalar<u32>>,
         count_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_100, hit_43, rt::into(number_12), rt::into(k_24), rt::into(count_5)))
+        rt::into(self.v_point_of_light(at_108, hit_45, rt::into(number_13), rt::into(k_27), rt::into(count_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_light(
         &self,
-        at_100: Entered,
-        hit_43: Hit,
-        number_12: rt::Scalar<u32>,
-        k_24: rt::Scalar<u32>,
+        at_108: Entered,
+        hit_45: Hit,
+        number_13: rt::Scalar<u32>,
+        k_27: rt::Scalar<u32>,
         count_5: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_12, at_100.point);
+        let _e6 = self.v_toward_light(number_13, at_108.point);
         if rt::Scalar::into_branch_condition(count_5.elementwise_gt(rt::Scalar(0u32))) {
-            let _e9 = self.v_seed_of(hit_43);
-            let _e10 = self.v_point_of_disc(_e6, _e9, k_24, count_5);
+            let _e9 = self.v_seed_of(hit_45);
+            let _e10 = self.v_point_of_disc(_e6, _e9, k_27, count_5);
             return _e10;
         }
         return _e6;
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_101: Entered,
-        hit_44: Hit,
-        number_13: impl rt::Into<rt::Scalar<u32>>,
-        k_25: impl rt::Into<rt::Scalar<u32>>,
+        at_109: Entered,
+        hit_46: Hit,
+        number_14: impl rt::Into<rt::Scalar<u32>>,
+        k_28: impl rt::Into<rt::Scalar<u32>>,
         count_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_101, hit_44, rt::into(number_13), rt::into(k_25), rt::into(count_6)))
+        rt::into(self.v_ray_to_light(at_109, hit_46, rt::into(number_14), rt::into(k_28), rt::into(count_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ray_to_light(
         &self,
-        at_101: Entered,
-        hit_44: Hit,
-        number_13: rt::Scalar<u32>,
-        k_25: rt::Scalar<u32>,
+        at_109: Entered,
+        hit_46: Hit,
+        number_14: rt::Scalar<u32>,
+        k_28: rt::Scalar<u32>,
         count_6: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_101, hit_44, number_13, k_25, count_6);
-        let _e6 = self.v_light_ray(at_101, hit_44, _e5);
+        let _e5 = self.v_point_of_light(at_109, hit_46, number_14, k_28, count_6);
+        let _e6 = self.v_light_ray(at_109, hit_46, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
@@ -12277,16 +12946,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_102: Entered,
+        at_110: Entered,
         seen_2: SeenNormals,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_102, seen_2, rt::into(toward_2)))
+        rt::into(self.v_seen_cosine(at_110, seen_2, rt::into(toward_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_102: Entered,
+        at_110: Entered,
         seen_2: SeenNormals,
         toward_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -12295,10 +12964,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_2.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_2.normal.dot(toward_2).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_102, toward_2);
-        let middle_15 = seen_2.middle.dot(_e10);
-        let _e17 = self.v_facing_four(middle_15, seen_2.along.dot(_e10), seen_2.across.dot(_e10));
-        let one_1 = (rt::Scalar(seen_2.middle_seen) * middle_15.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
+        let _e10 = self.v_to_tangent_space(at_110, toward_2);
+        let middle_16 = seen_2.middle.dot(_e10);
+        let _e17 = self.v_facing_four(middle_16, seen_2.along.dot(_e10), seen_2.across.dot(_e10));
+        let one_1 = (rt::Scalar(seen_2.middle_seen) * middle_16.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
         let others = seen_2.others_seen.dot(_e17).min(rt::Scalar(1000000f32));
         let _e28 = self.v_mean_of_five(one_1, others);
         cosine = _e28;
@@ -12370,12 +13039,12 @@ impl<'g> Resources<'g> {
         normal_18: impl rt::Into<rt::Vec3<f32>>,
         mean: impl rt::Into<rt::Scalar<f32>>,
         cosine_1: impl rt::Into<rt::Scalar<f32>>,
-        view_13: impl rt::Into<rt::Vec3<f32>>,
+        view_15: impl rt::Into<rt::Vec3<f32>>,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
         color_7: impl rt::Into<rt::Vec3<f32>>,
-        params_76: impl rt::Into<rt::Vec4<f32>>,
+        params_82: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_18), rt::into(mean), rt::into(cosine_1), rt::into(view_13), rt::into(toward_3), rt::into(color_7), rt::into(params_76)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_18), rt::into(mean), rt::into(cosine_1), rt::into(view_15), rt::into(toward_3), rt::into(color_7), rt::into(params_82)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
@@ -12383,10 +13052,10 @@ impl<'g> Resources<'g> {
         normal_18: rt::Vec3<f32>,
         mean: rt::Scalar<f32>,
         cosine_1: rt::Scalar<f32>,
-        view_13: rt::Vec3<f32>,
+        view_15: rt::Vec3<f32>,
         toward_3: rt::Vec3<f32>,
         color_7: rt::Vec3<f32>,
-        params_76: rt::Vec4<f32>,
+        params_82: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_2: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -12401,7 +13070,7 @@ impl<'g> Resources<'g> {
                 exponent_2 = wide_3.to_u32();
                 dimmed = ((wide_3 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_18.dot((toward_3 + view_13).normalize()).max(rt::Scalar(0f32));
+            let lobe = normal_18.dot((toward_3 + view_15).normalize()).max(rt::Scalar(0f32));
             let _e43 = self.surface_settings.specular;
             let _e45 = exponent_2;
             let _e46 = self.v_whole_power(lobe, _e45);
@@ -12416,11 +13085,11 @@ impl<'g> Resources<'g> {
         normal_19: impl rt::Into<rt::Vec3<f32>>,
         mean_1: impl rt::Into<rt::Scalar<f32>>,
         cosine_2: impl rt::Into<rt::Scalar<f32>>,
-        view_14: impl rt::Into<rt::Vec3<f32>>,
+        view_16: impl rt::Into<rt::Vec3<f32>>,
         toward_4: impl rt::Into<rt::Vec3<f32>>,
         color_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(normal_19), rt::into(mean_1), rt::into(cosine_2), rt::into(view_14), rt::into(toward_4), rt::into(color_8)))
+        rt::into(self.v_shade_stage(rt::into(normal_19), rt::into(mean_1), rt::into(cosine_2), rt::into(view_16), rt::into(toward_4), rt::into(color_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12429,73 +13098,109 @@ impl<'g> Resources<'g> {
         normal_19: rt::Vec3<f32>,
         mean_1: rt::Scalar<f32>,
         cosine_2: rt::Scalar<f32>,
-        view_14: rt::Vec3<f32>,
+        view_16: rt::Vec3<f32>,
         toward_4: rt::Vec3<f32>,
         color_8: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e10 = rt::Scalar(self.surface_settings.choices[6usize].number);
+        let _e10 = rt::Scalar(self.surface_settings.choices[7usize].number);
         match rt::Scalar::into_inner(_e10) {
             _ => {
-                let _e15 = self.surface_settings.choices[6usize].params;
-                let _e16 = self.v_shade_blinn_phong(normal_19, mean_1, cosine_2, view_14, toward_4, color_8, _e15);
+                let _e15 = self.surface_settings.choices[7usize].params;
+                let _e16 = self.v_shade_blinn_phong(normal_19, mean_1, cosine_2, view_16, toward_4, color_8, _e15);
                 return _e16;
             }
         }
     }
     pub(crate) fn reflected_light(
         &self,
-        at_103: Entered,
-        hit_45: Hit,
+        at_111: Entered,
+        hit_47: Hit,
         seen_3: SeenNormals,
-        view_15: impl rt::Into<rt::Vec3<f32>>,
+        view_17: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_103, hit_45, seen_3, rt::into(view_15), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_111, hit_47, seen_3, rt::into(view_17), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_103: Entered,
-        hit_45: Hit,
+        at_111: Entered,
+        hit_47: Hit,
         seen_3: SeenNormals,
-        view_15: rt::Vec3<f32>,
+        view_17: rt::Vec3<f32>,
         color_9: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_16: rt::Vec3<f32>;
-        let mut k_26: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_29: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_103, hit_45, (seen_3.normal * rt::Scalar(seen_3.length)), view_15, diffuse);
+        let _e20 = self.v_ambient_stage(at_111, hit_47, (seen_3.normal * rt::Scalar(seen_3.length)), view_17, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_26;
+                let _e24 = k_29;
                 let _e27 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt(_e27)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e29 = k_26;
-                    let _e31 = self.v_toward_light(_e29, at_103.point);
-                    let _e33 = self.v_seen_cosine(at_103, seen_3, _e31.direction);
-                    let _e37 = self.v_shade_stage(seen_3.normal, rt::Scalar(seen_3.length), _e33, view_15, _e31.direction, diffuse);
+                    let _e29 = k_29;
+                    let _e31 = self.v_toward_light(_e29, at_111.point);
+                    let _e33 = self.v_seen_cosine(at_111, seen_3, _e31.direction);
+                    let _e37 = self.v_shade_stage(seen_3.normal, rt::Scalar(seen_3.length), _e33, view_17, _e31.direction, diffuse);
                     let _e38 = light_16;
-                    let _e41 = k_26;
+                    let _e41 = k_29;
                     let _e44 = self.frame.lights[rt::Scalar::into_array_index(_e41)].color;
-                    let _e48 = k_26;
+                    let _e48 = k_29;
                     light_16 = (_e38 + ((_e37 * _e44.xyz()) * (rt::Scalar(_e31.falloff) * visible[rt::Scalar::into_array_index(_e48)].x())));
-                    let _e54 = k_26;
-                    k_26 = (_e54 + rt::Scalar(1u32));
+                    let _e54 = k_29;
+                    k_29 = (_e54 + rt::Scalar(1u32));
                 }
             }
         }
         let _e57 = light_16;
         return _e57;
+    }
+    pub(crate) fn surface_color(
+        &self,
+        at_112: Entered,
+        hit_48: Hit,
+        view_18: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_surface_color(at_112, hit_48, rt::into(view_18)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_color(
+        &self,
+        at_112: Entered,
+        hit_48: Hit,
+        view_18: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let mut local_86: rt::Scalar<bool>;
+
+        let _e5 = rt::Scalar(self.surface_settings.images);
+        if rt::Scalar::into_branch_condition((!_e5.elementwise_eq(rt::Scalar(0u32)))) {
+            let _e13 = rt::Scalar(self.surface_settings.has_color);
+            local_86 = _e13.elementwise_ne(rt::Scalar(1u32));
+        } else {
+            local_86 = rt::Scalar(true);
+        }
+        let _e17 = local_86;
+        if rt::Scalar::into_branch_condition(_e17) {
+            let _e20 = self.v_color_or_white(hit_48.uv, rt::Scalar(at_112.footprint));
+            return _e20;
+        }
+        let how = self.surface_settings.choices[3usize].params.z();
+        if rt::Scalar::into_branch_condition(how.elementwise_eq(rt::Scalar(2f32))) {
+            return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
+        }
+        let _e35 = self.v_object_color(at_112, view_18, how.elementwise_eq(rt::Scalar(1f32)));
+        return _e35;
     }
     pub(crate) fn z_of(&self, depth_6: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_z_of(rt::into(depth_6)))
@@ -12516,100 +13221,100 @@ impl<'g> Resources<'g> {
     pub(crate) fn shade_hit(
         &self,
         origin_2: impl rt::Into<rt::Vec3<f32>>,
-        at_104: Entered,
-        hit_46: Hit,
+        at_113: Entered,
+        hit_49: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_2), at_104, hit_46, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_2), at_113, hit_49, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(
         &self,
         origin_2: rt::Vec3<f32>,
-        at_104: Entered,
-        hit_46: Hit,
+        at_113: Entered,
+        hit_49: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_46.found).elementwise_eq(rt::Scalar(0u32))) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_46.cost.x(), hit_46.cost.y(), hit_46.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_49.found).elementwise_eq(rt::Scalar(0u32))) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_49.cost.x(), hit_49.cost.y(), hit_49.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_46.uv, rt::Scalar(at_104.level));
-        let view_18 = (origin_2 - at_104.point).normalize();
-        let _e49 = self.v_mesostructure_normals(at_104, hit_46.uv, view_18);
-        let _e52 = self.v_color_or_white(hit_46.uv, rt::Scalar(at_104.footprint));
-        let _e53 = self.v_reflected_light(at_104, hit_46, _e49, view_18, _e52, visible_1);
-        let _e58 = self.frame.forward;
-        let depth_9 = (at_104.point - origin_2).dot(_e58.xyz());
-        let _e63 = self.v_height_size(rt::Scalar(0u32));
-        let _e69 = self.v_cell_of(((hit_46.uv * _e63) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e89 = self.v_z_of(rt::Scalar(at_104.depth));
-        let _e92 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e53, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_46.exhausted), hit_46.uv, _e44, at_104.point, _e49.normal, depth_9, rt::Scalar(hit_46.t), _e69.to_i32(), hit_46.cost.x(), hit_46.cost.y(), hit_46.cost.z(), visible_1[0usize].x(), rt::Scalar(at_104.level), _e89, _e92);
+        let _e44 = self.v_height_at(hit_49.uv, rt::Scalar(at_113.level));
+        let view_21 = (origin_2 - at_113.point).normalize();
+        let _e49 = self.v_mesostructure_normals(at_113, hit_49.uv, view_21);
+        let _e50 = self.v_surface_color(at_113, hit_49, view_21);
+        let _e51 = self.v_reflected_light(at_113, hit_49, _e49, view_21, _e50, visible_1);
+        let _e56 = self.frame.forward;
+        let depth_9 = (at_113.point - origin_2).dot(_e56.xyz());
+        let _e61 = self.v_height_size(rt::Scalar(0u32));
+        let _e67 = self.v_cell_of(((hit_49.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e87 = self.v_z_of(rt::Scalar(at_113.depth));
+        let _e90 = rt::Scalar(self.surface_settings.number);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_49.exhausted), hit_49.uv, _e44, at_113.point, _e49.normal, depth_9, rt::Scalar(hit_49.t), _e67.to_i32(), hit_49.cost.x(), hit_49.cost.y(), hit_49.cost.z(), visible_1[0usize].x(), rt::Scalar(at_113.level), _e87, _e90);
     }
     pub(crate) fn visible_light(
         &self,
-        at_105: Entered,
-        hit_47: Hit,
-        number_14: impl rt::Into<rt::Scalar<u32>>,
+        at_114: Entered,
+        hit_50: Hit,
+        number_15: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_105, hit_47, rt::into(number_14)))
+        rt::into(self.v_visible_light(at_114, hit_50, rt::into(number_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_visible_light(
         &self,
-        at_105: Entered,
-        hit_47: Hit,
-        number_14: rt::Scalar<u32>,
+        at_114: Entered,
+        hit_50: Hit,
+        number_15: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_14, at_105.point);
-        let _e5 = self.v_shadow_stage(at_105, hit_47, _e4);
+        let _e4 = self.v_toward_light(number_15, at_114.point);
+        let _e5 = self.v_shadow_stage(at_114, hit_50, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_106: Entered, hit_48: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_106, hit_48))
+    pub(crate) fn visible_lights(&self, at_115: Entered, hit_51: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_115, hit_51))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_106: Entered, hit_48: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_115: Entered, hit_51: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut k_27: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_30: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_48.found).elementwise_eq(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_51.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
             return _e7;
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_27;
+                let _e10 = k_30;
                 let _e13 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e10.elementwise_lt(_e13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_27;
-                    let _e17 = k_27;
-                    let _e18 = self.v_visible_light(at_106, hit_48, _e17);
+                    let _e15 = k_30;
+                    let _e17 = k_30;
+                    let _e18 = self.v_visible_light(at_115, hit_51, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e23 = k_27;
-                    k_27 = (_e23 + rt::Scalar(1u32));
+                    let _e23 = k_30;
+                    k_30 = (_e23 + rt::Scalar(1u32));
                 }
             }
         }
         let _e26 = visible_2;
         return _e26;
     }
-    pub(crate) fn shade_pixel(&self, pixel_81: PixelIn) -> PixelOut {
-        rt::into(self.v_shade_pixel(pixel_81))
+    pub(crate) fn shade_pixel(&self, pixel_88: PixelIn) -> PixelOut {
+        rt::into(self.v_shade_pixel(pixel_88))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shade_pixel(&self, pixel_81: PixelIn) -> PixelOut {
-        let _e1 = self.v_enter_relief(pixel_81);
-        let _e2 = self.v_first_hit(pixel_81, _e1);
-        let _e5 = self.v_place_hit(pixel_81, _e1, rt::Scalar(_e2.segment), _e2.hit);
+    fn v_shade_pixel(&self, pixel_88: PixelIn) -> PixelOut {
+        let _e1 = self.v_enter_relief(pixel_88);
+        let _e2 = self.v_first_hit(pixel_88, _e1);
+        let _e5 = self.v_place_hit(pixel_88, _e1, rt::Scalar(_e2.segment), _e2.hit);
         let _e9 = self.v_visible_lights(_e5, _e2.hit);
-        let _e10 = self.v_shade_hit(pixel_81.origin, _e5, _e2.hit, _e9);
+        let _e10 = self.v_shade_hit(pixel_88.origin, _e5, _e2.hit, _e9);
         return _e10;
     }
     pub(crate) fn weighted_site(
@@ -12637,10 +13342,10 @@ impl<'g> Resources<'g> {
         a_16: BaseSite,
         b_16: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
-        at_107: impl rt::Into<rt::Scalar<u32>>,
+        at_116: impl rt::Into<rt::Scalar<u32>>,
         parts_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_107), rt::into(parts_2)))
+        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_116), rt::into(parts_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12649,13 +13354,13 @@ impl<'g> Resources<'g> {
         a_16: BaseSite,
         b_16: BaseSite,
         shares: rt::Vec2<f32>,
-        at_107: rt::Scalar<u32>,
+        at_116: rt::Scalar<u32>,
         parts_2: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_2 - at_107).to_f32() * shares.x());
-        let of_b = (at_107.to_f32() * shares.y());
-        let sum_6 = (of_a + of_b);
-        let _e17 = self.v_weighted_site(a_16, b_16, b_16, <rt::Vec3<f32>>::from_scalars((of_a / sum_6), (of_b / sum_6), rt::Scalar(0f32)));
+        let of_a = ((parts_2 - at_116).to_f32() * shares.x());
+        let of_b = (at_116.to_f32() * shares.y());
+        let sum_7 = (of_a + of_b);
+        let _e17 = self.v_weighted_site(a_16, b_16, b_16, <rt::Vec3<f32>>::from_scalars((of_a / sum_7), (of_b / sum_7), rt::Scalar(0f32)));
         return _e17;
     }
     pub(crate) fn site_inside(
@@ -12679,8 +13384,8 @@ impl<'g> Resources<'g> {
         weights_5: rt::Vec3<f32>,
     ) -> BaseSite {
         let shared_out = (weights_5 * shares_1);
-        let sum_7 = ((shared_out.x() + shared_out.y()) + shared_out.z());
-        let _e13 = self.v_weighted_site(a_17, b_17, c_11, (shared_out / rt::Vec3::splat_from_scalar(sum_7)));
+        let sum_8 = ((shared_out.x() + shared_out.y()) + shared_out.z());
+        let _e13 = self.v_weighted_site(a_17, b_17, c_11, (shared_out / rt::Vec3::splat_from_scalar(sum_8)));
         return _e13;
     }
     pub(crate) fn site_of_vertex(&self, vertex: BaseVertex, seen_4: BaseVertex, voxel: Voxel) -> BaseSite {
@@ -12717,14 +13422,14 @@ impl<'g> Resources<'g> {
             away = (_e22 * rt::Scalar(grid_11.per_doubling));
         }
         let _e30 = share;
-        let right_3 = (((grid_11.right.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e30) + grid_11.middle.x());
+        let right_4 = (((grid_11.right.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e30) + grid_11.middle.x());
         let _e42 = share;
         let down_3 = (grid_11.middle.y() - ((grid_11.up.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e42));
         let far_14 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_112 = <rt::Vec3<f32>>::from_scalars(right_3, down_3, _e49).clamp((-far_14), far_14);
+        let at_121 = <rt::Vec3<f32>>::from_scalars(right_4, down_3, _e49).clamp((-far_14), far_14);
         let _e60 = share;
-        return <Voxel>::new((at_112 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
+        return <Voxel>::new((at_121 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
     }
 }
 
@@ -12741,6 +13446,7 @@ impl<'g> Resources<'g> {
             hole_map: bound.hole_map,
             light_map: bound.slot(crate::MapSlot::Lights),
             normal_map: bound.normal_map,
+            object_map: bound.slot(crate::MapSlot::Object),
             search_map: bound.slot(crate::MapSlot::Search),
             shadow_search_map: bound.slot(crate::MapSlot::ShadowSearch),
             shadow_texels: bound.slot(crate::MapSlot::Shadow),

@@ -99,6 +99,8 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/numbered", head: r#"// The base triangles of a surface, by their number.
 "# },
+    Module { path: "shared/object", head: r#"// Images of an object, and what colour it has.
+"# },
     Module { path: "shared/path", head: r#"// Points of a path, and the hit that a refinement makes of one.
 "# },
     Module { path: "shared/pixel", head: r#"// A pixel as one pure function: surface, search, refinement and shading in a row.
@@ -149,6 +151,11 @@ pub const MODULES: &[Module] = &[
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 3: what is displaced vertex by vertex is drawn as any mesh is,
 // with normals that are interpolated over its triangles.
+"# },
+    Module { path: "surface/object", head: r#"// Images of an object. The segments of a ray are its ways through the images, each of which is a relief: they
+// are not parts of one way, and what they make together is the stage `object`'s.
+//
+// Kautz and Seidel 2001, section 4.
 "# },
     Module { path: "surface/plane", head: r#"// The flat base surface: one straight segment a ray.
 //
@@ -208,6 +215,16 @@ pub const MODULES: &[Module] = &[
     Module { path: "slice/inside", head: r#"// A slice is drawn where the relief is higher. Height 0 is never drawn, so that zeros mask parts out.
 //
 // Kautz and Seidel 2001, section 3.2.
+"# },
+    Module { path: "object/depth", head: r#"// The object that all images say may be there: the ray goes on to where it first comes into an image's solid,
+// from there to where it first does in the next one's, round and round until all have the same place.
+//
+// Kautz and Seidel 2001, section 4. Their alpha tests ask all images at the points of slices; rays that ask
+// each image for the next point are ours. No image lets a ray go on too far, so that none passes a point that
+// all agree on.
+"# },
+    Module { path: "object/none", head: r#"// No object: a relief, whose segments are searched in their order. A segment whose hit lies in a hole has
+// none. In a shell that overlaps itself segments do so, too: there it is the nearest of all.
 "# },
     Module { path: "detail/fade", head: r#"// From displacement to bump mapping with distance: as `footprint`, and what is hardly deeper than a pixel is
 // traced flatter.
@@ -565,24 +582,31 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "bindings",
+        name: "object_map",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(0) @binding(12) var object_map: texture_2d_array<f32>;"#,
+    },
+    Declaration {
+        module: "bindings",
         name: "frame",
         sampling: None,
         uses: &["Frame"],
-        text: r#"@group(0) @binding(12) var<uniform> frame: Frame;"#,
+        text: r#"@group(0) @binding(13) var<uniform> frame: Frame;"#,
     },
     Declaration {
         module: "bindings",
         name: "pass_settings",
         sampling: None,
         uses: &["PassSettings"],
-        text: r#"@group(0) @binding(13) var<uniform> pass_settings: PassSettings;"#,
+        text: r#"@group(0) @binding(14) var<uniform> pass_settings: PassSettings;"#,
     },
     Declaration {
         module: "bindings",
         name: "hole_map",
         sampling: None,
         uses: &[],
-        text: r#"@group(0) @binding(14) var hole_map: texture_2d<f32>;"#,
+        text: r#"@group(0) @binding(15) var hole_map: texture_2d<f32>;"#,
     },
     Declaration {
         module: "bindings",
@@ -929,10 +953,17 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "constants",
+        name: "SLOT_OBJECT",
+        sampling: None,
+        uses: &[],
+        text: r#"const SLOT_OBJECT = 7u;"#,
+    },
+    Declaration {
+        module: "constants",
         name: "MAP_SLOTS",
         sampling: None,
         uses: &[],
-        text: r#"const MAP_SLOTS = 7u;"#,
+        text: r#"const MAP_SLOTS = 8u;"#,
     },
     Declaration {
         module: "constants",
@@ -1027,10 +1058,52 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "constants",
+        name: "CELLS_BILINEAR",
+        sampling: None,
+        uses: &[],
+        text: r#"const CELLS_BILINEAR = 0u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "CELLS_STEP",
+        sampling: None,
+        uses: &[],
+        text: r#"const CELLS_STEP = 1u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "CELLS_HIGHEST",
+        sampling: None,
+        uses: &[],
+        text: r#"const CELLS_HIGHEST = 2u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "CELLS_NEAREST",
+        sampling: None,
+        uses: &[],
+        text: r#"const CELLS_NEAREST = 3u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "STAGE_OBJECT",
+        sampling: None,
+        uses: &[],
+        text: r#"const STAGE_OBJECT = 3u;"#,
+    },
+    Declaration {
+        module: "constants",
         name: "STAGES",
         sampling: None,
         uses: &[],
-        text: r#"const STAGES = 10u;"#,
+        text: r#"const STAGES = 11u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "EMPTY_HEIGHT",
+        sampling: None,
+        uses: &[],
+        text: r#"const EMPTY_HEIGHT = 1e-5;"#,
     },
     Declaration {
         module: "constants",
@@ -1335,12 +1408,24 @@ struct Grid {
     },
     Declaration {
         module: "shared/cell",
+        name: "cell_parts",
+        sampling: None,
+        uses: &["CELLS_BILINEAR", "CELLS_HIGHEST", "surface_settings"],
+        text: r#"// How many cells there are between two texels: 2 where each quarter of a dual cell may be as high as its own
+// texel.
+fn cell_parts() -> i32 {
+    return select(2, 1, surface_settings.cells == CELLS_BILINEAR || surface_settings.cells == CELLS_HIGHEST);
+}"#,
+    },
+    Declaration {
+        module: "shared/cell",
         name: "grid_of",
         sampling: None,
-        uses: &["Grid", "Path", "height_size"],
+        uses: &["Grid", "Path", "cell_parts", "height_size"],
         text: r#"fn grid_of(path: Path) -> Grid {
     let size = height_size(path.level);
-    return Grid(path.uv * size - vec2f(0.5, 0.5), path.duv * size);
+    let parts = f32(cell_parts());
+    return Grid((path.uv * size - vec2f(0.5, 0.5)) * parts, path.duv * size * parts);
 }"#,
     },
     Declaration {
@@ -1400,12 +1485,56 @@ fn cell_after(grid: Grid, cell: vec2f, leave: vec2f, forward: vec2<bool>, t: f32
     },
     Declaration {
         module: "shared/cell",
+        name: "grid_cell",
+        sampling: None,
+        uses: &["CELLS_BILINEAR", "CELLS_HIGHEST", "CELLS_NEAREST", "height_cell", "surface_settings"],
+        text: r#"// The corners of a cell of the grid, as `height_cell` has those of dual cells: as images of objects have them
+// where heights jump. One read.
+fn grid_cell(cell: vec2i, level: u32) -> vec4f {
+    if (surface_settings.cells == CELLS_BILINEAR) {
+        return height_cell(cell, level);
+    }
+    if (surface_settings.cells == CELLS_HIGHEST) {
+        let h = height_cell(cell, level);
+        let most = max(max(h.x, h.y), max(h.z, h.w));
+        let least = min(min(h.x, h.y), min(h.z, h.w));
+        if (most - least > surface_settings.jump) {
+            return vec4f(most, most, most, most);
+        }
+        return h;
+    }
+    // The quarters of a dual cell, each at one of its texels.
+    let dual = vec2i(cell.x >> 1u, cell.y >> 1u);
+    let h = height_cell(dual, level);
+    let most = max(max(h.x, h.y), max(h.z, h.w));
+    let least = min(min(h.x, h.y), min(h.z, h.w));
+    let right = cell.x - dual.x - dual.x == 1;
+    let lower = cell.y - dual.y - dual.y == 1;
+    if (surface_settings.cells == CELLS_NEAREST || most - least > surface_settings.jump) {
+        let nearest = select(select(h.x, h.y, right), select(h.z, h.w, right), lower);
+        return vec4f(nearest, nearest, nearest, nearest);
+    }
+    let top = 0.5 * (h.x + h.y);
+    let bottom = 0.5 * (h.z + h.w);
+    let left = 0.5 * (h.x + h.z);
+    let side = 0.5 * (h.y + h.w);
+    let middle = 0.5 * (top + bottom);
+    return vec4f(
+        select(select(h.x, top, right), select(left, middle, right), lower),
+        select(select(top, h.y, right), select(middle, side, right), lower),
+        select(select(left, middle, right), select(h.z, bottom, right), lower),
+        select(select(middle, side, right), select(bottom, h.w, right), lower),
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/cell",
         name: "cell_gap",
         sampling: None,
-        uses: &["Grid", "Path", "gap_to", "height_cell"],
+        uses: &["Grid", "Path", "gap_to", "grid_cell"],
         text: r#"// The coefficients of the gap in a cell, from parameter t on. One read.
 fn cell_gap(path: Path, grid: Grid, cell: vec2f, t: f32) -> vec3f {
-    return gap_to(path, grid, cell, height_cell(vec2i(cell), path.level), t);
+    return gap_to(path, grid, cell, grid_cell(vec2i(cell), path.level), t);
 }"#,
     },
     Declaration {
@@ -3508,6 +3637,16 @@ fn light_texel(place: vec2i, view: i32) -> f32 {
     },
     Declaration {
         module: "shared/maps",
+        name: "object_texel",
+        sampling: None,
+        uses: &["object_map"],
+        text: r#"// A texel of the map of an object's images.
+fn object_texel(place: vec2i) -> vec4f {
+    return textureLoad(object_map, place, 0, 0);
+}"#,
+    },
+    Declaration {
+        module: "shared/maps",
         name: "detail_texel",
         sampling: None,
         uses: &["SLOT_DETAIL", "decoded", "detail_map", "surface_settings"],
@@ -3735,6 +3874,154 @@ fn numbered_pixel(triangle: u32, side: f32, point: vec2f) -> PixelIn {
 }"#,
     },
     Declaration {
+        module: "shared/object",
+        name: "Image",
+        sampling: None,
+        uses: &[],
+        text: r#"// An image: what a point's texture coordinates and its height in it are, by a product with (x, y, z, 1); where
+// it lies among the others (its first corner and its extent, in texture coordinates of all); the unit
+// direction toward its viewer.
+struct Image {
+    u: vec4f,
+    v: vec4f,
+    height: vec4f,
+    corner: vec2f,
+    extent: vec2f,
+    toward: vec3f,
+}"#,
+    },
+    Declaration {
+        module: "shared/object",
+        name: "image_of_object",
+        sampling: None,
+        uses: &["Image", "object_texel"],
+        text: r#"fn image_of_object(number: u32) -> Image {
+    let row = i32(number);
+    let place = object_texel(vec2i(3, row));
+    return Image(
+        object_texel(vec2i(0, row)),
+        object_texel(vec2i(1, row)),
+        object_texel(vec2i(2, row)),
+        place.xy,
+        vec2f(place.z, place.w),
+        object_texel(vec2i(4, row)).xyz,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/object",
+        name: "SEEN_TEXELS",
+        sampling: None,
+        uses: &[],
+        text: r#"// How many texels of an image, as wide as they are, a place may lie beside what the image sees there and be
+// it. Smaller, and slopes are not seen; larger, and what lies close behind is.
+const SEEN_TEXELS = 2.0;"#,
+    },
+    Declaration {
+        module: "shared/object",
+        name: "UNSEEN",
+        sampling: None,
+        uses: &[],
+        text: r#"// What is added to the angle, in turns, of an image that does not see a place: more than any angle.
+const UNSEEN = 2.0;"#,
+    },
+    Declaration {
+        module: "shared/object",
+        name: "place_in_image",
+        sampling: None,
+        uses: &["Image"],
+        text: r#"// Where a point is in an image: texture coordinates in all of them, and a height.
+fn place_in_image(image: Image, point: vec3f) -> vec3f {
+    let u = clamp(dot(image.u.xyz, point) + image.u.w, 0.0, 1.0);
+    let v = clamp(dot(image.v.xyz, point) + image.v.w, 0.0, 1.0);
+    let h = dot(image.height.xyz, point) + image.height.w;
+    return vec3f(image.corner + image.extent * vec2f(u, v), h);
+}"#,
+    },
+    Declaration {
+        module: "shared/object",
+        name: "angle_to_image",
+        sampling: None,
+        uses: &["Image", "SEEN_TEXELS", "UNSEEN", "height_at", "place_in_image", "surface_settings", "turn_of"],
+        text: r#"// The angle, in turns, between the view and that of an image, which is larger than any where the image is
+// asked whether it sees the place and does not.
+fn angle_to_image(image: Image, point: vec3f, view: vec3f, asked: bool) -> f32 {
+    let toward = image.toward;
+    let beside = cross(toward, view);
+    let angle = turn_of(vec2f(dot(toward, view), sqrt(dot(beside, beside))));
+    if (!asked) {
+        return angle;
+    }
+    let place = place_in_image(image, point);
+    let width = image.extent.x * f32(surface_settings.height_size.x);
+    let off = abs(place.z - height_at(place.xy, 0u));
+    return angle + select(UNSEEN, 0.0, off * width <= SEEN_TEXELS);
+}"#,
+    },
+    Declaration {
+        module: "shared/object",
+        name: "object_color",
+        sampling: None,
+        uses: &["Entered", "UNSEEN", "angle_to_image", "color_at", "image_of_object", "place_in_image", "surface_settings"],
+        text: r#"// The colour of a point of the object, seen along `view`: of the three images that look at it from the
+// directions nearest to that, by weights that fall with the angle, to 0 at that of the fourth image.
+//
+// Kautz and Seidel 2001, section 4.2. There the weights are proportional to the angles, as printed, and jump
+// when another image becomes the third; these neither do.
+fn object_color(at: Entered, view: vec3f, asked: bool) -> vec3f {
+    var angle1 = 4.0;
+    var angle2 = 4.0;
+    var angle3 = 4.0;
+    var angle4 = 4.0;
+    var image1 = 0u;
+    var image2 = 0u;
+    var image3 = 0u;
+    var k = 0u;
+    while (k < surface_settings.images) {
+        let angle = angle_to_image(image_of_object(k), at.point, view, asked);
+        if (angle < angle1) {
+            angle4 = angle3;
+            angle3 = angle2;
+            image3 = image2;
+            angle2 = angle1;
+            image2 = image1;
+            angle1 = angle;
+            image1 = k;
+        } else if (angle < angle2) {
+            angle4 = angle3;
+            angle3 = angle2;
+            image3 = image2;
+            angle2 = angle;
+            image2 = k;
+        } else if (angle < angle3) {
+            angle4 = angle3;
+            angle3 = angle;
+            image3 = k;
+        } else if (angle < angle4) {
+            angle4 = angle;
+        }
+        k = k + 1u;
+    }
+    // Where no image sees the place all do.
+    let less = select(0.0, UNSEEN, angle1 >= UNSEEN);
+    let last = min(angle4 - less, 0.5);
+    var weight1 = max(1.0 - (angle1 - less) / last, 0.0);
+    var weight2 = max(1.0 - (angle2 - less) / last, 0.0);
+    var weight3 = max(1.0 - (angle3 - less) / last, 0.0);
+    if (!(weight1 + weight2 + weight3 > 0.0)) {
+        weight1 = 1.0;
+        weight2 = select(0.0, 1.0, angle2 == angle1);
+        weight3 = select(0.0, 1.0, angle3 == angle1);
+    }
+    let uv1 = place_in_image(image_of_object(image1), at.point).xy;
+    let uv2 = place_in_image(image_of_object(image2), at.point).xy;
+    let uv3 = place_in_image(image_of_object(image3), at.point).xy;
+    let first = color_at(uv1, 0u).xyz * weight1;
+    let sum = first + color_at(uv2, 0u).xyz * weight2 + color_at(uv3, 0u).xyz * weight3;
+    return sum * (1.0 / (weight1 + weight2 + weight3));
+}"#,
+    },
+    Declaration {
         module: "shared/path",
         name: "FLOOR",
         sampling: None,
@@ -3826,6 +4113,27 @@ fn flattened(path: Path, middle: f32, part: f32) -> Path {
         path.ray,
         path.level,
         path.start + start,
+        path.share,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/path",
+        name: "beginning_at",
+        sampling: None,
+        uses: &["Path", "path_height", "path_slope", "path_uv"],
+        text: r#"// The path from a parameter on.
+fn beginning_at(path: Path, t: f32) -> Path {
+    return Path(
+        path_uv(path, t),
+        path.duv,
+        vec3f(path_height(path, t), path_slope(path, t), path.h.z),
+        path.exit - t,
+        path.base,
+        path.metric,
+        path.ray,
+        path.level,
+        path.start + t,
         path.share,
     );
 }"#,
@@ -3952,31 +4260,10 @@ fn trace(path: Path) -> Hit {
         module: "shared/pixel",
         name: "first_hit",
         sampling: None,
-        uses: &["Entered", "FirstHit", "NO_COST", "PixelIn", "SHELL_FOLDED", "hit_on_segment", "miss", "segment_of", "trace"],
-        text: r#"// The first hit of a pixel's ray, segment after segment. A segment whose hit lies in a hole has none. In a
-// shell that overlaps itself segments do so, too: there it is the nearest of all.
+        uses: &["Entered", "FirstHit", "PixelIn", "object_stage"],
+        text: r#"// The first hit of a pixel's ray.
 fn first_hit(pixel: PixelIn, at: Entered) -> FirstHit {
-    var cost = NO_COST;
-    var first = FirstHit(miss(cost), 0u, 0.0);
-    var k = 0u;
-    while (k < at.segments) {
-        let path = segment_of(pixel, at, k);
-        if (path.exit > 0.0) {
-            let here = hit_on_segment(pixel, at, path, trace(path), k);
-            cost = cost + here.hit.cost;
-            if (here.hit.found == 1u) {
-                if (first.hit.found == 0u || here.key > first.key) {
-                    first = here;
-                }
-                if (pixel.shell.order < SHELL_FOLDED) {
-                    break;
-                }
-            }
-        }
-        k = k + 1u;
-    }
-    first.hit.cost = cost;
-    return first;
+    return object_stage(pixel, at);
 }"#,
     },
     Declaration {
@@ -4085,6 +4372,23 @@ fn place_on_segment(pixel: PixelIn, at: Entered, path: Path, hit: Hit) -> Entere
     },
     Declaration {
         module: "shared/pixel",
+        name: "surface_color",
+        sampling: None,
+        uses: &["Entered", "Hit", "STAGE_OBJECT", "color_or_white", "object_color", "surface_settings"],
+        text: r#"// The colour of a hit's material, seen along `view`.
+fn surface_color(at: Entered, hit: Hit, view: vec3f) -> vec3f {
+    if (surface_settings.images == 0u || surface_settings.has_color != 1u) {
+        return color_or_white(hit.uv, at.footprint);
+    }
+    let how = surface_settings.choices[STAGE_OBJECT].params.z;
+    if (how == 2.0) {
+        return vec3f(1.0, 1.0, 1.0);
+    }
+    return object_color(at, view, how == 1.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
         name: "reflected_light",
         sampling: None,
         uses: &["Entered", "Hit", "MAX_LIGHTS", "SeenNormals", "ambient_stage", "frame", "seen_cosine", "shade_stage", "surface_settings", "toward_light"],
@@ -4187,7 +4491,7 @@ fn mirrored_light(pixel: PixelIn, at: Entered, hit: Hit) -> f32 {
         module: "shared/pixel",
         name: "shade_hit",
         sampling: None,
-        uses: &["Entered", "Hit", "MAX_LIGHTS", "PixelOut", "cell_of", "color_or_white", "frame", "height_at", "height_size", "mesostructure_normals", "reflected_light", "surface_settings", "z_of"],
+        uses: &["Entered", "Hit", "MAX_LIGHTS", "PixelOut", "cell_of", "frame", "height_at", "height_size", "mesostructure_normals", "reflected_light", "surface_color", "surface_settings", "z_of"],
         text: r#"// What a pixel shows of a placed hit, at which these parts of the lights arrive. `origin` is where the ray
 // begins.
 fn shade_hit(origin: vec3f, at: Entered, hit: Hit, visible: array<vec4f, MAX_LIGHTS>) -> PixelOut {
@@ -4215,7 +4519,7 @@ fn shade_hit(origin: vec3f, at: Entered, hit: Hit, visible: array<vec4f, MAX_LIG
     let height = height_at(hit.uv, at.level);
     let view = normalize(origin - at.point);
     let seen = mesostructure_normals(at, hit.uv, view);
-    let color = reflected_light(at, hit, seen, view, color_or_white(hit.uv, at.footprint), visible);
+    let color = reflected_light(at, hit, seen, view, surface_color(at, hit, view), visible);
     let depth = dot(at.point - origin, frame.forward.xyz);
     let cell = cell_of(hit.uv * height_size(0u) - vec2f(0.5, 0.5));
     return PixelOut(
@@ -5230,6 +5534,11 @@ struct SurfaceSettings {
     // Texels of a face's side in the finest level of the surroundings, and their levels, at least 1 each.
     environment_side: u32,
     environment_levels: u32,
+    // Images of an object; 0 of a relief.
+    images: u32,
+    // One of CELLS_*, and the difference of heights beyond which a cell of an image jumps.
+    cells: u32,
+    jump: f32,
 }"#,
     },
     Declaration {
@@ -6164,6 +6473,7 @@ struct Path {
     duv: vec2f,
     h: vec3f,
     exit: f32,
+    // Of an object's image its number, in place of that.
     base: f32,
     // T·T, T·B, B·B in square metres per tile, and the displacement scale in metres.
     metric: vec4f,
@@ -6538,6 +6848,106 @@ fn surface_facets_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) ->
         uses: &["Entered", "Hit", "Path", "PixelIn"],
         text: r#"fn surface_facets_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
     return at;
+}"#,
+    },
+    Declaration {
+        module: "surface/object",
+        name: "surface_object_enter",
+        sampling: None,
+        uses: &["Entered", "PixelIn", "passed_by", "surface_settings"],
+        text: r#"fn surface_object_enter(pixel: PixelIn, params: vec4f) -> Entered {
+    var at = passed_by();
+    at.segments = surface_settings.images;
+    at.point = pixel.origin;
+    return at;
+}"#,
+    },
+    Declaration {
+        module: "surface/object",
+        name: "within_bounds",
+        sampling: None,
+        uses: &["NEVER"],
+        text: r#"// The part of an interval in which x + dx t is between two bounds.
+fn within_bounds(x: f32, dx: f32, low: f32, high: f32, interval: vec2f) -> vec2f {
+    if (dx == 0.0) {
+        if (x < low || x > high) {
+            return vec2f(NEVER, 0.0);
+        }
+        return interval;
+    }
+    let a = (low - x) / dx;
+    let b = (high - x) / dx;
+    return vec2f(max(interval.x, min(a, b)), min(interval.y, max(a, b)));
+}"#,
+    },
+    Declaration {
+        module: "surface/object",
+        name: "surface_object_segment",
+        sampling: None,
+        uses: &["EMPTY_HEIGHT", "Entered", "NEVER", "Path", "PixelIn", "RAY_VIEW", "height_size", "image_of_object", "surface_settings", "within_bounds"],
+        text: r#"fn surface_object_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
+    let along = normalize(pixel.direction);
+    let image = image_of_object(k);
+    let u = dot(image.u.xyz, pixel.origin) + image.u.w;
+    let v = dot(image.v.xyz, pixel.origin) + image.v.w;
+    let h = dot(image.height.xyz, pixel.origin) + image.height.w;
+    let du = dot(image.u.xyz, along);
+    let dv = dot(image.v.xyz, along);
+    let dh = dot(image.height.xyz, along);
+    // Between the centres of the texels around the image, which see nothing.
+    let beyond = vec2f(0.5, 0.5) / (image.extent * height_size(0u));
+    var interval = vec2f(0.0, NEVER);
+    interval = within_bounds(u, du, 0.0 - beyond.x, 1.0 + beyond.x, interval);
+    interval = within_bounds(v, dv, 0.0 - beyond.y, 1.0 + beyond.y, interval);
+    interval = within_bounds(h, dh, EMPTY_HEIGHT, 1.0, interval);
+    let start = interval.x;
+    let tangent = image.u.xyz / (dot(image.u.xyz, image.u.xyz) * image.extent.x);
+    let bitangent = image.v.xyz / (dot(image.v.xyz, image.v.xyz) * image.extent.y);
+    return Path(
+        image.corner + image.extent * vec2f(u + du * start, v + dv * start),
+        image.extent * vec2f(du, dv),
+        vec3f(h + dh * start, dh, 0.0),
+        interval.y - start,
+        f32(k),
+        vec4f(
+            dot(tangent, tangent),
+            dot(tangent, bitangent),
+            dot(bitangent, bitangent),
+            surface_settings.scale_m,
+        ),
+        RAY_VIEW,
+        0u,
+        start,
+        1.0,
+    );
+}"#,
+    },
+    Declaration {
+        module: "surface/object",
+        name: "surface_object_polish",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn"],
+        text: r#"fn surface_object_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Hit {
+    return hit;
+}"#,
+    },
+    Declaration {
+        module: "surface/object",
+        name: "surface_object_place",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn", "image_of_object"],
+        text: r#"// On the ray, in the frame of the image that shows the hit, whose number the path has in place of a base.
+fn surface_object_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
+    let image = image_of_object(u32(path.base));
+    var placed = at;
+    placed.point = pixel.origin + normalize(pixel.direction) * (path.start + hit.t);
+    placed.uv = hit.uv;
+    placed.tangent = image.u.xyz / (dot(image.u.xyz, image.u.xyz) * image.extent.x);
+    placed.bitangent = image.v.xyz / (dot(image.v.xyz, image.v.xyz) * image.extent.y);
+    placed.normal = image.toward;
+    placed.metric = path.metric;
+    placed.facing = image.toward;
+    return placed;
 }"#,
     },
     Declaration {
@@ -7843,6 +8253,93 @@ fn surface_tetrahedra_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, p
 }"#,
     },
     Declaration {
+        module: "object/depth",
+        name: "AGREED",
+        sampling: None,
+        uses: &[],
+        text: r#"// The part of a distance by which two images may differ about a place: a few roundings. Smaller, and rays go
+// round for long between images of the same surface; larger, and what is thinner is passed.
+const AGREED = 0.000002;"#,
+    },
+    Declaration {
+        module: "object/depth",
+        name: "MOST_ROUNDS",
+        sampling: None,
+        uses: &[],
+        text: r#"// How often a ray goes round at most. Images of the same surface send it on between them by ever less.
+const MOST_ROUNDS = 256u;"#,
+    },
+    Declaration {
+        module: "object/depth",
+        name: "object_depth",
+        sampling: None,
+        uses: &["AGREED", "Entered", "FirstHit", "Hit", "MOST_ROUNDS", "NO_COST", "PixelIn", "beginning_at", "hit_on_segment", "miss", "reached", "segment_of", "trace"],
+        text: r#"fn object_depth(pixel: PixelIn, at: Entered, params: vec4f) -> FirstHit {
+    var cost = NO_COST;
+    var first = FirstHit(miss(cost), 0u, 0.0);
+    var reached = 0.0;
+    var agreed = 0u;
+    var k = 0u;
+    var turns = 0u;
+    let most = at.segments * MOST_ROUNDS;
+    while (agreed < at.segments && turns < most) {
+        let path = segment_of(pixel, at, k);
+        let passed = max(reached - path.start, 0.0);
+        if (!(passed < path.exit)) {
+            first.hit = miss(cost);
+            return first;
+        }
+        let hit = trace(beginning_at(path, passed));
+        cost = cost + hit.cost;
+        if (hit.found == 0u) {
+            first.hit = miss(cost);
+            return first;
+        }
+        let t = passed + hit.t;
+        if (first.hit.found == 0u || path.start + t > reached + reached * AGREED) {
+            reached = path.start + t;
+            agreed = 0u;
+            first = hit_on_segment(pixel, at, path, Hit(1u, 0u, hit.uv, hit.height, t, cost), k);
+        }
+        agreed = agreed + 1u;
+        k = select(k + 1u, 0u, k + 1u == at.segments);
+        turns = turns + 1u;
+    }
+    first.hit.exhausted = select(0u, 1u, agreed < at.segments);
+    first.hit.cost = cost;
+    return first;
+}"#,
+    },
+    Declaration {
+        module: "object/none",
+        name: "object_none",
+        sampling: None,
+        uses: &["Entered", "FirstHit", "NO_COST", "PixelIn", "SHELL_FOLDED", "hit_on_segment", "miss", "segment_of", "trace"],
+        text: r#"fn object_none(pixel: PixelIn, at: Entered, params: vec4f) -> FirstHit {
+    var cost = NO_COST;
+    var first = FirstHit(miss(cost), 0u, 0.0);
+    var k = 0u;
+    while (k < at.segments) {
+        let path = segment_of(pixel, at, k);
+        if (path.exit > 0.0) {
+            let here = hit_on_segment(pixel, at, path, trace(path), k);
+            cost = cost + here.hit.cost;
+            if (here.hit.found == 1u) {
+                if (first.hit.found == 0u || here.key > first.key) {
+                    first = here;
+                }
+                if (pixel.shell.order < SHELL_FOLDED) {
+                    break;
+                }
+            }
+        }
+        k = k + 1u;
+    }
+    first.hit.cost = cost;
+    return first;
+}"#,
+    },
+    Declaration {
         module: "detail/fade",
         name: "FLATTEST",
         sampling: None,
@@ -8297,7 +8794,7 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
         module: "search/pyramid",
         name: "search_pyramid",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "cell_of", "first_root", "found_in_cell", "gap_to", "grid_of", "height_cell", "height_texels", "image_of", "least_at", "leaves_extent", "map_read", "node_extent", "path_height", "path_slope", "quadratic", "search_texel"],
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "cell_of", "first_root", "found_in_cell", "gap_to", "grid_cell", "grid_of", "height_texels", "image_of", "least_at", "leaves_extent", "map_read", "node_extent", "path_height", "path_slope", "quadratic", "search_texel"],
         text: r#"fn search_pyramid(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     let n = height_texels(path.level);
@@ -8337,7 +8834,7 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
         let last = vec2i(columns.y - 1, rows.y - 1);
         if (level == 0u) {
             cost = cost + HEIGHTS_READ;
-            let c = gap_to(path, grid, vec2f(cell), height_cell(cell, path.level), t);
+            let c = gap_to(path, grid, vec2f(cell), grid_cell(cell, path.level), t);
             let found = found_in_cell(c, t, span, t == 0.0, cost);
             if (found.status != FOUND_ABOVE) {
                 return found;

@@ -235,9 +235,6 @@ lanes! { fn decoded(r: &Resources<'_>, texel_a0: Vec4<F>, map_a1: &single::MapSe
     }
     return texel_a0;
 } }
-lanes! { fn path_height(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
-    return add(path_a0.h.x, mul(t_a1, add(path_a0.h.y, mul(t_a1, path_a0.h.z))));
-} }
 lanes! { fn height_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
@@ -267,6 +264,12 @@ lanes! { fn height_at(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: u3
 } }
 lanes! { fn path_uv(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> Vec2<F> {
     return Vec2 { x: add(path_a0.uv.x, mul(path_a0.duv.x, t_a1)), y: add(path_a0.uv.y, mul(path_a0.duv.y, t_a1)) };
+} }
+lanes! { fn path_height(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
+    return add(path_a0.h.x, mul(t_a1, add(path_a0.h.y, mul(t_a1, path_a0.h.z))));
+} }
+lanes! { fn path_slope(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
+    return add(path_a0.h.y, mul(mul(splat(2.0f32), t_a1), path_a0.h.z));
 } }
 lanes! { fn path_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F) -> F {
     let mut ex = within;
@@ -309,10 +312,54 @@ lanes! { fn gap_to(r: &Resources<'_>, path_a0: &Path, grid_a1: &Grid, cell_a2: V
     let dz_40 = add(path_a0.h.y, mul(mul(splat(2.0f32), t_a4), path_a0.h.z));
     return Vec3 { x: sub(z_32, add(add(add(h_a3.x, mul(bx_7, at_22.x)), mul(by_10, at_22.y)), mul(mul(twist_17, at_22.x), at_22.y))), y: sub(dz_40, add(add(mul(bx_7, grid_a1.step.x), mul(by_10, grid_a1.step.y)), mul(twist_17, add(mul(at_22.x, grid_a1.step.y), mul(at_22.y, grid_a1.step.x))))), z: sub(path_a0.h.z, mul(mul(twist_17, grid_a1.step.x), grid_a1.step.y)) };
 } }
+lanes! { fn grid_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let mut both_v0: M = splat_m(false);
+    if (r.surface_settings.cells == 0u32) {
+        let e_7 = height_cell(r, ex, cell_a0, level_a1);
+        return e_7;
+    }
+    if (r.surface_settings.cells == 2u32) {
+        let h_13 = height_cell(r, ex, cell_a0, level_a1);
+        let most_20 = max(max(h_13.x, h_13.y), max(h_13.z, h_13.w));
+        let least_27 = min(min(h_13.x, h_13.y), min(h_13.z, h_13.w));
+        let c1 = gt(sub(most_20, least_27), splat(r.surface_settings.jump));
+        ret = Vec4 { x: most_20, y: most_20, z: most_20, w: most_20 };
+        ex = and_not(ex, c1);
+        let y2 = h_13;
+        return Vec4 { x: sel(ex, y2.x, ret.x), y: sel(ex, y2.y, ret.y), z: sel(ex, y2.z, ret.z), w: sel(ex, y2.w, ret.w) };
+    }
+    let dual_40 = Vec2 { x: shr_i(cell_a0.x, splat_u(1u32)), y: shr_i(cell_a0.y, splat_u(1u32)) };
+    if none(ex) { return ret; }
+    let h_41 = height_cell(r, ex, dual_40, level_a1);
+    let most_48 = max(max(h_41.x, h_41.y), max(h_41.z, h_41.w));
+    let least_55 = min(min(h_41.x, h_41.y), min(h_41.z, h_41.w));
+    let right_62 = eq_i(sub_i(sub_i(cell_a0.x, dual_40.x), dual_40.x), splat_i(1i32));
+    let lower_69 = eq_i(sub_i(sub_i(cell_a0.y, dual_40.y), dual_40.y), splat_i(1i32));
+    if !(r.surface_settings.cells == 3u32) {
+        both_v0 = gt(sub(most_48, least_55), splat(r.surface_settings.jump));
+    } else {
+        both_v0 = splat_m(true);
+    }
+    let e_84 = both_v0;
+    let c3 = e_84;
+    let nearest_91 = sel(lower_69, sel(right_62, h_41.w, h_41.z), sel(right_62, h_41.y, h_41.x));
+    let y4 = Vec4 { x: nearest_91, y: nearest_91, z: nearest_91, w: nearest_91 };
+    ret = Vec4 { x: sel(and(ex, c3), y4.x, ret.x), y: sel(and(ex, c3), y4.y, ret.y), z: sel(and(ex, c3), y4.z, ret.z), w: sel(and(ex, c3), y4.w, ret.w) };
+    ex = and_not(ex, c3);
+    let top_97 = mul(splat(0.5f32), add(h_41.x, h_41.y));
+    let bottom_102 = mul(splat(0.5f32), add(h_41.z, h_41.w));
+    let left_107 = mul(splat(0.5f32), add(h_41.x, h_41.z));
+    let side_112 = mul(splat(0.5f32), add(h_41.y, h_41.w));
+    let middle_115 = mul(splat(0.5f32), add(top_97, bottom_102));
+    let y5 = Vec4 { x: sel(lower_69, sel(right_62, middle_115, left_107), sel(right_62, top_97, h_41.x)), y: sel(lower_69, sel(right_62, side_112, middle_115), sel(right_62, h_41.y, top_97)), z: sel(lower_69, sel(right_62, bottom_102, h_41.z), sel(right_62, middle_115, left_107)), w: sel(lower_69, sel(right_62, h_41.w, bottom_102), sel(right_62, side_112, middle_115)) };
+    return Vec4 { x: sel(ex, y5.x, ret.x), y: sel(ex, y5.y, ret.y), z: sel(ex, y5.z, ret.z), w: sel(ex, y5.w, ret.w) };
+} }
 lanes! { fn cell_gap(r: &Resources<'_>, within: M, path_a0: &Path, grid_a1: &Grid, cell_a2: Vec2<F>, t_a3: F) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    let e_6 = height_cell(r, ex, Vec2 { x: i_of_f(cell_a2.x), y: i_of_f(cell_a2.y) }, path_a0.level);
+    let e_6 = grid_cell(r, ex, Vec2 { x: i_of_f(cell_a2.x), y: i_of_f(cell_a2.y) }, path_a0.level);
     let e_7 = gap_to(r, path_a0, grid_a1, cell_a2, e_6, t_a3);
     return e_7;
 } }
@@ -344,7 +391,9 @@ lanes! { fn cell_next(r: &Resources<'_>, within: M, grid_a0: &Grid, cell_a1: Vec
 } }
 lanes! { fn grid_of(r: &Resources<'_>, path_a0: &Path) -> Grid {
     let size_2 = r.height_size(path_a0.level);
-    return Grid { origin: Vec2 { x: sub(mul(path_a0.uv.x, splat(size_2.x)), splat(0.5f32)), y: sub(mul(path_a0.uv.y, splat(size_2.y)), splat(0.5f32)) }, step: Vec2 { x: mul(path_a0.duv.x, splat(size_2.x)), y: mul(path_a0.duv.y, splat(size_2.y)) }, };
+    let e_3 = r.cell_parts();
+    let parts_4 = (e_3 as f32);
+    return Grid { origin: Vec2 { x: mul(sub(mul(path_a0.uv.x, splat(size_2.x)), splat(0.5f32)), splat(parts_4)), y: mul(sub(mul(path_a0.uv.y, splat(size_2.y)), splat(0.5f32)), splat(parts_4)) }, step: Vec2 { x: mul(mul(path_a0.duv.x, splat(size_2.x)), splat(parts_4)), y: mul(mul(path_a0.duv.y, splat(size_2.y)), splat(parts_4)) }, };
 } }
 lanes! { fn slope_of(r: &Resources<'_>, within: M, value_a0: F) -> F {
     let mut ex = within;
@@ -509,9 +558,6 @@ stage! { fn entered_once(r: &Resources<'_>, within: M, path_a0: &Path, grid_a1: 
 } }
 lanes! { fn miss(r: &Resources<'_>, cost_a0: Vec3<U>) -> Hit {
     return Hit { found: splat_u(0u32), exhausted: splat_u(0u32), uv: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, height: splat(0.0f32), t: splat(0.0f32), cost: cost_a0, };
-} }
-lanes! { fn path_slope(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
-    return add(path_a0.h.y, mul(mul(splat(2.0f32), t_a1), path_a0.h.z));
 } }
 lanes! { fn hit_on_path(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F, exhausted_a2: U, cost_a3: Vec3<U>) -> Hit {
     let mut ex = within;
@@ -1181,45 +1227,45 @@ lanes! { fn refine_half_texel(r: &Resources<'_>, within: M, path_a0: &Path, foun
 lanes! { fn refine_stage(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
-    match r.surface_settings.choices[5].number {
+    match r.surface_settings.choices[6].number {
         0u32 => {
-            let e_12 = refine_none(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
+            let e_12 = refine_none(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
             return e_12;
         }
         1u32 => {
-            let e_18 = refine_offset(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
+            let e_18 = refine_offset(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
             return e_18;
         }
         2u32 => {
-            let e_24 = refine_offset_limited(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
+            let e_24 = refine_offset_limited(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
             return e_24;
         }
         3u32 => {
-            let e_30 = refine_slope(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
+            let e_30 = refine_slope(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
             return e_30;
         }
         4u32 => {
-            let e_36 = refine_slope_iterative(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
+            let e_36 = refine_slope_iterative(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
             return e_36;
         }
         5u32 => {
-            let e_42 = refine_binary(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
+            let e_42 = refine_binary(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
             return e_42;
         }
         6u32 => {
-            let e_48 = refine_secant(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
+            let e_48 = refine_secant(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
             return e_48;
         }
         7u32 => {
-            let e_54 = refine_true_secant(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
+            let e_54 = refine_true_secant(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
             return e_54;
         }
         8u32 => {
-            let e_60 = refine_patch(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
+            let e_60 = refine_patch(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
             return e_60;
         }
         _ => {
-            let e_66 = refine_half_texel(r, ex, path_a0, found_a1, r.surface_settings.choices[5].params);
+            let e_66 = refine_half_texel(r, ex, path_a0, found_a1, r.surface_settings.choices[6].params);
             return e_66;
         }
     }
@@ -1927,7 +1973,7 @@ stage! { fn search_pyramid(r: &Resources<'_>, within: M, path_a0: &Path, params_
                 cost_v5 = Vec3 { x: sel_u(m13, y14.x, cost_v5.x), y: sel_u(m13, y14.y, cost_v5.y), z: sel_u(m13, y14.z, cost_v5.z) };
                 let e_146 = cell_v2;
                 let e_148 = cell_v2;
-                let e_150 = height_cell(r, ex, e_148, path_a0.level);
+                let e_150 = grid_cell(r, ex, e_148, path_a0.level);
                 let e_151 = t_v4;
                 let c_152 = gap_to(r, path_a0, &grid_2, Vec2 { x: f_of_i(e_146.x), y: f_of_i(e_146.y) }, e_150, e_151);
                 let e_153 = t_v4;
@@ -3006,53 +3052,53 @@ stage! { fn search_relaxed_cone_resting(r: &Resources<'_>, within: M, path_a0: &
 lanes! { fn search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> Found {
     let mut ex = within;
     let mut ret: Found = zero_found();
-    match r.surface_settings.choices[4].number {
+    match r.surface_settings.choices[5].number {
         0u32 => {
-            let e_11 = search_none(r, path_a0, r.surface_settings.choices[4].params);
+            let e_11 = search_none(r, path_a0, r.surface_settings.choices[5].params);
             return e_11;
         }
         1u32 => {
-            let e_17 = search_linear(r, ex, path_a0, r.surface_settings.choices[4].params);
+            let e_17 = search_linear(r, ex, path_a0, r.surface_settings.choices[5].params);
             return e_17;
         }
         2u32 => {
-            let e_23 = search_cells(r, ex, path_a0, r.surface_settings.choices[4].params);
+            let e_23 = search_cells(r, ex, path_a0, r.surface_settings.choices[5].params);
             return e_23;
         }
         3u32 => {
-            let e_29 = search_frustum(r, ex, path_a0, r.surface_settings.choices[4].params);
+            let e_29 = search_frustum(r, ex, path_a0, r.surface_settings.choices[5].params);
             return e_29;
         }
         4u32 => {
-            let e_35 = search_cone(r, ex, path_a0, r.surface_settings.choices[4].params);
+            let e_35 = search_cone(r, ex, path_a0, r.surface_settings.choices[5].params);
             return e_35;
         }
         5u32 => {
-            let e_41 = search_pyramid(r, ex, path_a0, r.surface_settings.choices[4].params);
+            let e_41 = search_pyramid(r, ex, path_a0, r.surface_settings.choices[5].params);
             return e_41;
         }
         6u32 => {
-            let e_47 = search_pyramid_texels(r, ex, path_a0, r.surface_settings.choices[4].params);
+            let e_47 = search_pyramid_texels(r, ex, path_a0, r.surface_settings.choices[5].params);
             return e_47;
         }
         7u32 => {
-            let e_53 = search_dilation_erosion(r, ex, path_a0, r.surface_settings.choices[4].params);
+            let e_53 = search_dilation_erosion(r, ex, path_a0, r.surface_settings.choices[5].params);
             return e_53;
         }
         8u32 => {
-            let e_59 = search_sphere(r, ex, path_a0, r.surface_settings.choices[4].params);
+            let e_59 = search_sphere(r, ex, path_a0, r.surface_settings.choices[5].params);
             return e_59;
         }
         9u32 => {
-            let e_65 = search_cone_moved(r, ex, path_a0, r.surface_settings.choices[4].params);
+            let e_65 = search_cone_moved(r, ex, path_a0, r.surface_settings.choices[5].params);
             return e_65;
         }
         10u32 => {
-            let e_71 = search_relaxed_cone(r, ex, path_a0, r.surface_settings.choices[4].params);
+            let e_71 = search_relaxed_cone(r, ex, path_a0, r.surface_settings.choices[5].params);
             return e_71;
         }
         _ => {
-            let e_77 = search_relaxed_cone_resting(r, ex, path_a0, r.surface_settings.choices[4].params);
+            let e_77 = search_relaxed_cone_resting(r, ex, path_a0, r.surface_settings.choices[5].params);
             return e_77;
         }
     }
@@ -3067,53 +3113,53 @@ stage! { pub(super) fn trace(r: &Resources<'_>, within: M, path_a0: &Path) -> Hi
 stage! { pub(super) fn shadow_search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> Found {
     let mut ex = within;
     let mut ret: Found = zero_found();
-    match r.surface_settings.choices[8].number {
+    match r.surface_settings.choices[9].number {
         0u32 => {
-            let e_11 = search_none(r, path_a0, r.surface_settings.choices[8].params);
+            let e_11 = search_none(r, path_a0, r.surface_settings.choices[9].params);
             return e_11;
         }
         1u32 => {
-            let e_17 = search_linear(r, ex, path_a0, r.surface_settings.choices[8].params);
+            let e_17 = search_linear(r, ex, path_a0, r.surface_settings.choices[9].params);
             return e_17;
         }
         2u32 => {
-            let e_23 = search_cells(r, ex, path_a0, r.surface_settings.choices[8].params);
+            let e_23 = search_cells(r, ex, path_a0, r.surface_settings.choices[9].params);
             return e_23;
         }
         3u32 => {
-            let e_29 = search_frustum(r, ex, path_a0, r.surface_settings.choices[8].params);
+            let e_29 = search_frustum(r, ex, path_a0, r.surface_settings.choices[9].params);
             return e_29;
         }
         4u32 => {
-            let e_35 = search_cone(r, ex, path_a0, r.surface_settings.choices[8].params);
+            let e_35 = search_cone(r, ex, path_a0, r.surface_settings.choices[9].params);
             return e_35;
         }
         5u32 => {
-            let e_41 = search_pyramid(r, ex, path_a0, r.surface_settings.choices[8].params);
+            let e_41 = search_pyramid(r, ex, path_a0, r.surface_settings.choices[9].params);
             return e_41;
         }
         6u32 => {
-            let e_47 = search_pyramid_texels(r, ex, path_a0, r.surface_settings.choices[8].params);
+            let e_47 = search_pyramid_texels(r, ex, path_a0, r.surface_settings.choices[9].params);
             return e_47;
         }
         7u32 => {
-            let e_53 = search_dilation_erosion(r, ex, path_a0, r.surface_settings.choices[8].params);
+            let e_53 = search_dilation_erosion(r, ex, path_a0, r.surface_settings.choices[9].params);
             return e_53;
         }
         8u32 => {
-            let e_59 = search_sphere(r, ex, path_a0, r.surface_settings.choices[8].params);
+            let e_59 = search_sphere(r, ex, path_a0, r.surface_settings.choices[9].params);
             return e_59;
         }
         9u32 => {
-            let e_65 = search_cone_moved(r, ex, path_a0, r.surface_settings.choices[8].params);
+            let e_65 = search_cone_moved(r, ex, path_a0, r.surface_settings.choices[9].params);
             return e_65;
         }
         10u32 => {
-            let e_71 = search_relaxed_cone(r, ex, path_a0, r.surface_settings.choices[8].params);
+            let e_71 = search_relaxed_cone(r, ex, path_a0, r.surface_settings.choices[9].params);
             return e_71;
         }
         _ => {
-            let e_77 = search_relaxed_cone_resting(r, ex, path_a0, r.surface_settings.choices[8].params);
+            let e_77 = search_relaxed_cone_resting(r, ex, path_a0, r.surface_settings.choices[9].params);
             return e_77;
         }
     }

@@ -253,73 +253,79 @@ impl Shared for MapSettings {
 }
 
 impl Shared for SurfaceSettings {
-    const SIZE: usize = 928;
+    const SIZE: usize = 1040;
 
     fn write(&self, bytes: &mut [u8]) {
         self.choices.write(&mut bytes[0..]);
-        self.maps.write(&mut bytes[320..]);
-        self.diffuse.write(&mut bytes[768..]);
-        self.specular.write(&mut bytes[784..]);
-        self.height_size.write(&mut bytes[800..]);
-        self.color_size.write(&mut bytes[808..]);
-        self.normal_size.write(&mut bytes[816..]);
-        self.height_levels.write(&mut bytes[824..]);
-        self.color_levels.write(&mut bytes[828..]);
-        self.normal_levels.write(&mut bytes[832..]);
-        self.color_texels.write(&mut bytes[836..]);
-        self.normal_texels.write(&mut bytes[840..]);
-        self.normal_tile_m.write(&mut bytes[848..]);
-        self.wrap.write(&mut bytes[856..]);
-        self.shininess.write(&mut bytes[860..]);
-        self.has_color.write(&mut bytes[864..]);
-        self.has_normal.write(&mut bytes[868..]);
-        self.has_holes.write(&mut bytes[872..]);
-        self.has_creases.write(&mut bytes[876..]);
-        self.has_vertex_normals.write(&mut bytes[880..]);
-        self.has_shadows.write(&mut bytes[884..]);
-        self.scale_m.write(&mut bytes[888..]);
-        self.bias_m.write(&mut bytes[892..]);
-        self.shell_m.write(&mut bytes[896..]);
-        self.mean_height.write(&mut bytes[904..]);
-        self.transmission.write(&mut bytes[908..]);
-        self.ior.write(&mut bytes[912..]);
-        self.number.write(&mut bytes[916..]);
-        self.environment_side.write(&mut bytes[920..]);
-        self.environment_levels.write(&mut bytes[924..]);
+        self.maps.write(&mut bytes[352..]);
+        self.diffuse.write(&mut bytes[864..]);
+        self.specular.write(&mut bytes[880..]);
+        self.height_size.write(&mut bytes[896..]);
+        self.color_size.write(&mut bytes[904..]);
+        self.normal_size.write(&mut bytes[912..]);
+        self.height_levels.write(&mut bytes[920..]);
+        self.color_levels.write(&mut bytes[924..]);
+        self.normal_levels.write(&mut bytes[928..]);
+        self.color_texels.write(&mut bytes[932..]);
+        self.normal_texels.write(&mut bytes[936..]);
+        self.normal_tile_m.write(&mut bytes[944..]);
+        self.wrap.write(&mut bytes[952..]);
+        self.shininess.write(&mut bytes[956..]);
+        self.has_color.write(&mut bytes[960..]);
+        self.has_normal.write(&mut bytes[964..]);
+        self.has_holes.write(&mut bytes[968..]);
+        self.has_creases.write(&mut bytes[972..]);
+        self.has_vertex_normals.write(&mut bytes[976..]);
+        self.has_shadows.write(&mut bytes[980..]);
+        self.scale_m.write(&mut bytes[984..]);
+        self.bias_m.write(&mut bytes[988..]);
+        self.shell_m.write(&mut bytes[992..]);
+        self.mean_height.write(&mut bytes[1000..]);
+        self.transmission.write(&mut bytes[1004..]);
+        self.ior.write(&mut bytes[1008..]);
+        self.number.write(&mut bytes[1012..]);
+        self.environment_side.write(&mut bytes[1016..]);
+        self.environment_levels.write(&mut bytes[1020..]);
+        self.images.write(&mut bytes[1024..]);
+        self.cells.write(&mut bytes[1028..]);
+        self.jump.write(&mut bytes[1032..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
             choices: Shared::read(&bytes[0..]),
-            maps: Shared::read(&bytes[320..]),
-            diffuse: Shared::read(&bytes[768..]),
-            specular: Shared::read(&bytes[784..]),
-            height_size: Shared::read(&bytes[800..]),
-            color_size: Shared::read(&bytes[808..]),
-            normal_size: Shared::read(&bytes[816..]),
-            height_levels: Shared::read(&bytes[824..]),
-            color_levels: Shared::read(&bytes[828..]),
-            normal_levels: Shared::read(&bytes[832..]),
-            color_texels: Shared::read(&bytes[836..]),
-            normal_texels: Shared::read(&bytes[840..]),
-            normal_tile_m: Shared::read(&bytes[848..]),
-            wrap: Shared::read(&bytes[856..]),
-            shininess: Shared::read(&bytes[860..]),
-            has_color: Shared::read(&bytes[864..]),
-            has_normal: Shared::read(&bytes[868..]),
-            has_holes: Shared::read(&bytes[872..]),
-            has_creases: Shared::read(&bytes[876..]),
-            has_vertex_normals: Shared::read(&bytes[880..]),
-            has_shadows: Shared::read(&bytes[884..]),
-            scale_m: Shared::read(&bytes[888..]),
-            bias_m: Shared::read(&bytes[892..]),
-            shell_m: Shared::read(&bytes[896..]),
-            mean_height: Shared::read(&bytes[904..]),
-            transmission: Shared::read(&bytes[908..]),
-            ior: Shared::read(&bytes[912..]),
-            number: Shared::read(&bytes[916..]),
-            environment_side: Shared::read(&bytes[920..]),
-            environment_levels: Shared::read(&bytes[924..]),
+            maps: Shared::read(&bytes[352..]),
+            diffuse: Shared::read(&bytes[864..]),
+            specular: Shared::read(&bytes[880..]),
+            height_size: Shared::read(&bytes[896..]),
+            color_size: Shared::read(&bytes[904..]),
+            normal_size: Shared::read(&bytes[912..]),
+            height_levels: Shared::read(&bytes[920..]),
+            color_levels: Shared::read(&bytes[924..]),
+            normal_levels: Shared::read(&bytes[928..]),
+            color_texels: Shared::read(&bytes[932..]),
+            normal_texels: Shared::read(&bytes[936..]),
+            normal_tile_m: Shared::read(&bytes[944..]),
+            wrap: Shared::read(&bytes[952..]),
+            shininess: Shared::read(&bytes[956..]),
+            has_color: Shared::read(&bytes[960..]),
+            has_normal: Shared::read(&bytes[964..]),
+            has_holes: Shared::read(&bytes[968..]),
+            has_creases: Shared::read(&bytes[972..]),
+            has_vertex_normals: Shared::read(&bytes[976..]),
+            has_shadows: Shared::read(&bytes[980..]),
+            scale_m: Shared::read(&bytes[984..]),
+            bias_m: Shared::read(&bytes[988..]),
+            shell_m: Shared::read(&bytes[992..]),
+            mean_height: Shared::read(&bytes[1000..]),
+            transmission: Shared::read(&bytes[1004..]),
+            ior: Shared::read(&bytes[1008..]),
+            number: Shared::read(&bytes[1012..]),
+            environment_side: Shared::read(&bytes[1016..]),
+            environment_levels: Shared::read(&bytes[1020..]),
+            images: Shared::read(&bytes[1024..]),
+            cells: Shared::read(&bytes[1028..]),
+            jump: Shared::read(&bytes[1032..]),
         }
     }
 }

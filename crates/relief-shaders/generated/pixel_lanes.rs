@@ -246,6 +246,36 @@ lanes! { fn zero_grid() -> Grid {
 } }
 
 #[derive(Clone, Copy)]
+pub struct Image {
+    pub u: Vec4<F>,
+    pub v: Vec4<F>,
+    pub height: Vec4<F>,
+    pub corner: Vec2<F>,
+    pub extent: Vec2<F>,
+    pub toward: Vec3<F>,
+}
+lanes! { fn sel_image(m: M, a: &Image, b: &Image) -> Image {
+    Image {
+        u: Vec4 { x: sel(m, a.u.x, b.u.x), y: sel(m, a.u.y, b.u.y), z: sel(m, a.u.z, b.u.z), w: sel(m, a.u.w, b.u.w) },
+        v: Vec4 { x: sel(m, a.v.x, b.v.x), y: sel(m, a.v.y, b.v.y), z: sel(m, a.v.z, b.v.z), w: sel(m, a.v.w, b.v.w) },
+        height: Vec4 { x: sel(m, a.height.x, b.height.x), y: sel(m, a.height.y, b.height.y), z: sel(m, a.height.z, b.height.z), w: sel(m, a.height.w, b.height.w) },
+        corner: Vec2 { x: sel(m, a.corner.x, b.corner.x), y: sel(m, a.corner.y, b.corner.y) },
+        extent: Vec2 { x: sel(m, a.extent.x, b.extent.x), y: sel(m, a.extent.y, b.extent.y) },
+        toward: Vec3 { x: sel(m, a.toward.x, b.toward.x), y: sel(m, a.toward.y, b.toward.y), z: sel(m, a.toward.z, b.toward.z) },
+    }
+} }
+lanes! { fn zero_image() -> Image {
+    Image {
+        u: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        v: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        height: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        corner: Vec2 { x: splat(0f32), y: splat(0f32) },
+        extent: Vec2 { x: splat(0f32), y: splat(0f32) },
+        toward: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
 pub struct Levels {
     pub fine: U,
     pub part: F,
@@ -1431,83 +1461,68 @@ lanes! { fn ambient_occlusion(r: &Resources<'_>, within: M, at_a0: &Entered, hit
 lanes! { fn ambient_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    match r.surface_settings.choices[9].number {
+    match r.surface_settings.choices[10].number {
         0u32 => {
-            let e_15 = ambient_constant(r, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[9].params);
+            let e_15 = ambient_constant(r, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[10].params);
             return e_15;
         }
         1u32 => {
-            let e_21 = ambient_occlusion(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[9].params);
+            let e_21 = ambient_occlusion(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[10].params);
             return e_21;
         }
         2u32 => {
-            let e_27 = ambient_bent_normal(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[9].params);
+            let e_27 = ambient_bent_normal(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[10].params);
             return e_27;
         }
         3u32 => {
-            let e_33 = ambient_bounce(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[9].params);
+            let e_33 = ambient_bounce(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[10].params);
             return e_33;
         }
         _ => {
-            let e_39 = ambient_environment(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[9].params);
+            let e_39 = ambient_environment(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[10].params);
             return e_39;
         }
     }
 } }
-lanes! { fn lift_of(r: &Resources<'_>, lift_a0: Vec3<f32>, w_a1: Vec3<F>) -> F {
-    return add(add(mul(mul(splat(lift_a0.x), w_a1.y), w_a1.z), mul(mul(splat(lift_a0.y), w_a1.z), w_a1.x)), mul(mul(splat(lift_a0.z), w_a1.x), w_a1.y));
+lanes! { fn eighth_turn(r: &Resources<'_>, tangent_a0: F) -> F {
+    let s_1 = mul(tangent_a0, tangent_a0);
+    let series_14 = add(splat(0.999866f32), mul(s_1, add(splat((-0.3302995f32)), mul(s_1, add(splat(0.180141f32), mul(s_1, add(splat((-0.085133f32)), mul(s_1, splat(0.0208351f32)))))))));
+    return mul(mul(tangent_a0, series_14), splat(0.15915494f32));
 } }
-lanes! { fn bent_exit(r: &Resources<'_>, within: M, h_a0: Vec3<F>) -> F {
+lanes! { fn turn_of(r: &Resources<'_>, within: M, v_a0: Vec2<F>) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
-    let mut exit_v0: F = splat(3e38f32);
-    let floor_5 = add(h_a0.x, splat(1e-6f32));
-    let under_13 = sub(mul(h_a0.y, h_a0.y), mul(mul(splat(4.0f32), h_a0.z), floor_5));
-    let (b1, c2) = (ex, ge(under_13, splat(0.0f32)));
-    ex = and(b1, c2);
-    if any(ex) {
-        let (b3, c4) = (ex, lt(h_a0.y, splat(0.0f32)));
-        ex = and(b3, c4);
-        if any(ex) {
-            exit_v0 = sel(ex, div(mul(splat(2.0f32), floor_5), sub(sqrt(under_13), h_a0.y)), exit_v0);
-        }
-        ex = and_not(b3, c4);
-        if any(ex) {
-            let c5 = lt(h_a0.z, splat(0.0f32));
-            exit_v0 = sel(and(ex, c5), div(add(h_a0.y, sqrt(under_13)), mul(splat((-2.0f32)), h_a0.z)), exit_v0);
-        }
-        ex = b3;
-    }
-    ex = b1;
-    let room_37 = sub(splat(1.0f32), h_a0.x);
-    let above_45 = add(mul(h_a0.y, h_a0.y), mul(mul(splat(4.0f32), h_a0.z), room_37));
-    let (b6, c7) = (ex, ge(above_45, splat(0.0f32)));
-    ex = and(b6, c7);
-    if any(ex) {
-        let (b8, c9) = (ex, gt(h_a0.y, splat(0.0f32)));
-        ex = and(b8, c9);
-        if any(ex) {
-            let e_51 = exit_v0;
-            exit_v0 = sel(ex, min(e_51, div(mul(splat(2.0f32), room_37), add(h_a0.y, sqrt(above_45)))), exit_v0);
-        }
-        ex = and_not(b8, c9);
-        if any(ex) {
-            let c10 = gt(h_a0.z, splat(0.0f32));
-            let e_62 = exit_v0;
-            exit_v0 = sel(and(ex, c10), min(e_62, div(sub(sqrt(above_45), h_a0.y), mul(splat(2.0f32), h_a0.z))), exit_v0);
-        }
-        ex = b8;
-    }
-    ex = b6;
-    let e_71 = exit_v0;
-    return e_71;
+    let mut turn_v0: F = splat(0f32);
+    let x_2 = abs(v_a0.x);
+    let y_4 = abs(v_a0.y);
+    let c1 = not(gt(add(x_2, y_4), splat(0.0f32)));
+    ret = splat(0.0f32);
+    ex = and_not(ex, c1);
+    if none(ex) { return ret; }
+    let e_13 = eighth_turn(r, div(min(x_2, y_4), max(x_2, y_4)));
+    turn_v0 = e_13;
+    let c2 = gt(y_4, x_2);
+    let e_16 = turn_v0;
+    turn_v0 = sel(c2, sub(splat(0.25f32), e_16), turn_v0);
+    let c3 = lt(v_a0.x, splat(0.0f32));
+    let e_22 = turn_v0;
+    turn_v0 = sel(c3, sub(splat(0.5f32), e_22), turn_v0);
+    let c4 = lt(v_a0.y, splat(0.0f32));
+    let e_28 = turn_v0;
+    turn_v0 = sel(c4, sub(splat(1.0f32), e_28), turn_v0);
+    let e_31 = turn_v0;
+    let e_32 = turn_v0;
+    return sel(ex, sel(ge(e_32, splat(1.0f32)), splat(0.0f32), e_31), ret);
+} }
+lanes! { fn place_in_image(r: &Resources<'_>, image_a0: &Image, point_a1: Vec3<F>) -> Vec3<F> {
+    let u_10 = min_with(max_with(add(add(add(add(mul(image_a0.u.x, point_a1.x), mul(image_a0.u.y, point_a1.y)), mul(image_a0.u.z, point_a1.z)), splat(0.0f32)), image_a0.u.w), splat(0.0f32)), splat(1.0f32));
+    let v_19 = min_with(max_with(add(add(add(add(mul(image_a0.v.x, point_a1.x), mul(image_a0.v.y, point_a1.y)), mul(image_a0.v.z, point_a1.z)), splat(0.0f32)), image_a0.v.w), splat(0.0f32)), splat(1.0f32));
+    let h_25 = add(add(add(add(mul(image_a0.height.x, point_a1.x), mul(image_a0.height.y, point_a1.y)), mul(image_a0.height.z, point_a1.z)), splat(0.0f32)), image_a0.height.w);
+    return Vec3 { x: add(image_a0.corner.x, mul(image_a0.extent.x, u_10)), y: add(image_a0.corner.y, mul(image_a0.extent.y, v_19)), z: h_25 };
 } }
 lanes! { fn height_size(r: &Resources<'_>, level_a0: U) -> Vec2<F> {
     let e_1 = height_texels(r, level_a0);
     return Vec2 { x: f_of_i(e_1.x), y: f_of_i(e_1.y) };
-} }
-lanes! { fn path_height(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
-    return add(path_a0.h.x, mul(t_a1, add(path_a0.h.y, mul(t_a1, path_a0.h.z))));
 } }
 lanes! { fn height_cell_ll(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: U) -> Vec4<F> {
     let mut ex = within;
@@ -1563,8 +1578,76 @@ lanes! { fn height_at_ls(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1:
     let bottom_25 = add(h_11.z, mul(sub(h_11.w, h_11.z), f_9.x));
     return add(top_18, mul(sub(bottom_25, top_18), f_9.y));
 } }
+lanes! { fn angle_to_image(r: &Resources<'_>, within: M, image_a0: &Image, point_a1: Vec3<F>, view_a2: Vec3<F>, asked_a3: bool) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let beside_5 = Vec3 { x: sub(mul(image_a0.toward.y, view_a2.z), mul(image_a0.toward.z, view_a2.y)), y: sub(mul(image_a0.toward.z, view_a2.x), mul(image_a0.toward.x, view_a2.z)), z: sub(mul(image_a0.toward.x, view_a2.y), mul(image_a0.toward.y, view_a2.x)) };
+    let angle_10 = turn_of(r, ex, Vec2 { x: add(add(add(mul(image_a0.toward.x, view_a2.x), mul(image_a0.toward.y, view_a2.y)), mul(image_a0.toward.z, view_a2.z)), splat(0.0f32)), y: sqrt(add(add(add(mul(beside_5.x, beside_5.x), mul(beside_5.y, beside_5.y)), mul(beside_5.z, beside_5.z)), splat(0.0f32))) });
+    if !asked_a3 {
+        return angle_10;
+    }
+    let place_12 = place_in_image(r, image_a0, point_a1);
+    let width_20 = mul(image_a0.extent.x, splat((r.surface_settings.height_size.x as f32)));
+    let e_24 = height_at_ls(r, ex, Vec2 { x: place_12.x, y: place_12.y }, 0u32);
+    let off_26 = abs(sub(place_12.z, e_24));
+    return add(angle_10, sel(le(mul(off_26, width_20), splat(2.0f32)), splat(0.0f32), splat(2.0f32)));
+} }
+lanes! { fn lift_of(r: &Resources<'_>, lift_a0: Vec3<f32>, w_a1: Vec3<F>) -> F {
+    return add(add(mul(mul(splat(lift_a0.x), w_a1.y), w_a1.z), mul(mul(splat(lift_a0.y), w_a1.z), w_a1.x)), mul(mul(splat(lift_a0.z), w_a1.x), w_a1.y));
+} }
 lanes! { fn path_uv(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> Vec2<F> {
     return Vec2 { x: add(path_a0.uv.x, mul(path_a0.duv.x, t_a1)), y: add(path_a0.uv.y, mul(path_a0.duv.y, t_a1)) };
+} }
+lanes! { fn path_height(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
+    return add(path_a0.h.x, mul(t_a1, add(path_a0.h.y, mul(t_a1, path_a0.h.z))));
+} }
+lanes! { fn path_slope(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
+    return add(path_a0.h.y, mul(mul(splat(2.0f32), t_a1), path_a0.h.z));
+} }
+lanes! { fn bent_exit(r: &Resources<'_>, within: M, h_a0: Vec3<F>) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut exit_v0: F = splat(3e38f32);
+    let floor_5 = add(h_a0.x, splat(1e-6f32));
+    let under_13 = sub(mul(h_a0.y, h_a0.y), mul(mul(splat(4.0f32), h_a0.z), floor_5));
+    let (b1, c2) = (ex, ge(under_13, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let (b3, c4) = (ex, lt(h_a0.y, splat(0.0f32)));
+        ex = and(b3, c4);
+        if any(ex) {
+            exit_v0 = sel(ex, div(mul(splat(2.0f32), floor_5), sub(sqrt(under_13), h_a0.y)), exit_v0);
+        }
+        ex = and_not(b3, c4);
+        if any(ex) {
+            let c5 = lt(h_a0.z, splat(0.0f32));
+            exit_v0 = sel(and(ex, c5), div(add(h_a0.y, sqrt(under_13)), mul(splat((-2.0f32)), h_a0.z)), exit_v0);
+        }
+        ex = b3;
+    }
+    ex = b1;
+    let room_37 = sub(splat(1.0f32), h_a0.x);
+    let above_45 = add(mul(h_a0.y, h_a0.y), mul(mul(splat(4.0f32), h_a0.z), room_37));
+    let (b6, c7) = (ex, ge(above_45, splat(0.0f32)));
+    ex = and(b6, c7);
+    if any(ex) {
+        let (b8, c9) = (ex, gt(h_a0.y, splat(0.0f32)));
+        ex = and(b8, c9);
+        if any(ex) {
+            let e_51 = exit_v0;
+            exit_v0 = sel(ex, min(e_51, div(mul(splat(2.0f32), room_37), add(h_a0.y, sqrt(above_45)))), exit_v0);
+        }
+        ex = and_not(b8, c9);
+        if any(ex) {
+            let c10 = gt(h_a0.z, splat(0.0f32));
+            let e_62 = exit_v0;
+            exit_v0 = sel(and(ex, c10), min(e_62, div(sub(sqrt(above_45), h_a0.y), mul(splat(2.0f32), h_a0.z))), exit_v0);
+        }
+        ex = b8;
+    }
+    ex = b6;
+    let e_71 = exit_v0;
+    return e_71;
 } }
 lanes! { fn path_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F) -> F {
     let mut ex = within;
@@ -1643,9 +1726,11 @@ lanes! { fn path_from(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> Path {
 } }
 lanes! { fn grid_of(r: &Resources<'_>, path_a0: &Path) -> Grid {
     let size_2 = height_size(r, path_a0.level);
-    return Grid { origin: Vec2 { x: sub(mul(path_a0.uv.x, size_2.x), splat(0.5f32)), y: sub(mul(path_a0.uv.y, size_2.y), splat(0.5f32)) }, step: Vec2 { x: mul(path_a0.duv.x, size_2.x), y: mul(path_a0.duv.y, size_2.y) }, };
+    let e_3 = r.cell_parts();
+    let parts_4 = (e_3 as f32);
+    return Grid { origin: Vec2 { x: mul(sub(mul(path_a0.uv.x, size_2.x), splat(0.5f32)), splat(parts_4)), y: mul(sub(mul(path_a0.uv.y, size_2.y), splat(0.5f32)), splat(parts_4)) }, step: Vec2 { x: mul(mul(path_a0.duv.x, size_2.x), splat(parts_4)), y: mul(mul(path_a0.duv.y, size_2.y), splat(parts_4)) }, };
 } }
-lanes! { fn color_at(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: U) -> Vec4<F> {
+lanes! { fn color_at_ll(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: U) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let e_5 = level_texels(r, r.surface_settings.color_size, level_a1);
@@ -1658,6 +1743,19 @@ lanes! { fn color_at(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: U) 
     let e_37 = bilinear(r, e_14, e_21, e_28, e_35, Vec2 { x: at_6.part.x, y: at_6.part.y });
     return e_37;
 } }
+lanes! { fn color_at_ls(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: u32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_5 = level_texels(r, r.surface_settings.color_size, splat_u(level_a1));
+    let at_6 = texels_around(r, ex, uv_a0, e_5);
+    let k_7 = (level_a1 as i32);
+    let e_14 = color_texel(&r.color_map, at_6.columns.x, at_6.rows.x, 0i32, k_7);
+    let e_21 = color_texel(&r.color_map, at_6.columns.y, at_6.rows.x, 0i32, k_7);
+    let e_28 = color_texel(&r.color_map, at_6.columns.x, at_6.rows.y, 0i32, k_7);
+    let e_35 = color_texel(&r.color_map, at_6.columns.y, at_6.rows.y, 0i32, k_7);
+    let e_37 = bilinear(r, e_14, e_21, e_28, e_35, Vec2 { x: at_6.part.x, y: at_6.part.y });
+    return e_37;
+} }
 lanes! { fn color_or_white(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, footprint_a1: F) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
@@ -1665,11 +1763,11 @@ lanes! { fn color_or_white(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, footpri
         return Vec3 { x: splat(1.0f32), y: splat(1.0f32), z: splat(1.0f32) };
     }
     let levels_18 = levels_of(r, ex, mul(footprint_a1, splat(r.surface_settings.color_texels)), r.surface_settings.color_levels);
-    let e_20 = color_at(r, ex, uv_a0, levels_18.fine);
+    let e_20 = color_at_ll(r, ex, uv_a0, levels_18.fine);
     let (b1, c2) = (ex, gt(levels_18.part, splat(0.0f32)));
     ex = and(b1, c2);
     if any(ex) {
-        let e_28 = color_at(r, ex, uv_a0, add_u(levels_18.fine, splat_u(1u32)));
+        let e_28 = color_at_ll(r, ex, uv_a0, add_u(levels_18.fine, splat_u(1u32)));
         ret = Vec3 { x: add(e_20.x, mul(sub(e_28.x, e_20.x), levels_18.part)), y: add(e_20.y, mul(sub(e_28.y, e_20.y), levels_18.part)), z: add(e_20.z, mul(sub(e_28.z, e_20.z), levels_18.part)) };
         ex = no_lane();
     }
@@ -1731,17 +1829,17 @@ lanes! { fn detail_none(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, 
 lanes! { fn detail_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered) -> Detail {
     let mut ex = within;
     let mut ret: Detail = zero_detail();
-    match r.surface_settings.choices[3].number {
+    match r.surface_settings.choices[4].number {
         0u32 => {
-            let e_12 = detail_none(r, pixel_a0, at_a1, r.surface_settings.choices[3].params);
+            let e_12 = detail_none(r, pixel_a0, at_a1, r.surface_settings.choices[4].params);
             return e_12;
         }
         1u32 => {
-            let e_18 = detail_footprint(r, ex, pixel_a0, at_a1, r.surface_settings.choices[3].params);
+            let e_18 = detail_footprint(r, ex, pixel_a0, at_a1, r.surface_settings.choices[4].params);
             return e_18;
         }
         _ => {
-            let e_24 = detail_fade(r, ex, pixel_a0, at_a1, r.surface_settings.choices[3].params);
+            let e_24 = detail_fade(r, ex, pixel_a0, at_a1, r.surface_settings.choices[4].params);
             return e_24;
         }
     }
@@ -1765,11 +1863,6 @@ lanes! { fn detail_texel_between(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, l
     let e_31 = detail_texel(r, ex, Vec2 { x: at_4.columns.y, y: at_4.rows.y }, layer_a1, k_7);
     let e_33 = bilinear(r, e_13, e_19, e_25, e_31, Vec2 { x: at_4.part.x, y: at_4.part.y });
     return e_33;
-} }
-lanes! { fn eighth_turn(r: &Resources<'_>, tangent_a0: F) -> F {
-    let s_1 = mul(tangent_a0, tangent_a0);
-    let series_14 = add(splat(0.999866f32), mul(s_1, add(splat((-0.3302995f32)), mul(s_1, add(splat(0.180141f32), mul(s_1, add(splat((-0.085133f32)), mul(s_1, splat(0.0208351f32)))))))));
-    return mul(mul(tangent_a0, series_14), splat(0.15915494f32));
 } }
 lanes! { fn plane_normal(r: &Resources<'_>, pixel_a0: &PixelIn) -> Vec3<F> {
     let e_5 = Vec3 { x: (pixel_a0.b.position.x - pixel_a0.a.position.x), y: (pixel_a0.b.position.y - pixel_a0.a.position.y), z: (pixel_a0.b.position.z - pixel_a0.a.position.z) };
@@ -1815,6 +1908,12 @@ lanes! { fn surface_plane_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn
     let e_86 = both_v0;
     let segments_87 = sel_u(e_86, splat_u(1u32), splat_u(0u32));
     return Entered { segments: segments_87, point: point_7, uv: uv_22, tangent: tangent_33, bitangent: bitangent_44, normal: normal_58, metric: metric_68, level: splat_u(0u32), facing: n_2, span: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, of_surface: Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) }, footprint: splat(0.0f32), fade: splat(0.0f32), depth: splat(0.0f32), };
+} }
+lanes! { fn passed_by(r: &Resources<'_>) -> Entered {
+    let zero_3 = Vec3 { x: 0.0f32, y: 0.0f32, z: 0.0f32 };
+    let zeros_8 = Vec4 { x: 0.0f32, y: 0.0f32, z: 0.0f32, w: 0.0f32 };
+    let uv_11 = Vec2 { x: 0.0f32, y: 0.0f32 };
+    return Entered { segments: splat_u(0u32), point: Vec3 { x: splat(zero_3.x), y: splat(zero_3.y), z: splat(zero_3.z) }, uv: Vec2 { x: splat(uv_11.x), y: splat(uv_11.y) }, tangent: Vec3 { x: splat(zero_3.x), y: splat(zero_3.y), z: splat(zero_3.z) }, bitangent: Vec3 { x: splat(zero_3.x), y: splat(zero_3.y), z: splat(zero_3.z) }, normal: Vec3 { x: splat(zero_3.x), y: splat(zero_3.y), z: splat(zero_3.z) }, metric: Vec4 { x: splat(zeros_8.x), y: splat(zeros_8.y), z: splat(zeros_8.z), w: splat(zeros_8.w) }, level: splat_u(0u32), facing: Vec3 { x: splat(zero_3.x), y: splat(zero_3.y), z: splat(zero_3.z) }, span: Vec2 { x: splat(uv_11.x), y: splat(uv_11.y) }, of_surface: Vec4 { x: splat(zeros_8.x), y: splat(zeros_8.y), z: splat(zeros_8.z), w: splat(zeros_8.w) }, footprint: splat(0.0f32), fade: splat(0.0f32), depth: splat(0.0f32), };
 } }
 stage! { fn surface_prism_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
     if none(within) { return zero_entered(); }
@@ -2014,6 +2113,15 @@ lanes! { fn surface_slices_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelI
     let e_110 = both_v1;
     return Entered { segments: sel_u(e_110, splat_u(1u32), splat_u(0u32)), point: Vec3 { x: sub(point_7.x, mul(raw_64.x, height_m_93)), y: sub(point_7.y, mul(raw_64.y, height_m_93)), z: sub(point_7.z, mul(raw_64.z, height_m_93)) }, uv: uv_22, tangent: tangent_36, bitangent: bitangent_50, normal: normal_94, metric: Vec4 { x: tt_79, y: tb_80, z: bb_81, w: splat(r.surface_settings.scale_m) }, level: splat_u(0u32), facing: normal_94, span: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, of_surface: Vec4 { x: slice_78.x, y: slice_78.y, z: slice_78.z, w: splat(0.0f32) }, footprint: splat(0.0f32), fade: splat(0.0f32), depth: splat(0.0f32), };
 } }
+lanes! { fn surface_object_enter(r: &Resources<'_>, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
+    let mut at_v0: Entered = zero_entered();
+    let e_2 = passed_by(r);
+    at_v0 = e_2;
+    at_v0.segments = splat_u(r.surface_settings.images);
+    at_v0.point = Vec3 { x: pixel_a0.origin.x, y: pixel_a0.origin.y, z: pixel_a0.origin.z };
+    let e_10 = at_v0;
+    return e_10;
+} }
 lanes! { fn surface_enter_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn) -> Entered {
     let mut ex = within;
     let mut ret: Entered = zero_entered();
@@ -2042,9 +2150,13 @@ lanes! { fn surface_enter_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn
             let e_41 = surface_facets_enter(r, ex, pixel_a0, r.surface_settings.choices[1].params);
             return e_41;
         }
-        _ => {
+        6u32 => {
             let e_47 = surface_slices_enter(r, ex, pixel_a0, r.surface_settings.choices[1].params);
             return e_47;
+        }
+        _ => {
+            let e_53 = surface_object_enter(r, pixel_a0, r.surface_settings.choices[1].params);
+            return e_53;
         }
     }
 } }
@@ -2536,6 +2648,90 @@ lanes! { fn surface_slices_segment(r: &Resources<'_>, within: M, pixel_a0: &Pixe
     let lead_28 = sel(gt(before_20.w, splat(0.0f32)), min(before_20.w, far_8), mul(far_8, splat(5e-7f32)));
     return Path { uv: Vec2 { x: add(at_a1.uv.x, mul(before_20.x, lead_28)), y: add(at_a1.uv.y, mul(before_20.y, lead_28)) }, duv: Vec2 { x: sub(splat(0.0f32), before_20.x), y: sub(splat(0.0f32), before_20.y) }, h: Vec3 { x: add(at_a1.of_surface.x, mul(before_20.z, lead_28)), y: sub(splat(0.0f32), before_20.z), z: splat(0.0f32) }, exit: sel(passes_19, lead_28, splat(0.0f32)), base: lead_28, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: sub(far_8, lead_28), share: splat(1.0f32), };
 } }
+lanes! { fn object_texel_l(r: &Resources<'_>, place_a0: Vec2<I>) -> Vec4<F> {
+    let e_4 = map_texel(&r.object_map, place_a0.x, place_a0.y, 0i32, 0i32);
+    return e_4;
+} }
+lanes! { fn object_texel_s(r: &Resources<'_>, place_a0: Vec2<i32>) -> Vec4<F> {
+    let e_4 = map_texel(&r.object_map, splat_i(place_a0.x), splat_i(place_a0.y), 0i32, 0i32);
+    return e_4;
+} }
+lanes! { fn image_of_object_l(r: &Resources<'_>, number_a0: U) -> Image {
+    let row_1 = i_of_u(number_a0);
+    let place_4 = object_texel_l(r, Vec2 { x: splat_i(3i32), y: row_1 });
+    let e_7 = object_texel_l(r, Vec2 { x: splat_i(0i32), y: row_1 });
+    let e_10 = object_texel_l(r, Vec2 { x: splat_i(1i32), y: row_1 });
+    let e_13 = object_texel_l(r, Vec2 { x: splat_i(2i32), y: row_1 });
+    let e_20 = object_texel_l(r, Vec2 { x: splat_i(4i32), y: row_1 });
+    return Image { u: e_7, v: e_10, height: e_13, corner: Vec2 { x: place_4.x, y: place_4.y }, extent: Vec2 { x: place_4.z, y: place_4.w }, toward: Vec3 { x: e_20.x, y: e_20.y, z: e_20.z }, };
+} }
+lanes! { fn image_of_object_s(r: &Resources<'_>, number_a0: u32) -> Image {
+    let row_1 = (number_a0 as i32);
+    let place_4 = object_texel_s(r, Vec2 { x: 3i32, y: row_1 });
+    let e_7 = object_texel_s(r, Vec2 { x: 0i32, y: row_1 });
+    let e_10 = object_texel_s(r, Vec2 { x: 1i32, y: row_1 });
+    let e_13 = object_texel_s(r, Vec2 { x: 2i32, y: row_1 });
+    let e_20 = object_texel_s(r, Vec2 { x: 4i32, y: row_1 });
+    return Image { u: e_7, v: e_10, height: e_13, corner: Vec2 { x: place_4.x, y: place_4.y }, extent: Vec2 { x: place_4.z, y: place_4.w }, toward: Vec3 { x: e_20.x, y: e_20.y, z: e_20.z }, };
+} }
+lanes! { fn within_bounds(r: &Resources<'_>, within: M, x_a0: F, dx_a1: F, low_a2: F, high_a3: F, interval_a4: Vec2<F>) -> Vec2<F> {
+    let mut ex = within;
+    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut both_v0: M = splat_m(false);
+    let (b1, c2) = (ex, eq(dx_a1, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        both_v0 = or(lt(x_a0, low_a2), gt(x_a0, high_a3));
+        let e_13 = both_v0;
+        let (b3, c4) = (ex, e_13);
+        ex = and(b3, c4);
+        if any(ex) {
+            ret = Vec2 { x: splat(3e38f32), y: splat(0.0f32) };
+            ex = no_lane();
+        }
+        ex = and_not(b3, c4);
+        let y5 = interval_a4;
+        ret = Vec2 { x: sel(ex, y5.x, ret.x), y: sel(ex, y5.y, ret.y) };
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    let a_18 = div(sub(low_a2, x_a0), dx_a1);
+    let b_20 = div(sub(high_a3, x_a0), dx_a1);
+    let y6 = Vec2 { x: max(interval_a4.x, min(a_18, b_20)), y: min(interval_a4.y, max(a_18, b_20)) };
+    return Vec2 { x: sel(ex, y6.x, ret.x), y: sel(ex, y6.y, ret.y) };
+} }
+lanes! { fn surface_object_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let mut interval_v0: Vec2<F> = Vec2 { x: splat(0.0f32), y: splat(3e38f32) };
+    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let along_5 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+    let image_6 = image_of_object_s(r, k_a2);
+    let u_13 = add(add(add(add(mul(image_6.u.x, pixel_a0.origin.x), mul(image_6.u.y, pixel_a0.origin.y)), mul(image_6.u.z, pixel_a0.origin.z)), splat(0.0f32)), image_6.u.w);
+    let v_20 = add(add(add(add(mul(image_6.v.x, pixel_a0.origin.x), mul(image_6.v.y, pixel_a0.origin.y)), mul(image_6.v.z, pixel_a0.origin.z)), splat(0.0f32)), image_6.v.w);
+    let h_27 = add(add(add(add(mul(image_6.height.x, pixel_a0.origin.x), mul(image_6.height.y, pixel_a0.origin.y)), mul(image_6.height.z, pixel_a0.origin.z)), splat(0.0f32)), image_6.height.w);
+    let du_30 = add(add(add(mul(image_6.u.x, along_5.x), mul(image_6.u.y, along_5.y)), mul(image_6.u.z, along_5.z)), splat(0.0f32));
+    let dv_33 = add(add(add(mul(image_6.v.x, along_5.x), mul(image_6.v.y, along_5.y)), mul(image_6.v.z, along_5.z)), splat(0.0f32));
+    let dh_36 = add(add(add(mul(image_6.height.x, along_5.x), mul(image_6.height.y, along_5.y)), mul(image_6.height.z, along_5.z)), splat(0.0f32));
+    let e_42 = height_size(r, splat_u(0u32));
+    let beyond_44 = Vec2 { x: div(splat(0.5f32), mul(image_6.extent.x, e_42.x)), y: div(splat(0.5f32), mul(image_6.extent.y, e_42.y)) };
+    let e_55 = interval_v0;
+    let e_56 = within_bounds(r, ex, u_13, du_30, sub(splat(0.0f32), beyond_44.x), add(splat(1.0f32), beyond_44.x), e_55);
+    interval_v0 = e_56;
+    let e_63 = interval_v0;
+    let e_64 = within_bounds(r, ex, v_20, dv_33, sub(splat(0.0f32), beyond_44.y), add(splat(1.0f32), beyond_44.y), e_63);
+    interval_v0 = e_64;
+    let e_67 = interval_v0;
+    let e_68 = within_bounds(r, ex, h_27, dh_36, splat(1e-5f32), splat(1.0f32), e_67);
+    interval_v0 = e_68;
+    let start_70 = interval_v0.x;
+    let e_80 = mul(add(add(add(mul(image_6.u.x, image_6.u.x), mul(image_6.u.y, image_6.u.y)), mul(image_6.u.z, image_6.u.z)), splat(0.0f32)), image_6.extent.x);
+    let tangent_82 = Vec3 { x: div(image_6.u.x, e_80), y: div(image_6.u.y, e_80), z: div(image_6.u.z, e_80) };
+    let e_92 = mul(add(add(add(mul(image_6.v.x, image_6.v.x), mul(image_6.v.y, image_6.v.y)), mul(image_6.v.z, image_6.v.z)), splat(0.0f32)), image_6.extent.y);
+    let bitangent_94 = Vec3 { x: div(image_6.v.x, e_92), y: div(image_6.v.y, e_92), z: div(image_6.v.z, e_92) };
+    let e_112 = interval_v0.y;
+    return Path { uv: Vec2 { x: add(image_6.corner.x, mul(image_6.extent.x, add(u_13, mul(du_30, start_70)))), y: add(image_6.corner.y, mul(image_6.extent.y, add(v_20, mul(dv_33, start_70)))) }, duv: Vec2 { x: mul(image_6.extent.x, du_30), y: mul(image_6.extent.y, dv_33) }, h: Vec3 { x: add(h_27, mul(dh_36, start_70)), y: dh_36, z: splat(0.0f32) }, exit: sub(e_112, start_70), base: splat((k_a2 as f32)), metric: Vec4 { x: add(add(add(mul(tangent_82.x, tangent_82.x), mul(tangent_82.y, tangent_82.y)), mul(tangent_82.z, tangent_82.z)), splat(0.0f32)), y: add(add(add(mul(tangent_82.x, bitangent_94.x), mul(tangent_82.y, bitangent_94.y)), mul(tangent_82.z, bitangent_94.z)), splat(0.0f32)), z: add(add(add(mul(bitangent_94.x, bitangent_94.x), mul(bitangent_94.y, bitangent_94.y)), mul(bitangent_94.z, bitangent_94.z)), splat(0.0f32)), w: splat(r.surface_settings.scale_m) }, ray: splat_u(0u32), level: splat_u(0u32), start: start_70, share: splat(1.0f32), };
+} }
 lanes! { fn surface_segment_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32) -> Path {
     let mut ex = within;
     let mut ret: Path = zero_path();
@@ -2564,14 +2760,15 @@ lanes! { fn surface_segment_stage(r: &Resources<'_>, within: M, pixel_a0: &Pixel
             let e_43 = surface_facets_segment(r, ex, pixel_a0, at_a1, k_a2, r.surface_settings.choices[1].params);
             return e_43;
         }
-        _ => {
+        6u32 => {
             let e_49 = surface_slices_segment(r, ex, pixel_a0, at_a1, k_a2, r.surface_settings.choices[1].params);
             return e_49;
         }
+        _ => {
+            let e_55 = surface_object_segment(r, ex, pixel_a0, at_a1, k_a2, r.surface_settings.choices[1].params);
+            return e_55;
+        }
     }
-} }
-lanes! { fn path_slope(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
-    return add(path_a0.h.y, mul(mul(splat(2.0f32), t_a1), path_a0.h.z));
 } }
 lanes! { fn flattened(r: &Resources<'_>, within: M, path_a0: &Path, middle_a1: f32, part_a2: F) -> Path {
     let mut ex = within;
@@ -2676,6 +2873,9 @@ lanes! { fn surface_slices_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: 
     let e_10 = counted_v0;
     return e_10;
 } }
+lanes! { fn surface_object_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
+    return *hit_a3;
+} }
 lanes! { fn surface_polish_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
@@ -2704,9 +2904,13 @@ lanes! { fn surface_polish_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelI
             let e_44 = surface_facets_polish(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
             return e_44;
         }
-        _ => {
+        6u32 => {
             let e_50 = surface_slices_polish(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
             return e_50;
+        }
+        _ => {
+            let e_56 = surface_object_polish(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_56;
         }
     }
 } }
@@ -2971,31 +3175,6 @@ lanes! { fn with_table(r: &Resources<'_>, at_a0: &Entered, seen_a1: &SeenNormals
     told_v0.table = *table_a2;
     let e_21 = told_v0;
     return e_21;
-} }
-lanes! { fn turn_of(r: &Resources<'_>, within: M, v_a0: Vec2<F>) -> F {
-    let mut ex = within;
-    let mut ret: F = splat(0f32);
-    let mut turn_v0: F = splat(0f32);
-    let x_2 = abs(v_a0.x);
-    let y_4 = abs(v_a0.y);
-    let c1 = not(gt(add(x_2, y_4), splat(0.0f32)));
-    ret = splat(0.0f32);
-    ex = and_not(ex, c1);
-    if none(ex) { return ret; }
-    let e_13 = eighth_turn(r, div(min(x_2, y_4), max(x_2, y_4)));
-    turn_v0 = e_13;
-    let c2 = gt(y_4, x_2);
-    let e_16 = turn_v0;
-    turn_v0 = sel(c2, sub(splat(0.25f32), e_16), turn_v0);
-    let c3 = lt(v_a0.x, splat(0.0f32));
-    let e_22 = turn_v0;
-    turn_v0 = sel(c3, sub(splat(0.5f32), e_22), turn_v0);
-    let c4 = lt(v_a0.y, splat(0.0f32));
-    let e_28 = turn_v0;
-    turn_v0 = sel(c4, sub(splat(1.0f32), e_28), turn_v0);
-    let e_31 = turn_v0;
-    let e_32 = turn_v0;
-    return sel(ex, sel(ge(e_32, splat(1.0f32)), splat(0.0f32), e_31), ret);
 } }
 lanes! { fn seen_between(r: &Resources<'_>, a_a0: &SeenTexel, b_a1: &SeenTexel, part_a2: F) -> SeenTexel {
     return SeenTexel { first: Vec4 { x: add(a_a0.first.x, mul(sub(b_a1.first.x, a_a0.first.x), part_a2)), y: add(a_a0.first.y, mul(sub(b_a1.first.y, a_a0.first.y), part_a2)), z: add(a_a0.first.z, mul(sub(b_a1.first.z, a_a0.first.z), part_a2)), w: add(a_a0.first.w, mul(sub(b_a1.first.w, a_a0.first.w), part_a2)) }, second: Vec4 { x: add(a_a0.second.x, mul(sub(b_a1.second.x, a_a0.second.x), part_a2)), y: add(a_a0.second.y, mul(sub(b_a1.second.y, a_a0.second.y), part_a2)), z: add(a_a0.second.z, mul(sub(b_a1.second.z, a_a0.second.z), part_a2)), w: add(a_a0.second.w, mul(sub(b_a1.second.w, a_a0.second.w), part_a2)) }, };
@@ -3403,44 +3582,164 @@ lanes! { fn shadow_scene(r: &Resources<'_>, at_a0: &Entered, hit_a1: &Hit, light
 lanes! { fn shadow_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, light_a2: &Toward) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
-    match r.surface_settings.choices[7].number {
+    match r.surface_settings.choices[8].number {
         0u32 => {
-            let e_13 = shadow_ray(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[7].params);
+            let e_13 = shadow_ray(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[8].params);
             return e_13;
         }
         1u32 => {
-            let e_19 = shadow_none(r, at_a0, hit_a1, light_a2, r.surface_settings.choices[7].params);
+            let e_19 = shadow_none(r, at_a0, hit_a1, light_a2, r.surface_settings.choices[8].params);
             return e_19;
         }
         2u32 => {
-            let e_25 = shadow_entry(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[7].params);
+            let e_25 = shadow_entry(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[8].params);
             return e_25;
         }
         3u32 => {
-            let e_31 = shadow_soft(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[7].params);
+            let e_31 = shadow_soft(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[8].params);
             return e_31;
         }
         4u32 => {
-            let e_37 = shadow_heuristic(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[7].params);
+            let e_37 = shadow_heuristic(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[8].params);
             return e_37;
         }
         5u32 => {
-            let e_43 = shadow_horizon(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[7].params);
+            let e_43 = shadow_horizon(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[8].params);
             return e_43;
         }
         6u32 => {
-            let e_49 = shadow_visibility(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[7].params);
+            let e_49 = shadow_visibility(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[8].params);
             return e_49;
         }
         7u32 => {
-            let e_55 = shadow_map(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[7].params);
+            let e_55 = shadow_map(r, ex, at_a0, hit_a1, light_a2, r.surface_settings.choices[8].params);
             return e_55;
         }
         _ => {
-            let e_61 = shadow_scene(r, at_a0, hit_a1, light_a2, r.surface_settings.choices[7].params);
+            let e_61 = shadow_scene(r, at_a0, hit_a1, light_a2, r.surface_settings.choices[8].params);
             return e_61;
         }
     }
+} }
+stage! { fn object_color(r: &Resources<'_>, within: M, at_a0: &Entered, view_a1: Vec3<F>, asked_a2: bool) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut angle1_v0: F = splat(4.0f32);
+    let mut angle2_v1: F = splat(4.0f32);
+    let mut angle3_v2: F = splat(4.0f32);
+    let mut angle4_v3: F = splat(4.0f32);
+    let mut image1_v4: U = splat_u(0u32);
+    let mut image2_v5: U = splat_u(0u32);
+    let mut image3_v6: U = splat_u(0u32);
+    let mut k_v7: u32 = 0u32;
+    let mut weight1_v8: F = splat(0f32);
+    let mut weight2_v9: F = splat(0f32);
+    let mut weight3_v10: F = splat(0f32);
+    'l1: loop {
+        let e_19 = k_v7;
+        if (e_19 < r.surface_settings.images) {
+        } else {
+            break 'l1;
+        }
+        let e_24 = k_v7;
+        let e_25 = image_of_object_s(r, e_24);
+        let angle_27 = angle_to_image(r, ex, &e_25, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z }, view_a1, asked_a2);
+        let e_28 = angle1_v0;
+        let (b2, c3) = (ex, lt(angle_27, e_28));
+        ex = and(b2, c3);
+        if any(ex) {
+            let e_30 = angle3_v2;
+            angle4_v3 = sel(ex, e_30, angle4_v3);
+            let e_31 = angle2_v1;
+            angle3_v2 = sel(ex, e_31, angle3_v2);
+            let e_32 = image2_v5;
+            image3_v6 = sel_u(ex, e_32, image3_v6);
+            let e_33 = angle1_v0;
+            angle2_v1 = sel(ex, e_33, angle2_v1);
+            let e_34 = image1_v4;
+            image2_v5 = sel_u(ex, e_34, image2_v5);
+            angle1_v0 = sel(ex, angle_27, angle1_v0);
+            let e_35 = k_v7;
+            image1_v4 = sel_u(ex, splat_u(e_35), image1_v4);
+        }
+        ex = and_not(b2, c3);
+        if any(ex) {
+            let e_36 = angle2_v1;
+            let (b4, c5) = (ex, lt(angle_27, e_36));
+            ex = and(b4, c5);
+            if any(ex) {
+                let e_38 = angle3_v2;
+                angle4_v3 = sel(ex, e_38, angle4_v3);
+                let e_39 = angle2_v1;
+                angle3_v2 = sel(ex, e_39, angle3_v2);
+                let e_40 = image2_v5;
+                image3_v6 = sel_u(ex, e_40, image3_v6);
+                angle2_v1 = sel(ex, angle_27, angle2_v1);
+                let e_41 = k_v7;
+                image2_v5 = sel_u(ex, splat_u(e_41), image2_v5);
+            }
+            ex = and_not(b4, c5);
+            if any(ex) {
+                let e_42 = angle3_v2;
+                let c6 = lt(angle_27, e_42);
+                let e_44 = angle3_v2;
+                angle4_v3 = sel(and(ex, c6), e_44, angle4_v3);
+                angle3_v2 = sel(and(ex, c6), angle_27, angle3_v2);
+                let e_45 = k_v7;
+                image3_v6 = sel_u(and(ex, c6), splat_u(e_45), image3_v6);
+                let e_46 = angle4_v3;
+                let c7 = lt(angle_27, e_46);
+                angle4_v3 = sel(and(ex, and(not(c6), c7)), angle_27, angle4_v3);
+            }
+            ex = b4;
+        }
+        ex = b2;
+        let e_48 = k_v7;
+        k_v7 = e_48.wrapping_add(1u32);
+    }
+    let e_51 = angle1_v0;
+    let less_56 = sel(ge(e_51, splat(2.0f32)), splat(2.0f32), splat(0.0f32));
+    let e_57 = angle4_v3;
+    let last_60 = min_with(sub(e_57, less_56), splat(0.5f32));
+    let e_61 = angle1_v0;
+    weight1_v8 = max_with(sub(splat(1.0f32), div(sub(e_61, less_56), last_60)), splat(0.0f32));
+    let e_69 = angle2_v1;
+    weight2_v9 = max_with(sub(splat(1.0f32), div(sub(e_69, less_56), last_60)), splat(0.0f32));
+    let e_77 = angle3_v2;
+    weight3_v10 = max_with(sub(splat(1.0f32), div(sub(e_77, less_56), last_60)), splat(0.0f32));
+    let e_85 = weight1_v8;
+    let e_86 = weight2_v9;
+    let e_88 = weight3_v10;
+    let c8 = not(gt(add(add(e_85, e_86), e_88), splat(0.0f32)));
+    weight1_v8 = sel(c8, splat(1.0f32), weight1_v8);
+    let e_94 = angle2_v1;
+    let e_95 = angle1_v0;
+    weight2_v9 = sel(c8, sel(eq(e_94, e_95), splat(1.0f32), splat(0.0f32)), weight2_v9);
+    let e_100 = angle3_v2;
+    let e_101 = angle1_v0;
+    weight3_v10 = sel(c8, sel(eq(e_100, e_101), splat(1.0f32), splat(0.0f32)), weight3_v10);
+    let e_106 = image1_v4;
+    let e_107 = image_of_object_l(r, e_106);
+    let e_109 = place_in_image(r, &e_107, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
+    let e_111 = image2_v5;
+    let e_112 = image_of_object_l(r, e_111);
+    let e_114 = place_in_image(r, &e_112, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
+    let e_116 = image3_v6;
+    let e_117 = image_of_object_l(r, e_116);
+    let e_119 = place_in_image(r, &e_117, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
+    let e_122 = color_at_ls(r, ex, Vec2 { x: e_109.x, y: e_109.y }, 0u32);
+    let e_124 = weight1_v8;
+    let first_125 = Vec3 { x: mul(e_122.x, e_124), y: mul(e_122.y, e_124), z: mul(e_122.z, e_124) };
+    let e_127 = color_at_ls(r, ex, Vec2 { x: e_114.x, y: e_114.y }, 0u32);
+    let e_129 = weight2_v9;
+    let e_133 = color_at_ls(r, ex, Vec2 { x: e_119.x, y: e_119.y }, 0u32);
+    let e_135 = weight3_v10;
+    let sum_137 = Vec3 { x: add(add(first_125.x, mul(e_127.x, e_129)), mul(e_133.x, e_135)), y: add(add(first_125.y, mul(e_127.y, e_129)), mul(e_133.y, e_135)), z: add(add(first_125.z, mul(e_127.z, e_129)), mul(e_133.z, e_135)) };
+    let e_138 = weight1_v8;
+    let e_139 = weight2_v9;
+    let e_141 = weight3_v10;
+    let e_144 = div(splat(1.0f32), add(add(e_138, e_139), e_141));
+    return Vec3 { x: mul(sum_137.x, e_144), y: mul(sum_137.y, e_144), z: mul(sum_137.z, e_144) };
 } }
 stage! { pub(super) fn pixel_direction(r: &Resources<'_>, pixel_a0: Vec2<F>) -> Vec3<F> {
     return Vec3 { x: add(add(splat(r.frame.corner.x), mul(splat(r.frame.right.x), pixel_a0.x)), mul(splat(r.frame.down.x), pixel_a0.y)), y: add(add(splat(r.frame.corner.y), mul(splat(r.frame.right.y), pixel_a0.x)), mul(splat(r.frame.down.y), pixel_a0.y)), z: add(add(splat(r.frame.corner.z), mul(splat(r.frame.right.z), pixel_a0.x)), mul(splat(r.frame.down.z), pixel_a0.y)) };
@@ -3582,6 +3881,25 @@ lanes! { fn surface_slices_place(r: &Resources<'_>, within: M, pixel_a0: &PixelI
     let e_6 = placed_over(r, ex, at_a1, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y });
     return e_6;
 } }
+lanes! { fn surface_object_place(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut placed_v0: Entered = zero_entered();
+    let image_7 = image_of_object_l(r, u_of_f(path_a2.base));
+    placed_v0 = *at_a1;
+    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let e_12 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+    let e_15 = add(path_a2.start, hit_a3.t);
+    placed_v0.point = Vec3 { x: add(pixel_a0.origin.x, mul(e_12.x, e_15)), y: add(pixel_a0.origin.y, mul(e_12.y, e_15)), z: add(pixel_a0.origin.z, mul(e_12.z, e_15)) };
+    placed_v0.uv = Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y };
+    let e_30 = mul(add(add(add(mul(image_7.u.x, image_7.u.x), mul(image_7.u.y, image_7.u.y)), mul(image_7.u.z, image_7.u.z)), splat(0.0f32)), image_7.extent.x);
+    placed_v0.tangent = Vec3 { x: div(image_7.u.x, e_30), y: div(image_7.u.y, e_30), z: div(image_7.u.z, e_30) };
+    let e_43 = mul(add(add(add(mul(image_7.v.x, image_7.v.x), mul(image_7.v.y, image_7.v.y)), mul(image_7.v.z, image_7.v.z)), splat(0.0f32)), image_7.extent.y);
+    placed_v0.bitangent = Vec3 { x: div(image_7.v.x, e_43), y: div(image_7.v.y, e_43), z: div(image_7.v.z, e_43) };
+    placed_v0.normal = Vec3 { x: image_7.toward.x, y: image_7.toward.y, z: image_7.toward.z };
+    placed_v0.metric = Vec4 { x: path_a2.metric.x, y: path_a2.metric.y, z: path_a2.metric.z, w: path_a2.metric.w };
+    placed_v0.facing = Vec3 { x: image_7.toward.x, y: image_7.toward.y, z: image_7.toward.z };
+    let e_52 = placed_v0;
+    return e_52;
+} }
 lanes! { fn surface_place_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Entered {
     let mut ex = within;
     let mut ret: Entered = zero_entered();
@@ -3610,9 +3928,13 @@ lanes! { fn surface_place_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn
             let e_44 = surface_facets_place(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
             return e_44;
         }
-        _ => {
+        6u32 => {
             let e_50 = surface_slices_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
             return e_50;
+        }
+        _ => {
+            let e_56 = surface_object_place(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_56;
         }
     }
 } }
@@ -3770,9 +4092,9 @@ lanes! { fn shade_blinn_phong(r: &Resources<'_>, within: M, normal_a0: Vec3<F>, 
 lanes! { fn shade_stage(r: &Resources<'_>, within: M, normal_a0: Vec3<F>, mean_a1: F, cosine_a2: F, view_a3: Vec3<F>, toward_a4: Vec3<F>, color_a5: Vec3<F>) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    match r.surface_settings.choices[6].number {
+    match r.surface_settings.choices[7].number {
         _ => {
-            let e_16 = shade_blinn_phong(r, ex, normal_a0, mean_a1, cosine_a2, view_a3, toward_a4, color_a5, r.surface_settings.choices[6].params);
+            let e_16 = shade_blinn_phong(r, ex, normal_a0, mean_a1, cosine_a2, view_a3, toward_a4, color_a5, r.surface_settings.choices[7].params);
             return e_16;
         }
     }
@@ -3807,6 +4129,26 @@ stage! { fn reflected_light(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a
     let e_57 = light_v0;
     return e_57;
 } }
+lanes! { fn surface_color(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, view_a2: Vec3<F>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut both_v0: bool = false;
+    if !(r.surface_settings.images == 0u32) {
+        both_v0 = (r.surface_settings.has_color != 1u32);
+    } else {
+        both_v0 = true;
+    }
+    let e_17 = both_v0;
+    if e_17 {
+        let e_20 = color_or_white(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.footprint);
+        return e_20;
+    }
+    if (r.surface_settings.choices[3].params.z == 2.0f32) {
+        return Vec3 { x: splat(1.0f32), y: splat(1.0f32), z: splat(1.0f32) };
+    }
+    let e_35 = object_color(r, ex, at_a0, view_a2, (r.surface_settings.choices[3].params.z == 1.0f32));
+    return e_35;
+} }
 lanes! { fn z_of(r: &Resources<'_>, depth_a0: F) -> F {
     if (r.frame.clip.y == 0.0f32) {
         return min_with(max_with(add(splat(r.frame.clip.x), mul(splat(r.frame.clip.z), depth_a0)), splat(0.0f32)), splat(1.0f32));
@@ -3829,13 +4171,13 @@ stage! { pub(super) fn shade_hit(r: &Resources<'_>, within: M, origin_a0: Vec3<F
     let length3 = sqrt(add(add(mul(e_46.x, e_46.x), mul(e_46.y, e_46.y)), mul(e_46.z, e_46.z)));
     let view_47 = Vec3 { x: div(e_46.x, length3), y: div(e_46.y, length3), z: div(e_46.z, length3) };
     let seen_49 = mesostructure_normals(r, ex, at_a1, Vec2 { x: hit_a2.uv.x, y: hit_a2.uv.y }, view_47);
-    let e_52 = color_or_white(r, ex, Vec2 { x: hit_a2.uv.x, y: hit_a2.uv.y }, at_a1.footprint);
-    let color_53 = reflected_light(r, ex, at_a1, hit_a2, &seen_49, view_47, e_52, visible_a3);
-    let depth_60 = add(add(add(mul(sub(at_a1.point.x, origin_a0.x), splat(r.frame.forward.x)), mul(sub(at_a1.point.y, origin_a0.y), splat(r.frame.forward.y))), mul(sub(at_a1.point.z, origin_a0.z), splat(r.frame.forward.z))), splat(0.0f32));
-    let e_63 = height_size(r, splat_u(0u32));
-    let cell_69 = cell_of(r, Vec2 { x: sub(mul(hit_a2.uv.x, e_63.x), splat(0.5f32)), y: sub(mul(hit_a2.uv.y, e_63.y), splat(0.5f32)) });
-    let e_89 = z_of(r, at_a1.depth);
-    return sel_pixel_out(ex, &PixelOut { color: Vec4 { x: color_53.x, y: color_53.y, z: color_53.z, w: splat(1.0f32) }, hit: splat_u(1u32), exhausted: hit_a2.exhausted, uv: Vec2 { x: hit_a2.uv.x, y: hit_a2.uv.y }, height: height_44, position: Vec3 { x: at_a1.point.x, y: at_a1.point.y, z: at_a1.point.z }, normal: Vec3 { x: seen_49.normal.x, y: seen_49.normal.y, z: seen_49.normal.z }, depth: depth_60, t: hit_a2.t, cell: Vec2 { x: i_of_small(cell_69.x), y: i_of_small(cell_69.y) }, reads: hit_a2.cost.x, steps: hit_a2.cost.y, bytes: hit_a2.cost.z, lit: visible_a3[0].x, level: at_a1.level, z: e_89, surface: splat_u(r.surface_settings.number), }, &ret);
+    let e_50 = surface_color(r, ex, at_a1, hit_a2, view_47);
+    let color_51 = reflected_light(r, ex, at_a1, hit_a2, &seen_49, view_47, e_50, visible_a3);
+    let depth_58 = add(add(add(mul(sub(at_a1.point.x, origin_a0.x), splat(r.frame.forward.x)), mul(sub(at_a1.point.y, origin_a0.y), splat(r.frame.forward.y))), mul(sub(at_a1.point.z, origin_a0.z), splat(r.frame.forward.z))), splat(0.0f32));
+    let e_61 = height_size(r, splat_u(0u32));
+    let cell_67 = cell_of(r, Vec2 { x: sub(mul(hit_a2.uv.x, e_61.x), splat(0.5f32)), y: sub(mul(hit_a2.uv.y, e_61.y), splat(0.5f32)) });
+    let e_87 = z_of(r, at_a1.depth);
+    return sel_pixel_out(ex, &PixelOut { color: Vec4 { x: color_51.x, y: color_51.y, z: color_51.z, w: splat(1.0f32) }, hit: splat_u(1u32), exhausted: hit_a2.exhausted, uv: Vec2 { x: hit_a2.uv.x, y: hit_a2.uv.y }, height: height_44, position: Vec3 { x: at_a1.point.x, y: at_a1.point.y, z: at_a1.point.z }, normal: Vec3 { x: seen_49.normal.x, y: seen_49.normal.y, z: seen_49.normal.z }, depth: depth_58, t: hit_a2.t, cell: Vec2 { x: i_of_small(cell_67.x), y: i_of_small(cell_67.y) }, reads: hit_a2.cost.x, steps: hit_a2.cost.y, bytes: hit_a2.cost.z, lit: visible_a3[0].x, level: at_a1.level, z: e_87, surface: splat_u(r.surface_settings.number), }, &ret);
 } }
 stage! { pub(super) fn visible_light(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, number_a2: u32) -> F {
     let mut ex = within;

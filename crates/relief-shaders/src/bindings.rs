@@ -77,7 +77,7 @@ const fn traced(number: u32, name: &'static str, kind: BindingKind, holds: &'sta
 
 /// All bindings. Group 0 is the same for every program; a program of the other groups binds those of them
 /// that it names.
-pub const BINDINGS: [Binding; 38] = [
+pub const BINDINGS: [Binding; 39] = [
     uniform(0, "surface_settings", "SurfaceSettings", "what changes with the surface"),
     filtered(1, "height_map", false, "heights"),
     filtered(
@@ -106,11 +106,12 @@ pub const BINDINGS: [Binding; 38] = [
     slot(MapSlot::Ambient),
     slot(MapSlot::Environment),
     slot(MapSlot::Lights),
-    uniform(12, "frame", "Frame", "what changes with the frame"),
-    uniform(13, "pass_settings", "PassSettings", "what changes with the pass"),
+    slot(MapSlot::Object),
+    uniform(13, "frame", "Frame", "what changes with the frame"),
+    uniform(14, "pass_settings", "PassSettings", "what changes with the pass"),
     Binding {
         group: 0,
-        number: 14,
+        number: 15,
         name: "hole_map",
         kind: BindingKind::Texture { layers: false, filtered: false },
         holds: "above 0 the texels that are holes; a single texel where the settings say that there are none",
@@ -224,7 +225,7 @@ mod tests {
         assert_eq!((numbers.len(), names.len()), (BINDINGS.len(), BINDINGS.len()));
         assert_eq!(
             Binding::named("frame").map(Binding::declaration).as_deref(),
-            Some("@group(0) @binding(12) var<uniform> frame: Frame;")
+            Some("@group(0) @binding(13) var<uniform> frame: Frame;")
         );
         assert_eq!(Binding::named("nothing"), None);
     }

@@ -2,7 +2,7 @@
 //! for GPUs and translated to Rust for CPUs.
 //!
 //! * [`STAGES`] is the table of the stages; [`geometry`], [`surface`], [`detail`], [`search`], [`refine`],
-//!   [`shade`], [`shadow`], [`ambient`] and [`mod@slice`] list their variants, one file each
+//!   [`shade`], [`shadow`], [`ambient`], [`mod@slice`] and [`object`] list their variants, one file each
 //!   beside its shader.
 //! * [`METHODS`] names pairs of search and refinement.
 //! * [`wgsl`] assembles shaders as text for any engine; [`bindings`] says what they bind.
@@ -21,6 +21,7 @@ mod generated;
 mod light_ray;
 mod maps;
 mod methods;
+pub mod object;
 pub mod refine;
 mod scene_maps;
 pub mod search;
@@ -39,8 +40,8 @@ pub use methods::{Family, METHODS, Method, method};
 pub use selection::{Choice, Selection, SelectionError};
 pub use slots::MapSlot;
 pub use stages::{
-    AMBIENT, Call, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, Stage,
-    stage, stage_of_setting,
+    AMBIENT, Call, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE,
+    Stage, stage, stage_of_setting,
 };
 
 /// The most lights of a picture: the length of the shaders' array of lights.

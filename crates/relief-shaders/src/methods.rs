@@ -2,7 +2,7 @@
 
 use relief_core::registry::{Publication, UnknownName};
 
-use crate::{DEPTH_OBJECTS, SURVEY, geometry, slice};
+use crate::{DEPTH_OBJECTS, SURVEY, geometry, object, slice};
 
 /// A published pair of search and refinement, or triangles of their own, of which nothing is searched:
 /// displaced ones, or slices.
@@ -31,6 +31,8 @@ pub enum Family {
     Ray,
     /// Slices through the relief.
     Slices,
+    /// What is known from images with depth.
+    Object,
 }
 
 impl Family {
@@ -39,6 +41,7 @@ impl Family {
         match self {
             Family::Ray => "ray",
             Family::Slices => "slices",
+            Family::Object => "object",
         }
     }
 }
@@ -46,7 +49,11 @@ impl Family {
 impl Method {
     /// The family that it belongs to.
     pub fn family(&self) -> Family {
-        if self.geometry == geometry::SLICES { Family::Slices } else { Family::Ray }
+        match self.geometry {
+            geometry::SLICES => Family::Slices,
+            geometry::OBJECT => Family::Object,
+            _ => Family::Ray,
+        }
     }
 }
 
@@ -270,6 +277,15 @@ pub const METHODS: &[Method] = &[
         refine: "none",
         settings: slice::ALONG_SCREEN,
         publication: Publication { paper: DEPTH_OBJECTS, section: "3.3" },
+    },
+    Method {
+        name: "depth-object",
+        summary: "an object of images with depth: what all of them see",
+        geometry: geometry::OBJECT,
+        search: "cells",
+        refine: "patch",
+        settings: object::OF_DEPTH,
+        publication: Publication { paper: DEPTH_OBJECTS, section: "4" },
     },
 ];
 

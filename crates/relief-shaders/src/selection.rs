@@ -11,9 +11,10 @@ use relief_core::registry::{
 pub use self::error::SelectionError;
 use crate::Method;
 use crate::geometry::{self, Geometry};
+use crate::object::ObjectCells;
 use crate::slice::Slices;
 use crate::stages::{
-    AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, Stage,
+    AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, Stage,
     entry_place, stage, stage_of_setting,
 };
 use crate::surface::{PATHS, Paths, Shown};
@@ -72,10 +73,14 @@ impl Selection {
 
     /// The pair that has the exact answer without a baked map.
     pub fn exact() -> Self {
-        let mut selection = Self::default();
-        selection.choices[SEARCH] = Choice::new(&STAGES[SEARCH], CELLS);
-        selection.choices[REFINE] = Choice::new(&STAGES[REFINE], PATCH);
-        selection.with_search_for_shadows()
+        Self::exact_over(Self::default()).with_search_for_shadows()
+    }
+
+    /// The same with the pair that needs no baked map.
+    fn exact_over(mut self) -> Self {
+        self.choices[SEARCH] = Choice::new(&STAGES[SEARCH], CELLS);
+        self.choices[REFINE] = Choice::new(&STAGES[REFINE], PATCH);
+        self
     }
 
     /// The same with the search for shadows that goes with the view's: that one with its parameters, or
@@ -93,6 +98,14 @@ impl Selection {
     /// The same with a surface, a search and a shadow that go with the geometry.
     fn with_stages_for_geometry(mut self) -> Self {
         let shown = self.shown_by_geometry();
+        if shown == Shown::Object {
+            self = Self::exact_over(self);
+            self.choices[SURFACE] = Choice::new(&STAGES[SURFACE], IMAGES);
+            self.choices[OBJECT] = Choice::new(&STAGES[OBJECT], OF_DEPTH);
+            self.choices[SHADOW] = Choice::new(&STAGES[SHADOW], LIGHT_MAP);
+            return self.with_search_for_shadows();
+        }
+        self.choices[OBJECT] = Choice::new(&STAGES[OBJECT], 0);
         if shown == Shown::Relief {
             if self.paths().shown != shown {
                 self.choices[SURFACE] = Choice::new(&STAGES[SURFACE], 0);
@@ -121,6 +134,9 @@ impl Selection {
 
     /// What the triangles of the geometry show.
     fn shown_by_geometry(&self) -> Shown {
+        if self.choices[GEOMETRY].entry.name == geometry::OBJECT {
+            return Shown::Object;
+        }
         match self.geometry() {
             None => Shown::Relief,
             Some(Geometry::Slices(_)) => Shown::Slices,
@@ -138,6 +154,12 @@ impl Selection {
             geometry::SLICES => Some(Geometry::Slices(Slices::of(self.choices[SLICES].params))),
             _ => None,
         }
+    }
+
+    /// How the images of an object are read, where one is shown.
+    pub fn object_cells(&self) -> Option<ObjectCells> {
+        let is_shown = self.shown_by_geometry() == Shown::Object;
+        is_shown.then(|| ObjectCells::of(self.choices[OBJECT].params))
     }
 
     /// A method by name, with its settings.
@@ -390,6 +412,7 @@ impl Selection {
         match stage {
             SHADOW_SEARCH => !self.choices[SHADOW].entry.states.is_empty(),
             SLICES => self.shown_by_geometry() == Shown::Slices,
+            OBJECT => self.shown_by_geometry() == Shown::Object,
             _ => true,
         }
     }
@@ -476,7 +499,7 @@ impl Selection {
     /// Whether this is the pair that has the exact answer without a baked map, whatever its parameters.
     pub fn is_exact(&self) -> bool {
         let numbers = [SEARCH, REFINE].map(|stage| self.choices[stage].number as usize);
-        numbers == [CELLS, PATCH]
+        numbers == [CELLS, PATCH] && !self.uses(OBJECT)
     }
 }
 
@@ -488,6 +511,12 @@ const FACETS: usize = entry_place(STAGES[SURFACE].entries, "facets");
 
 /// The number of the surface `slices`.
 const SLICED: usize = entry_place(STAGES[SURFACE].entries, "slices");
+
+/// The number of the surface `object`.
+const IMAGES: usize = entry_place(STAGES[SURFACE].entries, "object");
+
+/// The number of the object `depth`.
+const OF_DEPTH: usize = entry_place(STAGES[OBJECT].entries, "depth");
 
 /// The number of the search `none`.
 const NO_SEARCH: usize = entry_place(STAGES[SEARCH].entries, "none");

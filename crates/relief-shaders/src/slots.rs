@@ -17,11 +17,13 @@ pub enum MapSlot {
     Environment,
     /// What lights see.
     Lights,
+    /// The images of an object.
+    Object,
 }
 
 impl MapSlot {
     /// Every slot, in the order of the settings' array.
-    pub const ALL: [MapSlot; 7] = [
+    pub const ALL: [MapSlot; 8] = [
         MapSlot::Detail,
         MapSlot::Search,
         MapSlot::ShadowSearch,
@@ -29,6 +31,7 @@ impl MapSlot {
         MapSlot::Ambient,
         MapSlot::Environment,
         MapSlot::Lights,
+        MapSlot::Object,
     ];
 
     /// Its key in names.
@@ -41,6 +44,7 @@ impl MapSlot {
             MapSlot::Ambient => "ambient",
             MapSlot::Environment => "environment",
             MapSlot::Lights => "lights",
+            MapSlot::Object => "object",
         }
     }
 
@@ -54,6 +58,7 @@ impl MapSlot {
             MapSlot::Ambient => "ambient_map",
             MapSlot::Environment => "environment_map",
             MapSlot::Lights => "light_map",
+            MapSlot::Object => "object_map",
         }
     }
 
@@ -67,6 +72,7 @@ impl MapSlot {
             MapSlot::Ambient => "the baked map of light from all around",
             MapSlot::Environment => "the surroundings, the faces of a cube as layers",
             MapSlot::Lights => "what lights see, a layer for each view: near / (near + depth)",
+            MapSlot::Object => "how the images of an object look at it, a row for each",
         }
     }
 

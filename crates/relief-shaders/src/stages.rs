@@ -4,7 +4,7 @@
 use relief_core::registry::{Entry, RayClass};
 
 use crate::slots::MapSlot;
-use crate::{ambient, detail, geometry, refine, search, shade, shadow, slice, surface};
+use crate::{ambient, detail, geometry, object, refine, search, shade, shadow, slice, surface};
 
 /// A stage: a list of variants that do the same task, each in a way of its own.
 ///
@@ -53,7 +53,7 @@ const fn only(inputs: &'static [(&'static str, &'static str)], returns: &'static
 }
 
 /// All stages, in the order in which a pixel goes through them.
-pub const STAGES: [Stage; 10] = [
+pub const STAGES: [Stage; 11] = [
     Stage {
         key: "geometry",
         folder: "geometry",
@@ -101,6 +101,17 @@ pub const STAGES: [Stage; 10] = [
         entries: slice::ENTRIES,
         chosen_as: Some("test"),
         calls: &[only(&[("map", "f32"), ("slice", "f32"), ("spacing", "f32")], "bool")],
+        slot: None,
+        rays: &[],
+    },
+    Stage {
+        key: "object",
+        folder: "object",
+        title: "object",
+        plural: "objects",
+        entries: object::ENTRIES,
+        chosen_as: Some("solid"),
+        calls: &[only(&[("pixel", "PixelIn"), ("at", "Entered")], "FirstHit")],
         slot: None,
         rays: &[],
     },
@@ -204,6 +215,9 @@ pub const SURFACE: usize = place("surface");
 
 /// Place of the stage `slices` in [`STAGES`].
 pub const SLICES: usize = place("slices");
+
+/// Place of the stage `object` in [`STAGES`].
+pub const OBJECT: usize = place("object");
 
 /// Place of the stage `detail` in [`STAGES`].
 pub const DETAIL: usize = place("detail");

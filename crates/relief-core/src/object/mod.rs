@@ -11,6 +11,7 @@ pub use view::{View, ViewError, ViewRay};
 
 use glam::DVec3;
 
+use crate::mesh::{MeshError, Placement};
 use crate::{HeightMap, HeightMapError, Wrap};
 
 /// The most images of an object.
@@ -32,6 +33,22 @@ pub enum JumpCells {
     Highest,
     /// As `Step`, and so are cells that do not jump.
     Nearest,
+}
+
+impl JumpCells {
+    /// All of them.
+    pub const ALL: [JumpCells; 4] =
+        [JumpCells::Bilinear, JumpCells::Step, JumpCells::Highest, JumpCells::Nearest];
+
+    /// What settings call it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            JumpCells::Bilinear => "bilinear",
+            JumpCells::Step => "step",
+            JumpCells::Highest => "highest",
+            JumpCells::Nearest => "nearest",
+        }
+    }
 }
 
 /// An object that is known from images with depth.
@@ -114,8 +131,7 @@ impl ImageObject {
         let [width, height] = layout.size();
         let texels = layout.pack(maps.iter().map(HeightMap::texels), 0.0);
         let heights = HeightMap::new(width, height, texels, Wrap::Clamp)?;
-        let jump = jump_texels * views.iter().map(View::texel_height).fold(0.0, f64::max);
-        Ok(Self { views, layout, heights, cells, jump })
+        Ok(Self { views, layout, heights, cells, jump: 0.0 }.with_jump(jump_texels))
     }
 
     /// The same object with cells of another kind, which jump where they differ by more than so many texels.
@@ -127,9 +143,27 @@ impl ImageObject {
         if jump_texels.is_nan() || jump_texels < 0.0 {
             return Err(ObjectError::BadJump(jump_texels));
         }
-        self.jump = jump_texels * self.views.iter().map(View::texel_height).fold(0.0, f64::max);
         self.cells = cells;
-        Ok(self)
+        Ok(self.with_jump(jump_texels))
+    }
+
+    fn with_jump(self, texels: f64) -> Self {
+        Self { jump: self.jump_of(texels), ..self }
+    }
+
+    /// The difference of heights that is so many texels wide in the coarsest image.
+    pub fn jump_of(&self, texels: f64) -> f64 {
+        texels * self.views.iter().map(View::texel_height).fold(0.0, f64::max)
+    }
+
+    /// The object in another place. Its images are shared.
+    ///
+    /// # Errors
+    ///
+    /// When the placement has a number that is not finite, or its size is not positive.
+    pub fn placed(&self, placement: &Placement) -> Result<Self, MeshError> {
+        let views = self.views.iter().map(|view| view.placed(placement)).collect::<Result<_, _>>()?;
+        Ok(Self { views, ..self.clone() })
     }
 
     /// How its images were made.

@@ -84,6 +84,8 @@ pub struct Ready<'a> {
     /// The same of shadows by rays through the whole scene.
     pub(super) rays_through_scene: Option<u32>,
     pub(super) lights: u32,
+    /// Whether it is an object, whose segments are not parts of one way.
+    is_object: bool,
     /// Whether the relief nowhere lies above its base, or there is none.
     is_carved: bool,
     /// As in [`Frame`].
@@ -121,6 +123,7 @@ impl<'a> Ready<'a> {
             points_of_lights: surface.selection.points_of_lights(),
             rays_through_scene: surface.selection.rays_through_scene(),
             lights: frame.light_count,
+            is_object: surface.selection.object_cells().is_some(),
             is_carved: !surface.selection.paths().has_relief()
                 || surface.settings.bias_m + surface.settings.scale_m <= 0.0,
             near: frame.near.into(),
@@ -223,6 +226,11 @@ impl<'a> Ready<'a> {
         from: u32,
         mut cost: ShaderVec3<u32>,
     ) -> Option<Met> {
+        if self.is_object {
+            let first = self.program.first_hit(pixel, at);
+            let path = self.program.segment(pixel, at, first.segment);
+            return (first.hit.found == 1).then_some(Met { at, path, first });
+        }
         let mut first: Option<Met> = None;
         for number in from..at.segments {
             let path = self.program.segment(pixel, at, number);

@@ -256,6 +256,11 @@ impl SceneBuilder {
             (colour("ambient-color", self.ambient)?, colour("background", self.background)?);
         for surface in &self.surfaces {
             surface.selection().check().map_err(of_selection)?;
+            match (surface.object(), surface.selection().object_cells()) {
+                (None, Some(_)) => return Err(ValueProblem::NoObject.of("method")),
+                (Some(_), None) => return Err(ValueProblem::Object.of("method")),
+                _ => {}
+            }
             if !surface.selection().paths().has_normals_of_relief() {
                 if surface.normal_map().is_some() {
                     return Err(ValueProblem::VertexNormals.of("normal"));

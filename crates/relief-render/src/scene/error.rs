@@ -198,6 +198,14 @@ pub enum ValueProblem {
          out, or choose a method that finds the relief pixel by pixel"
     )]
     VertexNormals,
+    /// A method for objects is chosen for a relief.
+    #[error(
+        "the method shows objects that are known from images, and the surface has a height map on a mesh"
+    )]
+    NoObject,
+    /// A method for reliefs is chosen for an object.
+    #[error("the surface is an object that is known from images: choose 'depth-object'")]
+    Object,
     /// The camera is impossible.
     #[error(transparent)]
     Camera(#[from] CameraError),

@@ -1,5 +1,6 @@
 //! Surfaces: a mesh with a height map on it, and what else belongs to it.
 
+use super::SceneObject;
 use super::load_surface::stated_scale_m;
 use crate::material::Material;
 use crate::mesh::Mesh;
@@ -25,6 +26,7 @@ pub struct Surface {
     two_sided: bool,
     has_holes: bool,
     has_creases: bool,
+    object: Option<SceneObject>,
 }
 
 impl Surface {
@@ -43,6 +45,7 @@ impl Surface {
             two_sided: false,
             has_holes: false,
             has_creases: false,
+            object: None,
         }
     }
 
@@ -50,13 +53,13 @@ impl Surface {
     #[must_use]
     pub fn with_mesh(self, mesh: impl Into<Arc<Mesh>>) -> Self {
         let mesh = mesh.into();
-        Self { tile_m: mesh.tile_m(), mesh, ..self }
+        Self { tile_m: mesh.tile_m(), mesh, object: None, ..self }
     }
 
     /// The same with another height map.
     #[must_use]
     pub fn with_height_map(self, height_map: impl Into<Arc<HeightMap>>) -> Self {
-        Self { height_map: height_map.into(), ..self }
+        Self { height_map: height_map.into(), object: None, ..self }
     }
 
     /// The same with a colour picture, which multiplies the material's diffuse colour. It is laid out and
@@ -109,6 +112,16 @@ impl Surface {
     #[must_use]
     pub fn with_creases(self, has_creases: bool) -> Self {
         Self { has_creases, ..self }
+    }
+
+    /// The same as what stands for that object.
+    pub(super) fn showing(self, object: SceneObject) -> Self {
+        Self { object: Some(object), ..self }
+    }
+
+    /// The object of images that it shows, if it shows one.
+    pub fn object(&self) -> Option<&SceneObject> {
+        self.object.as_ref()
     }
 
     /// The base mesh, placed in the world and tiled.

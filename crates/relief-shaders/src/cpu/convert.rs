@@ -1,5 +1,6 @@
 //! Between the shaders' structs and the core's.
 
+use relief_core::object::JumpCells;
 use relief_core::{BakedMap, Cost, HeightMap, MapFormat, PathMetric, RayUse};
 
 use super::{
@@ -196,6 +197,9 @@ impl SurfaceSettings {
             number: 0,
             environment_side,
             environment_levels,
+            images: 0,
+            cells: JumpCells::Bilinear as u32,
+            jump: 0.0,
         }
     }
 }

@@ -7,13 +7,15 @@ use relief_core::registry::{Entry, Param};
 use crate::slice::Slices;
 
 mod none;
+mod object;
 mod remesh;
 mod slices;
 mod tessellate;
 mod vertex;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[none::ENTRY, vertex::ENTRY, remesh::ENTRY, tessellate::ENTRY, slices::ENTRY];
+pub const ENTRIES: &[Entry] =
+    &[none::ENTRY, vertex::ENTRY, remesh::ENTRY, tessellate::ENTRY, slices::ENTRY, object::ENTRY];
 
 /// The one that shows the base.
 pub const NONE: &str = none::ENTRY.name;
@@ -29,6 +31,9 @@ pub(crate) const TESSELLATE: &str = tessellate::ENTRY.name;
 
 /// The one that is cut through the relief.
 pub(crate) const SLICES: &str = slices::ENTRY.name;
+
+/// The box around an object.
+pub(crate) const OBJECT: &str = object::ENTRY.name;
 
 /// Which triangles a selection shows in place of the base's.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,6 +6,7 @@ use relief_core::registry::{Entry, Param, RayClass};
 use crate::SURVEY;
 
 mod facets;
+mod object;
 mod plane;
 mod prism;
 mod quadric_perpendicular;
@@ -22,6 +23,7 @@ pub const ENTRIES: &[Entry] = &[
     tetrahedra::ENTRY,
     facets::ENTRY,
     slices::ENTRY,
+    object::ENTRY,
 ];
 
 /// What each of them makes of rays, in the same order.
@@ -33,6 +35,7 @@ pub const PATHS: &[Paths] = &[
     tetrahedra::PATHS,
     facets::PATHS,
     slices::PATHS,
+    object::PATHS,
 ];
 
 /// What is added to the order of a shell's corners where the shell overlaps itself.
@@ -60,6 +63,8 @@ pub enum Shown {
     Slices,
     /// Themselves: they are all that there is to see.
     Triangles,
+    /// What images see in a box around them.
+    Object,
 }
 
 impl Shown {
@@ -68,6 +73,7 @@ impl Shown {
         match self {
             Shown::Relief => "only the surface 'slices' goes with the geometry 'slices'",
             Shown::Slices => "its triangles run through the relief, which the surface 'slices' alone shows",
+            Shown::Object => "its box holds what images see, which the surface 'object' alone shows",
             Shown::Triangles => {
                 "its triangles are displaced already, and only the surface 'facets' shows them as they are"
             }

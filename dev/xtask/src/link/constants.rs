@@ -4,8 +4,9 @@ use std::fmt::Write as _;
 
 use relief_core::encoding::cone::HALF_RATIO;
 use relief_core::encoding::seen_normal;
+use relief_core::object::{EMPTY_HEIGHT, JumpCells};
 use relief_core::{FoundState, RayUse, SliceAxis, Wrap};
-use relief_shaders::{LightRayState, MAX_LIGHT_VIEWS, MAX_LIGHTS, MapSlot, STAGES, surface, wgsl};
+use relief_shaders::{LightRayState, MAX_LIGHT_VIEWS, MAX_LIGHTS, MapSlot, OBJECT, STAGES, surface, wgsl};
 
 /// The module's source.
 pub fn module() -> String {
@@ -45,7 +46,12 @@ pub fn module() -> String {
     constant("SEEN_AZIMUTHS", seen_normal::AZIMUTHS);
     constant("SEEN_ELEVATIONS", seen_normal::ELEVATIONS);
     constant("SEEN_FIRST_LEVEL", seen_normal::FIRST_LEVEL);
+    for cells in JumpCells::ALL {
+        constant(&format!("CELLS_{}", cells.name().to_uppercase()), cells as u32);
+    }
+    constant("STAGE_OBJECT", OBJECT as u32);
     constant("STAGES", STAGES.len() as u32);
+    let _ = writeln!(text, "const EMPTY_HEIGHT = {:?};", EMPTY_HEIGHT as f32);
     let _ = writeln!(text, "const CONE_HALF_RATIO = {HALF_RATIO:?};");
     text
 }

@@ -1,0 +1,122 @@
+//! Objects that are known from images, as surfaces of a scene.
+
+use std::sync::Arc;
+
+use glam::{DVec3, Vec3};
+use relief_core::encoding::code::Codes;
+use relief_core::object::{ImageObject, View};
+use relief_core::{BakedMap, HeightMap, MapFormat, MapIdentity, MapLayout, MapTexels};
+use relief_shaders::Selection;
+use relief_shaders::object::{IMAGE_TEXELS, MAX_IMAGES};
+
+use super::Surface;
+use crate::mesh::{Mesh, Vertex, cube};
+
+/// An object of images, and how the shaders see these.
+#[derive(Clone, Debug)]
+pub struct SceneObject {
+    object: Arc<ImageObject>,
+    images: Arc<BakedMap>,
+}
+
+/// Why an object cannot be shown.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ObjectProblem {
+    /// All of too many images would be asked at each step of a ray.
+    #[error("an object has at most {MAX_IMAGES} images where all of them are asked, this one {0}")]
+    TooMany(usize),
+    /// Rays are straight in perspective images in a way that the shaders do not know.
+    #[error("image {0} is perspective: only images by parallel rays can be shown")]
+    Perspective(usize),
+    /// Images show balls of other sizes.
+    #[error("image {0} shows a ball of another radius than the first: all images show the same ball")]
+    OtherBall(usize),
+    /// There is nothing that all images see.
+    #[error("there is nothing that all images see")]
+    Nothing,
+    /// The box around it is no mesh: it is not finite, or too small.
+    #[error("the box around the object is too small or too large")]
+    Box,
+    /// Heights cannot be as deep as the ball.
+    #[error(transparent)]
+    HeightMap(#[from] relief_core::HeightMapError),
+}
+
+impl SceneObject {
+    /// The object.
+    pub fn object(&self) -> &Arc<ImageObject> {
+        &self.object
+    }
+
+    /// How its images look at it, as the shaders read it: a row for each, of what makes of a point `u`, `v`
+    /// and a height, where it lies among the others, and the direction toward its viewer.
+    pub fn images(&self) -> &Arc<BakedMap> {
+        &self.images
+    }
+}
+
+impl Surface {
+    /// An object of images where it lies in the world, shown by the method `depth-object`, grey. Its
+    /// [mesh](Surface::mesh) is a box around it, its [height map](Surface::height_map) are all images in one;
+    /// colours and normals lie as these do.
+    ///
+    /// # Errors
+    ///
+    /// When the object has more than [`MAX_IMAGES`] images, a perspective one, or images of balls of several
+    /// sizes, or there is nothing that all of them see.
+    pub fn of_object(object: impl Into<Arc<ImageObject>>) -> Result<Self, ObjectProblem> {
+        let object = object.into();
+        let views = object.views();
+        if views.len() > MAX_IMAGES {
+            return Err(ObjectProblem::TooMany(views.len()));
+        }
+        if let Some(number) = views.iter().position(|view| view.eye().is_some()) {
+            return Err(ObjectProblem::Perspective(number));
+        }
+        let (_, radius) = views[0].ball();
+        let is_other = |view: &View| (view.ball().1 - radius).abs() > 1e-9 * radius;
+        if let Some(number) = views.iter().position(is_other) {
+            return Err(ObjectProblem::OtherBall(number));
+        }
+        let bounds = object.bounds().ok_or(ObjectProblem::Nothing)?;
+        let mesh = box_around(bounds).ok_or(ObjectProblem::Box)?;
+        let heights = HeightMap::clone(object.heights()).with_displacement(2.0 * radius, 0.0)?;
+        let images = Arc::new(images_of(&object).ok_or(ObjectProblem::Box)?);
+        let selection = Selection::method("depth-object").unwrap_or_default();
+        Ok(Self::new(mesh, heights).with_selection(selection).showing(SceneObject { object, images }))
+    }
+}
+
+/// The box as a mesh: each side has a tile of its own.
+fn box_around([low, high]: [DVec3; 2]) -> Option<Mesh> {
+    let (middle, extent) = ((0.5 * (low + high)).as_vec3(), (high - low).as_vec3());
+    let unit = cube(1).ok()?;
+    let place = |vertex: &Vertex| Vertex {
+        position: middle + vertex.position * extent,
+        tangent: vertex.tangent * extent,
+        bitangent: vertex.bitangent * extent,
+        ..*vertex
+    };
+    let is_solid = extent.cmpgt(Vec3::ZERO).all();
+    let vertices = unit.vertices().iter().map(place).collect();
+    is_solid.then(|| Mesh::new(vertices, unit.triangles().to_vec()).ok()).flatten()
+}
+
+/// How the images look at the object, a row for each.
+fn images_of(object: &ImageObject) -> Option<BakedMap> {
+    let all = object.layout().size().map(f64::from);
+    let places = object.layout().places();
+    let values = object.views().iter().zip(places).flat_map(|(view, place)| {
+        let [u, v, height, _] = view.rows().map(|row| row.to_array());
+        let [x, y] = [0, 1].map(|axis| f64::from(place[axis]) / all[axis]);
+        let [width, tall] = [0, 1].map(|axis| f64::from(view.size()[axis]) / all[axis]);
+        let [_, _, toward] = view.axes();
+        [u, v, height, [x, y, width, tall], toward.extend(0.0).to_array()]
+    });
+    let values = values.flatten().map(|value| value as f32).collect();
+    let rows = object.views().len() as u32;
+    let size = [IMAGE_TEXELS, rows];
+    let layout = MapLayout { size, levels: 1, layers: 1, channels: 4, format: MapFormat::F32 };
+    let codes = [Codes { low: 0.0, step: 0.0 }; 4];
+    BakedMap::new(MapIdentity::without_heights("object"), layout, codes, MapTexels::F32(values)).ok()
+}

@@ -1,0 +1,81 @@
+//! Objects: what a ray meets in images that look at something from around it. A new kind is a `.wesl` and a
+//! `.rs` file here and its name in the list below.
+
+use relief_core::object::JumpCells;
+use relief_core::registry::{Entry, Param};
+
+use crate::stages::entry_place;
+
+mod depth;
+mod none;
+
+/// All of them.
+pub const ENTRIES: &[Entry] = &[none::ENTRY, depth::ENTRY];
+
+/// Most images of an object that all of them are asked of.
+pub const MAX_IMAGES: usize = 64;
+
+/// How many texels of the map of images each of them has.
+pub const IMAGE_TEXELS: u32 = 5;
+
+/// What [`JumpCells`] are called, in their order.
+const CELLS: &[&str] = &[
+    JumpCells::Bilinear.name(),
+    JumpCells::Step.name(),
+    JumpCells::Highest.name(),
+    JumpCells::Nearest.name(),
+];
+
+/// The settings of objects, which are the same for all kinds.
+const PARAMS: &[Param] = &[
+    Param {
+        default: JumpCells::Highest as u32 as f32,
+        ..Param::of_names(
+            "cells",
+            "where heights jump from texel to texel: bilinear as elsewhere; as high as the nearest texel (step), \
+             or as the highest around (highest); nearest: the nearest texel everywhere",
+            CELLS,
+        )
+    },
+    Param {
+        name: "jump",
+        summary: "by how many texels' width heights differ where they jump",
+        unit: "texels",
+        min: 0.0,
+        max: 1e9,
+        default: 4.0,
+        integer: false,
+        names: &[],
+    },
+    Param::of_names(
+        "color",
+        "of the three images that look along the view most; of those alone that see the place; of none, but \
+         light on the images' normals",
+        &["three", "seen", "normals"],
+    ),
+];
+
+/// How the images of an object are read.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ObjectCells {
+    /// What cells are in which heights jump.
+    pub cells: JumpCells,
+    /// By how many texels' width heights differ there.
+    pub jump_texels: f32,
+}
+
+impl ObjectCells {
+    /// Those of the settings, in the order of these.
+    pub(crate) fn of([cells, jump_texels, ..]: [f32; 4]) -> Self {
+        let cells = match cells as u32 {
+            0 => JumpCells::Bilinear,
+            1 => JumpCells::Step,
+            2 => JumpCells::Highest,
+            _ => JumpCells::Nearest,
+        };
+        Self { cells, jump_texels }
+    }
+}
+
+/// The settings of objects of images with depth.
+pub(crate) const OF_DEPTH: &[(&str, f32)] = &[("object.solid", entry_place(ENTRIES, "depth") as f32)];
