@@ -202,6 +202,27 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<HeightMap, ReadPr
     Ok(map)
 }
 
+/// Reads heights that lie from 0 to 1 as they are stored: floats as they are, integers of up to 16 bit
+/// divided by their type's maximum. Beyond its edges the map is clamped.
+///
+/// # Errors
+///
+/// As [`read_height`], and when a float is below 0 or above 1.
+pub fn read_stored_heights<'a>(
+    source: impl Into<Source<'a>>,
+    max_bytes: u64,
+) -> Result<HeightMap, ReadError> {
+    let source = source.into();
+    let read_as_stored = || {
+        let full_scale =
+            ImageFile::open(source, None, BYTES_PER_TEXEL, max_bytes)?.layout().height_full_scale();
+        let range = full_scale.is_none().then_some([0.0, 1.0]);
+        let wrap = Some(Wrap::Clamp);
+        read(source, &HeightOptions { range, wrap, max_bytes, ..HeightOptions::default() })
+    };
+    read_as_stored().map_err(|problem| source.error(problem))
+}
+
 /// What is known of a picture in colour, with whether its alpha varies.
 fn with_alpha(problem: ReadProblem, source: Source<'_>, options: &HeightOptions) -> ReadProblem {
     let ReadProblem::NotGrey { channels, column, row, .. } = problem else { return problem };

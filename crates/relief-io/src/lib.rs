@@ -64,13 +64,13 @@ pub use self::ktx2::{Ktx2File, Ktx2Level, Ktx2Texture, TexelFormat, read_ktx2, w
 pub use convention::{Detection, Guess, detect, guess_by_name};
 pub use elevation::{CoordinateSystem, Elevation, Georeference};
 pub use error::{ReadError, ReadProblem, WriteError, WriteProblem};
-pub use height::{Convention, DEFAULT_MAX_BYTES, Fill, HeightOptions, read_height};
+pub use height::{Convention, DEFAULT_MAX_BYTES, Fill, HeightOptions, read_height, read_stored_heights};
 pub use height_note::HeightNote;
 pub use inspect::{HISTOGRAM_BINS, SEAM_LIMIT, SourceInfo, Tiling, Values, inspect};
 pub use layout::{Channel, Format, SampleKind, SampleType};
 pub use mesh::{
     GlbLayout, GlbLevel, MeshColors, MeshCounts, MeshFile, MeshFormat, MeshOptions, MeshSink, Quantization,
-    beside_mesh, read_mesh, read_mesh_extras, read_raw_mesh, write_glb, write_mesh,
+    beside_file, read_mesh, read_mesh_extras, read_raw_mesh, write_glb, write_mesh,
 };
 pub use normal_map::{GreenSign, NormalMap, NormalVectors, SHORTEST, read_normal_map, read_normal_vectors};
 pub use picture::{Curve, Picture, linear_to_srgb, read_picture, read_picture_as, srgb_to_linear};

@@ -13,6 +13,7 @@
 //! | [`io`] | `io` | height maps, pictures, normal maps and meshes from and to files, and from bytes |
 //! | [`maps`] | `maps` (and `bake`) | baked maps looked up, baked and kept |
 //! | [`displace`] | `mesh` | displaced meshes without cracks, streamed |
+//! | [`capture`] | `object` (and `io`) | image-based objects: captured from meshes, from and to files |
 //! | [`render`] | `render` (and `maps`, `io`) | scenes, and pictures of them on the CPU |
 //! | [`compare`] | `compare` (and `render`) | methods beside the truth and beside each other |
 //! | [`render::gpu`] | `gpu` (and `render`) | the same pictures on a GPU |
@@ -102,6 +103,10 @@ pub use relief_maps as maps;
 /// themselves.)
 #[cfg(feature = "mesh")]
 pub use relief_mesh as displace;
+/// Image-based objects: images with depth from and to files, and captured from meshes. ([`object`] holds the
+/// objects themselves.)
+#[cfg(feature = "object")]
+pub use relief_object as capture;
 /// Scenes, and the two backends that render them.
 #[cfg(feature = "render")]
 pub use relief_render as render;

@@ -68,11 +68,48 @@ impl AtlasLayout {
         }
         texels
     }
+
+    /// The same of images whose texels are asked for by image, column and row, with their edges going on in
+    /// the texel around each: what is read between texels at an edge is the image's own.
+    pub fn pack_with_edges<T: Copy>(&self, texel: impl Fn(usize, [u32; 2]) -> T, outside: T) -> Vec<T> {
+        let [width, height] = self.size.map(|side| side as usize);
+        let mut texels = vec![outside; width * height];
+        for (image, (place, size)) in self.places.iter().zip(&self.sizes).enumerate() {
+            let [x, y] = place.map(|at| (at - BORDER) as usize);
+            let [columns, rows] = size.map(|side| side + 2 * BORDER);
+            for row in 0..rows {
+                let first = (y + row as usize) * width + x;
+                for column in 0..columns {
+                    let inside = |at: u32, side: u32| at.saturating_sub(BORDER).min(side - 1);
+                    texels[first + column as usize] =
+                        texel(image, [inside(column, size[0]), inside(row, size[1])]);
+                }
+            }
+        }
+        texels
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn edges_go_on_around_images() {
+        let layout = AtlasLayout::new(vec![[3, 2], [1, 1], [2, 4]]).expect("small");
+        let of = |image: usize, [x, y]: [u32; 2]| [image as u32 + 1, x, y];
+        let packed = layout.pack_with_edges(of, [0; 3]);
+        let inner =
+            layout.pack([&[[1, 0, 0], [1, 1, 0], [1, 2, 0], [1, 0, 1], [1, 1, 1], [1, 2, 1]][..]], [0; 3]);
+        let [width, _] = layout.size();
+        let place = |x: u32, y: u32| (y * width + x) as usize;
+        let [x, y] = layout.places()[0];
+        assert_eq!(packed[place(x + 1, y)], inner[place(x + 1, y)]);
+        assert_eq!(packed[place(x - 1, y - 1)], [1, 0, 0]);
+        assert_eq!(packed[place(x + 3, y + 1)], [1, 2, 1]);
+        assert_eq!(packed[place(x + 1, y + 2)], [1, 1, 1]);
+        assert_eq!(packed.iter().filter(|texel| texel[0] == 2).count(), 9);
+    }
 
     #[test]
     fn images_lie_apart_and_whole() {

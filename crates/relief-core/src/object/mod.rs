@@ -4,6 +4,7 @@
 //! down to its base plane, may be solid. An object is what all of its images say so of.
 
 mod atlas;
+mod cells;
 mod view;
 
 pub use atlas::AtlasLayout;

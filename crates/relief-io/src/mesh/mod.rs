@@ -191,15 +191,15 @@ pub fn read_mesh_extras<'a>(
     extras.map_err(|problem| source.error(problem))
 }
 
-/// The place of a file that a mesh's file names by a path from its folder on.
+/// The place of a file that another one, such as a mesh's, names by a path from its folder on.
 ///
 /// # Errors
 ///
 /// When there is no such file, or it does not lie in that folder or below, links followed.
-pub fn beside_mesh(mesh: &Path, name: &Path) -> Result<PathBuf, ReadError> {
-    let folder = mesh.parent().unwrap_or(Path::new(""));
+pub fn beside_file(naming: &Path, name: &Path) -> Result<PathBuf, ReadError> {
+    let folder = naming.parent().unwrap_or(Path::new(""));
     let place = folder::inside(folder, name, &name.to_string_lossy());
-    place.map_err(|problem| Source::from(mesh).error(problem))
+    place.map_err(|problem| Source::from(naming).error(problem))
 }
 
 /// Reads what a mesh's file holds, as [`read_mesh`] does, and makes nothing of it: neither normals nor

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use relief_core::registry::UnknownName;
-use relief_io::{beside_mesh, read_mesh_extras};
+use relief_io::{beside_file, read_mesh_extras};
 use relief_shaders::STAGES;
 use serde::Deserialize;
 use serde_json::{Map, Value};
@@ -74,7 +74,7 @@ fn keys_of_mesh(path: &Path, limit: u64) -> Result<Option<SurfaceSpec>, SceneErr
     let wrong = |what: String| SceneError::MeshKeys { path: path.to_owned(), what };
     let mut surface = parse(&text).map_err(wrong)?;
     for file in surface.files_mut() {
-        *file = beside_mesh(path, file).map_err(SceneError::Mesh)?;
+        *file = beside_file(path, file).map_err(SceneError::Mesh)?;
     }
     let alone = SurfaceSpec { mesh: Some(MeshChoice::File(path.to_owned())), ..surface.clone() };
     SceneSpec::of_surface(alone).check().map_err(|error| wrong(error.to_string()))?;

@@ -1,0 +1,38 @@
+//! Names of what cells are where heights jump.
+
+use std::fmt;
+use std::str::FromStr;
+
+use super::JumpCells;
+use crate::registry::UnknownName;
+
+impl JumpCells {
+    /// All of them.
+    pub const ALL: [JumpCells; 4] =
+        [JumpCells::Bilinear, JumpCells::Step, JumpCells::Highest, JumpCells::Nearest];
+
+    /// The name in files and on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            JumpCells::Bilinear => "bilinear",
+            JumpCells::Step => "step",
+            JumpCells::Highest => "highest",
+            JumpCells::Nearest => "nearest",
+        }
+    }
+}
+
+impl fmt::Display for JumpCells {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for JumpCells {
+    type Err = UnknownName;
+
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        let known = Self::ALL.into_iter().find(|cells| cells.name() == name);
+        known.ok_or_else(|| UnknownName::new("kind of cells", name, Self::ALL.map(Self::name)))
+    }
+}

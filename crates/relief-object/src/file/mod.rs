@@ -1,0 +1,174 @@
+//! Objects from and to files: a folder with an `object.toml` and pictures.
+
+mod description;
+mod error;
+
+use std::path::Path;
+
+use glam::DVec3;
+use relief_core::HeightMap;
+use relief_core::object::{AtlasLayout, ImageObject, JumpCells};
+use relief_io::{
+    DEFAULT_MAX_BYTES, GreenSign, NormalMap, Picture, beside_file, read_normal_map, read_picture,
+    read_stored_heights,
+};
+
+pub use self::description::{Description, ViewEntry, read_description, read_views};
+pub use self::error::{ObjectFileError, ObjectFileProblem};
+
+/// How to read an object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ObjectOptions {
+    /// What its images are where their heights jump.
+    pub cells: JumpCells,
+    /// By how many texels, as wide as those of the coarsest image, corners of a cell differ that jumps.
+    pub jump_texels: f64,
+    /// The most memory that reading may take, in bytes.
+    pub max_bytes: u64,
+}
+
+/// Where cells jump unless told otherwise, in texels: steeper surfaces than 76 degrees are seen better by
+/// another image.
+pub const DEFAULT_JUMP_TEXELS: f64 = 4.0;
+
+impl Default for ObjectOptions {
+    fn default() -> Self {
+        Self { cells: JumpCells::default(), jump_texels: DEFAULT_JUMP_TEXELS, max_bytes: DEFAULT_MAX_BYTES }
+    }
+}
+
+/// An object of files.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ObjectFile {
+    /// The object.
+    pub object: ImageObject,
+    /// Its colours in linear light, packed as its heights are by [`ImageObject::layout`], but with the edges
+    /// of images going on around them; black with an opacity of 0 beside all of them.
+    pub color: Option<Picture>,
+    /// Its normals, packed in the same way: in the tangent space of each image, `x` to the right, `y` up and
+    /// `z` toward the viewer; `(0, 0, 1)` beside all of them.
+    pub normal: Option<NormalMap>,
+    /// How far it is from the mesh that it was captured from, where that was measured.
+    pub measured: Option<Measured>,
+}
+
+/// How far an object is from a mesh, by what both look like.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// How many pictures were compared.
+    pub views: u32,
+    /// Pixels of a side of each.
+    pub size: u32,
+    /// What cells were where heights jump.
+    pub cells: JumpCells,
+    /// By how many texels cells differ that jump.
+    pub jump_texels: f64,
+    /// Pixels that show both, of those that show one of them, over all pictures.
+    pub iou: f64,
+    /// The mean distance between both where a pixel shows both, in percent of the ball's diameter; none where
+    /// none does.
+    pub depth_error_percent: Option<f64>,
+    /// The direction toward the viewer of the picture with the least such part.
+    pub worst_from: DVec3,
+    /// That part.
+    pub worst_iou: f64,
+    /// The greatest mean distance of a picture.
+    pub worst_depth_error_percent: Option<f64>,
+}
+
+/// Bytes of a texel of an atlas of heights, of colours and of normals.
+const TEXEL_BYTES: [u64; 3] = [4, 16, 12];
+
+/// Reads an object from its `object.toml` and the pictures that this names, which lie in its folder or below.
+///
+/// Depths are heights from 0 to 1, as a [`View`](relief_core::object::View) has them, in floats or integers
+/// of up to 16 bit. Colours are read as those of all pictures are; normals have green upward.
+///
+/// At most [`ObjectOptions::max_bytes`] of memory are taken: for a texel of the object 4 bytes of height, 16
+/// of colour and 12 of normals, and the picture that is read.
+///
+/// # Errors
+///
+/// As [`read_description`]; when a picture cannot be read, lies outside of the folder, or has another size
+/// than the depths; when a rectangle reaches beyond them, when a depth is not from 0 to 1, or when the object
+/// takes more memory than allowed, which is found out before that memory is taken.
+pub fn read_object(path: &Path, options: &ObjectOptions) -> Result<ObjectFile, ObjectFileError> {
+    let description = read_description(path)?;
+    let Description { centre, radius, ref views, measured, .. } = description;
+    let in_file = |number: usize, problem: ObjectFileProblem| ObjectFileError::InFile {
+        path: path.to_owned(),
+        line: views[number].line,
+        view: Some(number + 1),
+        problem: Box::new(problem),
+    };
+    let sizes: Vec<[u32; 2]> = views.iter().map(|view| [view.rect[2], view.rect[3]]).collect();
+    let of_object = |source| ObjectFileError::Object { path: path.to_owned(), source };
+    let layout = AtlasLayout::new(sizes.clone()).map_err(of_object)?;
+    let texels: u64 = layout.size().map(u64::from).iter().product();
+    let has = [true, description.color.is_some(), description.normal.is_some()];
+    let needed: u64 = TEXEL_BYTES.iter().zip(has).map(|(bytes, has)| u64::from(has) * bytes * texels).sum();
+    let limit = options.max_bytes;
+    // The texel around an image is not in the picture, nor what the images leave free.
+    let left = limit.checked_sub(needed).ok_or(ObjectFileError::TooMuchMemory {
+        path: path.to_owned(),
+        needed,
+        limit,
+    })?;
+    let depth = beside_file(path, &description.depth)?;
+    let atlas = read_stored_heights(&depth, left)?;
+    let depth_size = [atlas.width(), atlas.height()];
+    for (number, view) in views.iter().enumerate() {
+        let [x, y, width, height] = view.rect.map(u64::from);
+        if x + width > u64::from(depth_size[0]) || y + height > u64::from(depth_size[1]) {
+            let problem =
+                ObjectFileProblem::Outside { rect: view.rect, depth: depth.clone(), size: depth_size };
+            return Err(in_file(number, problem));
+        }
+    }
+    let maps = views.iter().map(|view| cut(&atlas, view.rect)).collect::<Result<Vec<_>, _>>();
+    let maps = maps.map_err(|error| of_object(error.into()))?;
+    drop(atlas);
+    let made = views.iter().zip(&sizes).enumerate().map(|(number, (view, size))| {
+        view.spec.view(centre, radius, *size).map_err(|error| in_file(number, error.into()))
+    });
+    let made = made.collect::<Result<Vec<_>, _>>()?;
+    let object = ImageObject::new(made, &maps, options.cells, options.jump_texels).map_err(of_object)?;
+    drop(maps);
+    let [width, height] = layout.size();
+    let same_size = |path: &Path, size: [u32; 2]| match size == depth_size {
+        true => Ok(()),
+        false => {
+            Err(ObjectFileError::OtherSize { path: path.to_owned(), size, depth: depth.clone(), depth_size })
+        }
+    };
+    let place = |image: usize, [x, y]: [u32; 2]| {
+        let [left, top, ..] = views[image].rect;
+        (top + y) as usize * depth_size[0] as usize + (left + x) as usize
+    };
+    let mut color = None;
+    if let Some(name) = &description.color {
+        let file = beside_file(path, name)?;
+        let picture = read_picture(&file, left)?;
+        same_size(&file, [picture.width, picture.height])?;
+        let texels = layout.pack_with_edges(|image, at| picture.texels[place(image, at)], [0.0; 4]);
+        color = Some(Picture { width, height, texels });
+    }
+    let mut normal = None;
+    if let Some(name) = &description.normal {
+        let file = beside_file(path, name)?;
+        let map = read_normal_map(&file, GreenSign::PlusY, left)?;
+        same_size(&file, [map.width, map.height])?;
+        let level = [0.0, 0.0, 1.0];
+        let normals = layout.pack_with_edges(|image, at| map.normals[place(image, at)], level);
+        normal = Some(NormalMap { width, height, normals, degenerate: map.degenerate });
+    }
+    Ok(ObjectFile { object, color, normal, measured })
+}
+
+/// A rectangle of a map, by column, row, width and height.
+fn cut(map: &HeightMap, [x, y, width, height]: [u32; 4]) -> Result<HeightMap, relief_core::HeightMapError> {
+    let columns = x as usize..(x + width) as usize;
+    let row = |y: u32| &map.texels()[y as usize * map.width() as usize..][columns.clone()];
+    let texels = (y..y + height).flat_map(row).copied().collect();
+    HeightMap::new(width, height, texels, relief_core::Wrap::Clamp)
+}
