@@ -238,6 +238,11 @@ pub const SHADOW_SEARCH: usize = place("shadow-search");
 pub const AMBIENT: usize = place("ambient");
 
 impl Stage {
+    /// Whether scenes choose its variant by its key; else a setting does.
+    pub fn has_key(&self) -> bool {
+        self.chosen_as.is_none()
+    }
+
     /// The names of a setting's values, from 0 on: of variants where it chooses one, else of a
     /// parameter's. None where its values are plain numbers.
     pub fn names_of(&self, setting: &str) -> Vec<&'static str> {

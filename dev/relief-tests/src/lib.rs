@@ -24,6 +24,7 @@ pub mod rays;
 pub mod search;
 pub mod shadows;
 pub mod slices;
+pub mod spheres;
 
 /// Random numbers that are the same from the same seed, everywhere.
 pub use relief_compare::rng;

@@ -81,6 +81,9 @@ pub struct SceneArguments {
     /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
     height: Option<PathBuf>,
+    /// Object of images with depth, in place of height map and mesh: an object.toml, as `relief capture` makes
+    #[arg(long, value_name = "FILE", help_heading = "Maps and mesh", conflicts_with = "height")]
+    object: Option<PathBuf>,
     /// Colour map, in sRGB [default: the material alone]
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
     color: Option<PathBuf>,
@@ -323,10 +326,11 @@ impl SceneArguments {
 
     /// The scene as words of a command line: its file, or its height map.
     pub fn words(&self) -> String {
-        match (&self.scene, &self.height) {
-            (Some(scene), _) => scene.display().to_string(),
-            (None, Some(height)) => format!("--height {}", height.display()),
-            (None, None) => "--height MAP".to_owned(),
+        match (&self.scene, &self.height, &self.object) {
+            (Some(scene), ..) => scene.display().to_string(),
+            (None, Some(height), _) => format!("--height {}", height.display()),
+            (None, None, Some(object)) => format!("--object {}", object.display()),
+            (None, None, None) => "--height MAP".to_owned(),
         }
     }
 
@@ -341,6 +345,7 @@ impl SceneArguments {
         let given = |flag: bool| flag.then_some(true);
         let surface = SurfaceSpec {
             height: self.height.clone(),
+            object: self.object.clone(),
             holes: given(self.holes),
             creases: given(self.creases),
             color: self.color.clone(),

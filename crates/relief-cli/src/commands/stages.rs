@@ -14,7 +14,7 @@ pub struct StageArguments(BTreeMap<String, String>);
 
 /// The stages whose choice has a flag of its own, and their places.
 fn choosable() -> impl Iterator<Item = (usize, &'static Stage)> {
-    STAGES.iter().enumerate().filter(|(_, stage)| stage.entries.len() > 1 && stage.chosen_as.is_none())
+    STAGES.iter().enumerate().filter(|(_, stage)| stage.entries.len() > 1 && stage.has_key())
 }
 
 fn help(place: usize, stage: &Stage) -> String {

@@ -36,22 +36,6 @@ pub enum JumpCells {
     Nearest,
 }
 
-impl JumpCells {
-    /// All of them.
-    pub const ALL: [JumpCells; 4] =
-        [JumpCells::Bilinear, JumpCells::Step, JumpCells::Highest, JumpCells::Nearest];
-
-    /// What settings call it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            JumpCells::Bilinear => "bilinear",
-            JumpCells::Step => "step",
-            JumpCells::Highest => "highest",
-            JumpCells::Nearest => "nearest",
-        }
-    }
-}
-
 /// An object that is known from images with depth.
 ///
 /// An image's solid is what it sees at a height above [`EMPTY_HEIGHT`] and at most its map's: texels of 0 see

@@ -26,6 +26,8 @@ const DEFAULT_BACKGROUND: Vec3 = Vec3::splat(0.05);
 pub(super) const SEEN: &str = "ambient environment";
 /// The default method.
 pub(super) const DEFAULT_METHOD: &str = "exact";
+/// That of objects.
+pub(super) const DEFAULT_METHOD_OF_OBJECTS: &str = "depth-object";
 /// The default width and height, in pixels.
 pub(super) const DEFAULT_SIZE: [u32; 2] = [800, 600];
 

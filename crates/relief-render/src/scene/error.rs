@@ -1,5 +1,6 @@
 //! What can be wrong with a scene.
 
+use super::ObjectProblem;
 use crate::camera::CameraError;
 use crate::environment::EnvironmentError;
 use crate::light::LightError;
@@ -8,6 +9,7 @@ use crate::mesh::MeshError;
 use relief_core::{ByteSize, HeightMapError};
 use relief_io::ReadError;
 use relief_maps::MapsError;
+use relief_object::ObjectFileError;
 use relief_shaders::SelectionError;
 use std::path::PathBuf;
 
@@ -76,6 +78,9 @@ pub enum SceneError {
     /// A base mesh cannot be read.
     #[error(transparent)]
     Mesh(ReadError),
+    /// An object cannot be read.
+    #[error(transparent)]
+    Object(#[from] ObjectFileError),
     /// A picture shows no surroundings.
     #[error("{}: {source}", path.display())]
     Environment {
@@ -206,6 +211,9 @@ pub enum ValueProblem {
     /// A method for reliefs is chosen for an object.
     #[error("the surface is an object that is known from images: choose 'depth-object'")]
     Object,
+    /// The object cannot be shown.
+    #[error(transparent)]
+    ObjectOf(#[from] ObjectProblem),
     /// The camera is impossible.
     #[error(transparent)]
     Camera(#[from] CameraError),

@@ -153,8 +153,8 @@ fn no_list(at: Range<usize>) -> Mistake {
 fn check_keys(table: &DeTable, known: impl Fn(&str) -> bool, others: &[&[&str]]) -> Result<(), Mistake> {
     for key in table.keys() {
         let name = key.get_ref().as_ref();
-        if !known(name) && relief_shaders::stage(name).is_none() {
-            let stages = STAGES.iter().map(|stage| stage.key);
+        if !known(name) && !is_stage(name) {
+            let stages = STAGES.iter().filter(|stage| stage.has_key()).map(|stage| stage.key);
             let keys = keys_of::<SurfaceSpec>().iter().chain(others.iter().copied().flatten()).copied();
             let what = UnknownName::new("key", name, keys.chain(stages)).to_string();
             return Err(Mistake::Key { what, at: key.span() });
@@ -163,13 +163,16 @@ fn check_keys(table: &DeTable, known: impl Fn(&str) -> bool, others: &[&[&str]])
     Ok(())
 }
 
+/// Whether that key names the variant of a stage.
+fn is_stage(key: &str) -> bool {
+    relief_shaders::stage(key).is_some_and(|(_, stage)| stage.has_key())
+}
+
 /// A surface of a table, in which stages' keys name their variants.
 fn surface_of(table: Spanned<DeTable>) -> Result<SurfaceSpec, Mistake> {
     let span = table.span();
-    let (stages, rest): (DeTable, DeTable) = table
-        .into_inner()
-        .into_iter()
-        .partition(|(key, _)| relief_shaders::stage(key.get_ref().as_ref()).is_some());
+    let (stages, rest): (DeTable, DeTable) =
+        table.into_inner().into_iter().partition(|(key, _)| is_stage(key.get_ref().as_ref()));
     let mut surface = SurfaceSpec::deserialize(Deserializer::from(Spanned::new(span.clone(), rest)))?;
     surface.stages = BTreeMap::deserialize(Deserializer::from(Spanned::new(span, stages)))?;
     Ok(surface)

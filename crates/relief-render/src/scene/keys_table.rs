@@ -69,6 +69,12 @@ pub fn keys() -> Vec<Key> {
     let methods = METHODS.iter().map(|method| method.name).collect();
     let mut keys = vec![
         surface("height", Form::Text, "", "height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or raw"),
+        surface(
+            "object",
+            Form::Text,
+            "",
+            "object of images with depth: object.toml, in place of height and mesh",
+        ),
         surface("channel", Form::Text, "", "channel of that file; else the only one, or the grey"),
         surface("depth", Form::Flag, "false", "whether white is deep"),
         surface("range", Form::Numbers(2), "", "values of the file that become heights 0 and 1"),
@@ -120,7 +126,7 @@ pub fn keys() -> Vec<Key> {
         surface("ior", Form::Number, "1.5", "index of refraction, 1 to 4"),
         surface("two-sided", Form::Flag, "false", "whether back faces are drawn, too"),
     ];
-    keys.extend(STAGES.iter().map(|stage| {
+    keys.extend(STAGES.iter().filter(|stage| stage.has_key()).map(|stage| {
         let names = stage.entries.iter().map(|entry| entry.name).collect();
         surface(stage.key, Form::Name(names), "", "variant of a stage, in place of the method's")
     }));
@@ -219,6 +225,7 @@ fn surface_value(spec: &SurfaceSpec, key: &str) -> Option<String> {
     let path = |path: &Option<std::path::PathBuf>| Some(quoted(&path.as_ref()?.to_string_lossy()));
     match key {
         "height" => path(&spec.height),
+        "object" => path(&spec.object),
         "color" => path(&spec.color),
         "normal" => path(&spec.normal),
         "channel" => spec.channel.as_deref().map(quoted),

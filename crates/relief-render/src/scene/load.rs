@@ -13,7 +13,7 @@ use crate::depth_buffer::DepthBuffer;
 use crate::environment::Environment;
 use crate::light::{Light, LightError, SUN_DEG};
 use glam::{DVec3, Vec3};
-use relief_core::{ByteSize, HeightMap};
+use relief_core::ByteSize;
 use relief_shaders::LIGHT_FACES;
 
 /// Memory that rendering takes for a pixel of the band of rows that it is at: its results on the GPU, their
@@ -31,13 +31,11 @@ impl SceneSpec {
     ///
     /// When a value is out of range, or keys are given that exclude or need each other.
     pub fn check(&self) -> Result<(), ValueError> {
-        // A map of one texel and a sky stand in for the files, so that the builder's own checks are made as
+        // Maps of one texel and a sky stand in for the files, so that the builder's own checks are made as
         // well.
         let mut surfaces = Vec::new();
         for (number, surface, parts) in self.each_with_parts()? {
-            let problem = |problem: relief_core::HeightMapError| ValueProblem::from(problem).of("height");
-            let flat = HeightMap::new(1, 1, vec![0.0], surface.wrap.unwrap_or_default()).map_err(problem)?;
-            surfaces.push(surface.with_heights(parts, flat).map_err(|error| error.of_surface(number))?);
+            surfaces.push(surface.stand_in(parts).map_err(|error| error.of_surface(number))?);
         }
         let mut builder = self.builder(surfaces)?;
         if self.environment.is_some() {

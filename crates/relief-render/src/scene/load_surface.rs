@@ -1,16 +1,18 @@
 //! From the description of a surface to the surface: defaults, checks, files.
 
-use super::builder::{DEFAULT_METHOD, SEEN, of_selection};
+use super::builder::{DEFAULT_METHOD, DEFAULT_METHOD_OF_OBJECTS, SEEN, of_selection};
 use super::error::{SceneError, ValueError, ValueProblem};
 use super::metres::{MAX_METRES, check_metres};
 use super::surface_spec::ENVIRONMENT;
-use super::{MeshChoice, Surface, SurfaceSpec};
+use super::{MeshChoice, ObjectProblem, SceneObject, Surface, SurfaceSpec};
 use crate::environment::Environment;
 use crate::material::{Material, MaterialError};
 use crate::mesh::{Builtin, Mesh, Placement, UvProjection, square};
 use glam::{Vec2, Vec3};
+use relief_core::object::ImageObject;
 use relief_core::{ByteSize, HeightMap};
 use relief_io::{Convention, Fill, HeightOptions, MeshOptions, Picture, ReadError, ReadProblem};
+use relief_object::{ObjectFile, ObjectOptions};
 use relief_shaders::{AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -204,6 +206,9 @@ impl SurfaceSpec {
     /// What needs no file, completed and checked, for a picture of so many samples a pixel, in surroundings
     /// that were given or not.
     pub(super) fn parts(&self, samples: u32, surrounded: bool) -> Result<Parts, ValueError> {
+        if let Some(key) = self.key_of_relief().filter(|_| self.object.is_some()) {
+            return Err(ValueProblem::Excludes("object").of(key));
+        }
         self.scale.map_or(Ok(()), check_scale)?;
         check_metres("bias", self.bias.as_slice())?;
         if let Some(&value) = self.tile_size.iter().flatten().find(|length| !LENGTHS_M.contains(length)) {
@@ -229,6 +234,45 @@ impl SurfaceSpec {
             holes: self.holes.unwrap_or_default(),
             creases: self.creases.unwrap_or_default(),
         })
+    }
+
+    /// The surface with something in place of the files of its relief or object, and no other maps.
+    pub(super) fn stand_in(&self, parts: Parts) -> Result<Surface, ValueError> {
+        if self.object.is_none() {
+            let problem = |problem: relief_core::HeightMapError| ValueProblem::from(problem).of("height");
+            let flat = HeightMap::new(1, 1, vec![0.0], self.wrap.unwrap_or_default()).map_err(problem)?;
+            return self.with_heights(parts, flat);
+        }
+        let problem = |problem: ObjectProblem| ValueProblem::from(problem).of("object");
+        let object = self.placed_object(&SceneObject::stand_in().map_err(problem)?)?;
+        let surface = Surface::of_object(object).map_err(problem)?;
+        Ok(surface.with_material(parts.material).with_selection(parts.selection))
+    }
+
+    /// The surface of an object's file.
+    fn load_object(&self, path: &Path, parts: Parts, maps: &mut Maps) -> Result<Surface, SceneError> {
+        let options = ObjectOptions { max_bytes: maps.left, ..ObjectOptions::default() };
+        let ObjectFile { object, color, normal, .. } = relief_object::read_object(path, &options)?;
+        maps.take(path, object.heights(), &parts.selection)?;
+        let object = self.placed_object(&object)?;
+        let surface = Surface::of_object(object).map_err(|error| ValueProblem::from(error).of("object"))?;
+        let diffuse = color.is_some().then(|| Material::under_colours().diffuse());
+        let material = self.material_of(diffuse)?;
+        let mut surface = surface.with_material(material).with_selection(parts.selection);
+        if let Some(color) = color {
+            maps.take_picture(&color);
+            surface = surface.with_color(color);
+        }
+        if let Some(normal) = normal {
+            let bytes = NORMAL_BYTES[1] * u64::from(normal.width) * u64::from(normal.height);
+            maps.left = maps.left.saturating_sub(bytes);
+            surface = surface.with_normal_map(&normal);
+        }
+        Ok(surface.with_creases(parts.creases))
+    }
+
+    fn placed_object(&self, object: &ImageObject) -> Result<ImageObject, ValueError> {
+        object.placed(&self.placement()?).map_err(|error| ValueProblem::from(error).of("position"))
     }
 
     /// The surface with a height map in place of its own, and no other maps.
@@ -273,6 +317,13 @@ impl SurfaceSpec {
         number: Option<usize>,
         maps: &mut Maps,
     ) -> Result<Surface, SceneError> {
+        if let Some(path) = &self.object {
+            let surface = self.load_object(path, parts, maps);
+            return surface.map_err(|error| match error {
+                SceneError::Value(error) => error.of_surface(number).into(),
+                error => error,
+            });
+        }
         let path = self.height.as_ref().ok_or(SceneError::NoHeightMap(number))?;
         let (parts, color) = match &self.mesh {
             Some(MeshChoice::File(file)) => {
@@ -352,6 +403,12 @@ impl SurfaceSpec {
     fn placed(&self, mesh: Mesh) -> Result<Mesh, ValueError> {
         let mesh =
             mesh.tiled(Vec2::from(self.tiles()?)).map_err(|error| ValueProblem::from(error).of("tile"))?;
+        let placement = self.placement()?;
+        mesh.placed(&placement).map_err(|error| ValueProblem::from(error).of("position"))
+    }
+
+    /// Where it lies in the world.
+    fn placement(&self) -> Result<Placement, ValueError> {
         let placement = Placement {
             position_m: self.position.unwrap_or_default().into(),
             rotation_degrees: self.rotation.unwrap_or_default().into(),
@@ -365,7 +422,7 @@ impl SurfaceSpec {
             let (value, must) = (placement.size, "from 1e-6 to 1e6");
             return Err(ValueProblem::Number { value, must }.of("size"));
         }
-        mesh.placed(&placement).map_err(|error| ValueProblem::from(error).of("position"))
+        Ok(placement)
     }
 
     /// The material, of that diffuse colour unless another is given.
@@ -388,7 +445,7 @@ impl SurfaceSpec {
     /// What is run. Several samples ask for a picture without jagged edges, which it then has where maps are
     /// seen small, too.
     fn selection(&self, samples: u32, surrounded: bool) -> Result<Selection, ValueError> {
-        if samples > 1 && !self.stages.contains_key(STAGES[DETAIL].key) {
+        if samples > 1 && self.object.is_none() && !self.stages.contains_key(STAGES[DETAIL].key) {
             let selection = self.selection_in(Some(FOOTPRINT), surrounded)?;
             if selection.check_levels().is_ok() {
                 return Ok(selection);
@@ -404,7 +461,10 @@ impl SurfaceSpec {
             (Some(_), None, None) if named(GEOMETRY).is_some() => {
                 return Err(ValueProblem::Excludes("geometry").of("method"));
             }
-            (method, None, None) => Selection::method(method.as_deref().unwrap_or(DEFAULT_METHOD)),
+            (method, None, None) => {
+                let default = if self.object.is_some() { DEFAULT_METHOD_OF_OBJECTS } else { DEFAULT_METHOD };
+                Selection::method(method.as_deref().unwrap_or(default))
+            }
             (None, Some(search), Some(refine)) => Selection::pair(search, refine),
             (None, Some(_), None) => return Err(ValueProblem::Needs("refine").of("search")),
             (None, None, Some(_)) => return Err(ValueProblem::Needs("search").of("refine")),

@@ -4,12 +4,13 @@ use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
 use relief_core::encoding::code::Codes;
-use relief_core::object::{ImageObject, View};
-use relief_core::{BakedMap, HeightMap, MapFormat, MapIdentity, MapLayout, MapTexels};
+use relief_core::object::{ImageObject, JumpCells, View};
+use relief_core::{BakedMap, HeightMap, MapFormat, MapIdentity, MapLayout, MapTexels, Wrap};
 use relief_shaders::Selection;
 use relief_shaders::object::{IMAGE_TEXELS, MAX_IMAGES};
 
 use super::Surface;
+use super::builder::DEFAULT_METHOD_OF_OBJECTS;
 use crate::mesh::{Mesh, Vertex, cube};
 
 /// An object of images, and how the shaders see these.
@@ -43,6 +44,14 @@ pub enum ObjectProblem {
 }
 
 impl SceneObject {
+    /// What stands for the object of a file that has not been read: a texel of a single image.
+    pub(super) fn stand_in() -> Result<ImageObject, ObjectProblem> {
+        let view = View::orthographic(DVec3::ZERO, 1.0, DVec3::Z, None, [1, 1]);
+        let map = HeightMap::new(1, 1, vec![1.0], Wrap::Clamp)?;
+        let object = view.ok().map(|view| ImageObject::new(vec![view], &[map], JumpCells::default(), 0.0));
+        object.and_then(Result::ok).ok_or(ObjectProblem::Nothing)
+    }
+
     /// The object.
     pub fn object(&self) -> &Arc<ImageObject> {
         &self.object
@@ -82,7 +91,7 @@ impl Surface {
         let mesh = box_around(bounds).ok_or(ObjectProblem::Box)?;
         let heights = HeightMap::clone(object.heights()).with_displacement(2.0 * radius, 0.0)?;
         let images = Arc::new(images_of(&object).ok_or(ObjectProblem::Box)?);
-        let selection = Selection::method("depth-object").unwrap_or_default();
+        let selection = Selection::method(DEFAULT_METHOD_OF_OBJECTS).unwrap_or_default();
         Ok(Self::new(mesh, heights).with_selection(selection).showing(SceneObject { object, images }))
     }
 }

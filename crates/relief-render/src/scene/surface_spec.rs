@@ -6,7 +6,9 @@ use super::settings::settings;
 use relief_core::Wrap;
 use relief_core::mesh::UvProjection;
 use relief_io::{GreenSign, RawLayout};
-use relief_shaders::{AMBIENT, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES};
+use relief_shaders::{
+    AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES,
+};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -20,6 +22,9 @@ use std::path::PathBuf;
 pub struct SurfaceSpec {
     /// The height map's file. There is no surface without one.
     pub height: Option<PathBuf>,
+    /// The file of an object of images with depth, in place of height map and mesh. Of what else there is to
+    /// say it has a place, a method, settings and a material.
+    pub object: Option<PathBuf>,
     /// The channel of the file that holds the height.
     pub channel: Option<String>,
     /// Whether the file holds depth: white is deep. By default it holds height.
@@ -122,9 +127,12 @@ pub struct MaterialSpec {
 /// The ambient light of the surroundings.
 pub(super) const ENVIRONMENT: &str = relief_shaders::ambient::environment::ENTRY.name;
 
+/// The key of the level of detail, of which objects have one alone.
+const DETAIL_KEY: &str = STAGES[DETAIL].key;
+
 /// Whether that is the key of one of the stages that a method names.
 fn is_of_method(key: &str) -> bool {
-    [GEOMETRY, SLICES, SEARCH, REFINE].iter().any(|stage| STAGES[*stage].key == key)
+    [GEOMETRY, SLICES, OBJECT, SEARCH, REFINE].iter().any(|stage| STAGES[*stage].key == key)
 }
 
 impl SurfaceSpec {
@@ -139,6 +147,11 @@ impl SurfaceSpec {
     pub fn overridden_by(mut self, over: SurfaceSpec) -> SurfaceSpec {
         if over.height.is_some() {
             (self.channel, self.depth, self.range, self.raw, self.fill) = (None, None, None, None, None);
+        }
+        if over.object.is_some() {
+            self.forget_relief();
+        } else if over.height.is_some() || over.mesh.is_some() {
+            self.object = None;
         }
         if over.normal.is_some() {
             self.green = None;
@@ -160,6 +173,7 @@ impl SurfaceSpec {
         set.extend(over.set);
         SurfaceSpec {
             height: over.height.or(self.height),
+            object: over.object.or(self.object),
             channel: over.channel.or(self.channel),
             depth: over.depth.or(self.depth),
             range: over.range.or(self.range),
@@ -196,7 +210,9 @@ impl SurfaceSpec {
             Some(MeshChoice::File(path)) => Some(path),
             _ => None,
         };
-        [self.height.as_ref(), self.color.as_ref(), self.normal.as_ref(), mesh].into_iter().flatten()
+        [self.height.as_ref(), self.object.as_ref(), self.color.as_ref(), self.normal.as_ref(), mesh]
+            .into_iter()
+            .flatten()
     }
 
     /// As [`files`](Self::files), to be named otherwise.
@@ -205,7 +221,50 @@ impl SurfaceSpec {
             Some(MeshChoice::File(path)) => Some(path),
             _ => None,
         };
-        [self.height.as_mut(), self.color.as_mut(), self.normal.as_mut(), mesh].into_iter().flatten()
+        [self.height.as_mut(), self.object.as_mut(), self.color.as_mut(), self.normal.as_mut(), mesh]
+            .into_iter()
+            .flatten()
+    }
+
+    /// Forgets the relief and how it is found: all but the place, what is reflected, and shadows.
+    fn forget_relief(&mut self) {
+        let known = std::mem::take(self);
+        let stages = known.stages.into_iter().filter(|(key, _)| !is_of_method(key) && key != DETAIL_KEY);
+        *self = SurfaceSpec {
+            position: known.position,
+            rotation: known.rotation,
+            size: known.size,
+            material: known.material,
+            transmission: known.transmission,
+            ior: known.ior,
+            stages: stages.collect(),
+            ..SurfaceSpec::default()
+        };
+    }
+
+    /// The first key that is given and says something of a relief alone.
+    pub(super) fn key_of_relief(&self) -> Option<&'static str> {
+        let given = [
+            ("height", self.height.is_some()),
+            ("channel", self.channel.is_some()),
+            ("depth", self.depth.is_some()),
+            ("range", self.range.is_some()),
+            ("raw", self.raw.is_some()),
+            ("fill", self.fill.is_some()),
+            ("holes", self.holes.is_some()),
+            ("wrap", self.wrap.is_some()),
+            ("scale", self.scale.is_some()),
+            ("bias", self.bias.is_some()),
+            ("color", self.color.is_some()),
+            ("normal", self.normal.is_some()),
+            ("green", self.green.is_some()),
+            ("tile-size", self.tile_size.is_some()),
+            ("mesh", self.mesh.is_some()),
+            ("project", self.project.is_some()),
+            ("tile", self.tile.is_some()),
+            ("two-sided", self.two_sided.is_some()),
+        ];
+        given.into_iter().find_map(|(key, is_given)| is_given.then_some(key))
     }
 
     /// Whether the surroundings are to be seen by what is said of refraction.

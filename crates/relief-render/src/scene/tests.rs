@@ -114,6 +114,7 @@ fn every_key_is_read() {
     let spec = read_scene(&path).expect("a proper scene");
     let settings = [("search.steps".to_owned(), 64.0), ("refine.steps".to_owned(), 6.0)];
     let surface = SurfaceSpec {
+        object: None,
         height: Some(folder.path().join("maps/a.exr")),
         channel: Some("height".to_owned()),
         depth: Some(true),

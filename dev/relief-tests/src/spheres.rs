@@ -1,0 +1,49 @@
+//! An object that is known in closed form: some spheres, seen by parallel rays from around.
+
+use relief_core::camera::Ray;
+use relief_core::object::{ImageObject, JumpCells, View};
+use relief_core::{HeightMap, Wrap};
+use relief_render::glam::DVec3;
+
+/// Spheres: centres and radii in metres.
+pub const SPHERES: [(DVec3, f64); 4] = [
+    (DVec3::new(0.0, -0.15, 0.0), 0.5),
+    (DVec3::new(0.1, 0.5, 0.1), 0.3),
+    (DVec3::new(-0.6, 0.1, 0.3), 0.25),
+    (DVec3::new(0.45, -0.3, -0.5), 0.3),
+];
+
+/// The radius of the ball that the images show.
+pub const RADIUS: f64 = 1.0;
+
+/// The directions that the images of a cube look from.
+pub const CUBE: [DVec3; 6] =
+    [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z];
+
+/// The first point of a ray on the spheres.
+pub fn first_on_spheres(ray: &Ray) -> Option<f64> {
+    let hits = SPHERES.iter().filter_map(|(centre, radius)| {
+        let (to, along) = (ray.origin - *centre, ray.direction);
+        let (a, b, c) = (along.length_squared(), to.dot(along), to.length_squared() - radius * radius);
+        let root = b * b - a * c;
+        (root >= 0.0).then(|| (-b - root.sqrt()) / a).filter(|t| *t >= 0.0)
+    });
+    hits.min_by(f64::total_cmp)
+}
+
+/// The object of images of so many texels a side, that look at the spheres from these directions.
+pub fn object_of_spheres(directions: &[DVec3], side: u32, cells: JumpCells) -> ImageObject {
+    let (mut views, mut maps) = (Vec::new(), Vec::new());
+    for from in directions {
+        let view = View::orthographic(DVec3::ZERO, RADIUS, *from, None, [side, side]).expect("a view");
+        let map = HeightMap::from_fn(side, side, Wrap::Clamp, |x, y| {
+            let [u, v] = [x, y].map(|at| (f64::from(at) + 0.5) / f64::from(side));
+            let ray = view.ray(u, v);
+            let seen = first_on_spheres(&ray).and_then(|t| view.see(ray.at(t)));
+            seen.map_or(0.0, |seen| seen.z.clamp(0.0, 1.0) as f32)
+        });
+        maps.push(map.expect("a map"));
+        views.push(view);
+    }
+    ImageObject::new(views, &maps, cells, 4.0).expect("an object")
+}

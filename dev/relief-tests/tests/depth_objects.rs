@@ -1,0 +1,101 @@
+//! Objects of images with depth as pictures: against what the images were made of, and on both backends.
+//!
+//! Kautz and Seidel 2001, section 4.
+
+use relief_core::object::JumpCells;
+use relief_maps::Maps;
+use relief_render::camera::Camera;
+use relief_render::glam::DVec3;
+use relief_render::render;
+use relief_render::scene::{BackendChoice, Scene, Surface};
+use relief_shaders::Selection;
+use relief_shaders::cpu::PixelOut;
+use relief_tests::adapter::has_adapter;
+use relief_tests::spheres::{CUBE, first_on_spheres, object_of_spheres};
+
+const SIZE: [u32; 2] = [150, 120];
+
+/// The share of covered pixels that both backends must agree on.
+const ALIKE: f64 = 0.999;
+
+fn camera(eye: DVec3) -> Camera {
+    Camera::new(eye, DVec3::new(0.0, 0.05, 0.0), 35.0).expect("a camera")
+}
+
+/// What is seen of the spheres through images of so many texels a side, and the scene.
+fn pixels(side: u32, settings: &[(&str, f64)], eye: DVec3, backend: BackendChoice) -> Vec<PixelOut> {
+    let object = object_of_spheres(&CUBE, side, JumpCells::Highest);
+    let mut selection = Selection::method("depth-object").expect("a method");
+    for (key, value) in settings {
+        selection.set(key, *value).expect("a setting");
+    }
+    let surface = Surface::of_object(object).expect("something to see").with_selection(selection);
+    let scene = Scene::builder(surface)
+        .camera(camera(eye))
+        .size(SIZE[0], SIZE[1])
+        .samples(1)
+        .backend(backend)
+        .build()
+        .expect("a proper scene");
+    render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
+}
+
+/// Of pixels that see the spheres or should, the share that do both, and the mean error of their depth.
+fn beside_truth(pixels: &[PixelOut], eye: DVec3) -> (f64, f64) {
+    let camera = camera(eye);
+    let (mut both, mut either, mut off) = (0, 0, 0.0);
+    for (at, pixel) in pixels.iter().enumerate() {
+        let [x, y] = [at as u32 % SIZE[0], at as u32 / SIZE[0]];
+        let ray = camera.ray(x, y, SIZE[0], SIZE[1]);
+        let truth = first_on_spheres(&ray);
+        either += usize::from(truth.is_some() || pixel.hit == 1);
+        if let (Some(t), 1) = (truth, pixel.hit) {
+            both += 1;
+            off += (t - f64::from(pixel.depth)).abs();
+        }
+    }
+    (f64::from(both) / either as f64, off / f64::from(both))
+}
+
+const EYES: [DVec3; 3] =
+    [DVec3::new(1.0, 0.8, 3.0), DVec3::new(-2.6, 1.1, 1.3), DVec3::new(0.3, -3.0, 1.2)];
+
+#[test]
+fn finer_images_come_nearer_to_what_they_were_made_of() {
+    for eye in EYES {
+        let mut before = (0.0, 1.0);
+        for side in [24, 48, 96, 192] {
+            let now = beside_truth(&pixels(side, &[], eye, BackendChoice::Cpu), eye);
+            println!("{side}: {now:.5?}");
+            assert!(now.0 > before.0 && now.1 < before.1, "{side}: {now:?} after {before:?}");
+            before = now;
+        }
+        assert!(before.0 > 0.985 && before.1 < 0.004, "{before:?}");
+    }
+}
+
+#[test]
+fn both_backends_show_the_same_object() {
+    if !has_adapter() {
+        return;
+    }
+    let ways: [&[(&str, f64)]; 5] = [
+        &[],
+        &[("object.cells", 0.0)],
+        &[("object.cells", 1.0)],
+        &[("object.cells", 3.0)],
+        &[("object.jump", 0.5), ("object.color", 1.0)],
+    ];
+    for (eye, settings) in EYES.iter().cycle().zip(ways) {
+        let [cpu, gpu] =
+            [BackendChoice::Cpu, BackendChoice::Gpu].map(|backend| pixels(48, settings, *eye, backend));
+        let covered = cpu.iter().zip(&gpu).filter(|(a, b)| a.hit == 1 || b.hit == 1);
+        let alike = covered.clone().filter(|(a, b)| {
+            let apart = [a.position.x - b.position.x, a.position.y - b.position.y, a.position.z - b.position.z];
+            a.hit == b.hit && apart.iter().all(|part| part.abs() <= 1e-4)
+        });
+        let share = alike.count() as f64 / covered.clone().count() as f64;
+        println!("{settings:?}: {} pixels, {share:.5} alike", covered.clone().count());
+        assert!(covered.count() > 3000 && share >= ALIKE, "{settings:?}: {share}");
+    }
+}
