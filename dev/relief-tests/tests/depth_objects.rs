@@ -2,7 +2,8 @@
 //!
 //! Kautz and Seidel 2001, section 4.
 
-use relief_core::object::JumpCells;
+use relief_core::object::{ImageObject, JumpCells};
+use relief_core::{HeightMap, Wrap};
 use relief_maps::Maps;
 use relief_render::camera::Camera;
 use relief_render::glam::DVec3;
@@ -22,10 +23,19 @@ fn camera(eye: DVec3) -> Camera {
     Camera::new(eye, DVec3::new(0.0, 0.05, 0.0), 35.0).expect("a camera")
 }
 
-/// What is seen of the spheres through images of so many texels a side, and the scene.
+/// What is seen of the spheres through images of so many texels a side.
 fn pixels(side: u32, settings: &[(&str, f64)], eye: DVec3, backend: BackendChoice) -> Vec<PixelOut> {
-    let object = object_of_spheres(&CUBE, side, JumpCells::Highest);
+    pixels_of(object_of_spheres(&CUBE, side, JumpCells::Highest), settings, eye, backend)
+}
+
+fn pixels_of(
+    object: ImageObject,
+    settings: &[(&str, f64)],
+    eye: DVec3,
+    backend: BackendChoice,
+) -> Vec<PixelOut> {
     let mut selection = Selection::method("depth-object").expect("a method");
+    selection.choose("shadow", "none").expect("a listed name");
     for (key, value) in settings {
         selection.set(key, *value).expect("a setting");
     }
@@ -98,4 +108,25 @@ fn both_backends_show_the_same_object() {
         println!("{settings:?}: {} pixels, {share:.5} alike", covered.clone().count());
         assert!(covered.count() > 3000 && share >= ALIKE, "{settings:?}: {share}");
     }
+}
+
+#[test]
+fn what_an_image_says_elsewhere_is_noticed() {
+    // One image that looks from a little beside where it was made.
+    let eye = EYES[0];
+    let truth = beside_truth(&pixels(96, &[], eye, BackendChoice::Cpu), eye);
+    let directions = CUBE.map(|from| if from == DVec3::X { DVec3::new(1.0, 0.02, 0.0) } else { from });
+    let right = object_of_spheres(&CUBE, 96, JumpCells::Highest);
+    let turned = object_of_spheres(&directions, 96, JumpCells::Highest);
+    let (views, layout) = (right.views().to_vec(), turned.layout());
+    let maps = layout.places().iter().map(|[column, row]| {
+        HeightMap::from_fn(96, 96, Wrap::Clamp, |x, y| {
+            turned.heights().texel(i64::from(column + x), i64::from(row + y))
+        })
+    });
+    let maps: Vec<HeightMap> = maps.collect::<Result<_, _>>().expect("maps");
+    let wrong = ImageObject::new(views, &maps, JumpCells::Highest, 4.0).expect("an object");
+    let seen = pixels_of(wrong, &[], eye, BackendChoice::Cpu);
+    let wrong = beside_truth(&seen, eye);
+    assert!(wrong.0 < truth.0 - 0.002 && wrong.1 > 2.0 * truth.1, "{wrong:?} beside {truth:?}");
 }
