@@ -47,6 +47,11 @@ impl Family {
 }
 
 impl Method {
+    /// Whether it shows height maps on meshes, and not objects of images.
+    pub fn is_of_reliefs(&self) -> bool {
+        self.family() != Family::Object
+    }
+
     /// The family that it belongs to.
     pub fn family(&self) -> Family {
         match self.geometry {

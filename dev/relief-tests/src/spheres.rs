@@ -17,8 +17,7 @@ pub const SPHERES: [(DVec3, f64); 4] = [
 pub const RADIUS: f64 = 1.0;
 
 /// The directions that the images of a cube look from.
-pub const CUBE: [DVec3; 6] =
-    [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z];
+pub const CUBE: [DVec3; 6] = [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z];
 
 /// The first point of a ray on the spheres.
 pub fn first_on_spheres(ray: &Ray) -> Option<f64> {

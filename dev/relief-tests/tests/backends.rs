@@ -105,7 +105,7 @@ fn every_method_gives_the_same_picture_on_both_backends() {
         return;
     }
     for file in SCENES {
-        for method in METHODS {
+        for method in METHODS.iter().filter(|method| method.is_of_reliefs()) {
             let cpu = picture(file, method.name, BackendChoice::Cpu);
             let gpu = picture(file, method.name, BackendChoice::Gpu);
             assert_eq!((cpu.made.backend, gpu.made.backend), ("cpu", "gpu"));

@@ -67,8 +67,7 @@ fn beside_truth(pixels: &[PixelOut], eye: DVec3) -> (f64, f64) {
     (f64::from(both) / either as f64, off / f64::from(both))
 }
 
-const EYES: [DVec3; 3] =
-    [DVec3::new(1.0, 0.8, 3.0), DVec3::new(-2.6, 1.1, 1.3), DVec3::new(0.3, -3.0, 1.2)];
+const EYES: [DVec3; 3] = [DVec3::new(1.0, 0.8, 3.0), DVec3::new(-2.6, 1.1, 1.3), DVec3::new(0.3, -3.0, 1.2)];
 
 #[test]
 fn finer_images_come_nearer_to_what_they_were_made_of() {
@@ -101,7 +100,8 @@ fn both_backends_show_the_same_object() {
             [BackendChoice::Cpu, BackendChoice::Gpu].map(|backend| pixels(48, settings, *eye, backend));
         let covered = cpu.iter().zip(&gpu).filter(|(a, b)| a.hit == 1 || b.hit == 1);
         let alike = covered.clone().filter(|(a, b)| {
-            let apart = [a.position.x - b.position.x, a.position.y - b.position.y, a.position.z - b.position.z];
+            let apart =
+                [a.position.x - b.position.x, a.position.y - b.position.y, a.position.z - b.position.z];
             a.hit == b.hit && apart.iter().all(|part| part.abs() <= 1e-4)
         });
         let share = alike.count() as f64 / covered.clone().count() as f64;

@@ -1,6 +1,7 @@
 //! Everything runs within the limits that small devices have, on a device that the caller has opened.
 
 use relief_core::Wrap;
+use relief_core::object::JumpCells;
 use relief_maps::Maps;
 use relief_render::Renderer;
 use relief_render::gpu::{Gpu, block_on};
@@ -11,6 +12,7 @@ use relief_shaders::wgsl::Sampling;
 use relief_shaders::{METHODS, SLICES, Selection, ambient, detail, shadow, surface};
 use relief_tests::adapter::has_adapter;
 use relief_tests::maps;
+use relief_tests::spheres::{CUBE, object_of_spheres};
 
 /// A device of exactly those limits, and no feature.
 fn opened(limits: Limits) -> Option<Gpu> {
@@ -72,7 +74,14 @@ fn runs_within(limits: Limits, in_all: bool) {
         let is_its_turn = |number: usize| in_all || number % Sampling::ALL.len() == turn;
         for (_, selection) in selections().into_iter().enumerate().filter(|(number, _)| is_its_turn(*number))
         {
-            let surface = Surface::new(torus(32, 16).expect("a mesh"), map.clone()).with_selection(selection);
+            let surface = match selection.object_cells() {
+                None => Surface::new(torus(32, 16).expect("a mesh"), map.clone()),
+                Some(_) => {
+                    let object = object_of_spheres(&CUBE, 32, JumpCells::Highest);
+                    Surface::of_object(object).expect("something to see")
+                }
+            };
+            let surface = surface.with_selection(selection);
             let scene = Scene::builder(surface).size(90, 70).samples(1).build().expect("a proper scene");
             let picture = renderer.render(&scene, &mut kept, &|_, _| ()).expect("a picture").rendering;
             let covered = picture.pixels.iter().filter(|pixel| pixel.hit == 1).count();

@@ -24,7 +24,8 @@ const IN_LEVELS: [&str; 4] = ["exact", "cone", "frustum", "relief"];
 
 /// The hash of every channel, by scene and method: the colours' first.
 pub fn all() -> BTreeMap<String, String> {
-    let scenes = SCENES.iter().flat_map(|scene| METHODS.iter().map(move |method| (*scene, method.name)));
+    let methods = || METHODS.iter().filter(|method| method.is_of_reliefs());
+    let scenes = SCENES.iter().flat_map(|scene| methods().map(move |method| (*scene, method.name)));
     let finest =
         scenes.map(|(scene, method)| (format!("{scene} {method}"), hashes(scene, method, "none", SIZE)));
     let scenes = SCENES.iter().flat_map(|scene| IN_LEVELS.iter().map(move |method| (*scene, *method)));
