@@ -130,7 +130,9 @@ fn extent(surfaces: &[Surface], measure: impl Fn(DVec3) -> f64) -> [f64; 2] {
     let nothing = [f64::INFINITY, f64::NEG_INFINITY];
     let points = surfaces.iter().flat_map(|surface| {
         let map = surface.height_map();
-        let heights = [map.bias_m(), map.bias_m() + map.scale_m()];
+        // The box of an object holds all of it.
+        let depth_m = if surface.object().is_some() { 0.0 } else { map.scale_m() };
+        let heights = [map.bias_m(), map.bias_m() + depth_m];
         surface.mesh().vertices().iter().flat_map(move |vertex| {
             heights.map(|height_m| vertex.position.as_dvec3() + vertex.normal.as_dvec3() * height_m)
         })
