@@ -36,7 +36,6 @@ mod page;
 pub mod picture;
 pub mod rays;
 mod record;
-pub mod rng;
 mod run;
 mod spread;
 
@@ -54,4 +53,5 @@ pub use record::{
     About, CostRecord, ErrorRecord, LeftOut, MachineRecord, MethodRecord, PictureRecord, RayRecord, Records,
     TimeRecord,
 };
+pub use relief_core::rng;
 pub use run::{Compared, Reference, Renderers, Shown};

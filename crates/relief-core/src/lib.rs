@@ -26,9 +26,11 @@ mod path;
 mod pyramid;
 pub mod raycast;
 pub mod registry;
+pub mod rng;
 mod slice_axis;
 mod tangent_frame;
 mod texel_mask;
+mod watch;
 mod wrap;
 
 pub use baked_map::{
@@ -50,4 +52,5 @@ pub use pyramid::{MaxPyramid, MinPyramid};
 pub use slice_axis::SliceAxis;
 pub use tangent_frame::{TangentFrame, TangentFrameError};
 pub use texel_mask::TexelMask;
+pub use watch::Watch;
 pub use wrap::Wrap;

@@ -50,7 +50,6 @@ mod stream;
 mod surface;
 mod triangles;
 mod view;
-mod watch;
 
 pub use cache_order::cache_misses;
 pub use certificate::Certificate;
@@ -62,9 +61,9 @@ pub use error::{MesherError, StreamError};
 pub use folds::{FoldedBase, Folds};
 pub use interior::{INTERIORS, Interior, check_pair, interior};
 pub use mesher::Mesher;
+pub use relief_core::Watch;
 pub use settings::{MeshSettings, Part};
 pub use slices::{SliceAnchor, SliceBlock, SliceDirection, SliceError, SliceSettings, SliceVertex, Slicer};
 pub use stream::{Bounds, Rounded, Stream, Streamed};
 pub use triangles::{BaseTables, TableEdge, TablePatch, TableVertex};
 pub use view::{GridSpace, View};
-pub use watch::Watch;

@@ -1,11 +1,18 @@
-//! Image-based depth objects (Kautz and Seidel 2001): from and to files.
+//! Image-based depth objects (Kautz and Seidel 2001): from and to files, and captured from meshes.
 //!
 //! The object itself is [`ImageObject`](relief_core::object::ImageObject). [`read_object`] makes one of a
-//! folder with an `object.toml` and an atlas of depths.
+//! folder with an `object.toml` and an atlas of depths; [`Capturer`] makes images with depth of a mesh.
 
+mod arrangement;
+mod capture;
 mod file;
 mod view_spec;
 
+pub use arrangement::{Arrangement, MAX_GRID};
+pub use capture::{
+    CaptureError, CaptureSettings, Captured, CapturedImage, Capturer, Cover, MAX_IMAGE_SIDE, MIN_IMAGE_SIDE,
+};
 pub use file::{DEFAULT_JUMP_TEXELS, ViewEntry, read_description, read_object, read_views};
 pub use file::{Description, Measured, ObjectFile, ObjectFileError, ObjectFileProblem, ObjectOptions};
+pub use file::{OBJECT_FILE, ObjectWriter, WriteObjectError};
 pub use view_spec::{ViewKind, ViewSpec};

@@ -2,6 +2,7 @@
 
 mod description;
 mod error;
+mod write;
 
 use std::path::Path;
 
@@ -15,6 +16,7 @@ use relief_io::{
 
 pub use self::description::{Description, ViewEntry, read_description, read_views};
 pub use self::error::{ObjectFileError, ObjectFileProblem};
+pub use self::write::{OBJECT_FILE, ObjectWriter, WriteObjectError, check_sheet};
 
 /// How to read an object.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,0 +1,65 @@
+//! Why a mesh cannot be captured.
+
+use relief_core::HeightMapError;
+use relief_core::object::{MAX_VIEWS, ObjectError, ViewError};
+
+use super::{MAX_IMAGE_SIDE, MIN_IMAGE_SIDE};
+use crate::arrangement::MAX_GRID;
+
+/// Why a mesh cannot be captured.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum CaptureError {
+    /// Images are too small or too large.
+    #[error("images of {0} texels a side: from {MIN_IMAGE_SIDE} to {MAX_IMAGE_SIDE} are possible")]
+    BadSize(u32),
+    /// There are no views, or too many.
+    #[error("{0} views: an object has 1 to {MAX_VIEWS}")]
+    BadCount(usize),
+    /// A grid is too small or too large.
+    #[error("a grid of {0} frames a side: from 2 to {MAX_GRID} are possible")]
+    BadGrid(u32),
+    /// Depths are stored in 8, 16 or 32 bits.
+    #[error("depths of {0} bits: 8, 16 and 32 are possible")]
+    BadBits(u32),
+    /// A field of view is given for views that have their own.
+    #[error("the views are perspective and have fields of view of their own")]
+    OwnFov,
+    /// A view cannot be.
+    #[error("view {number}: {problem}")]
+    View {
+        /// The view, counted from 1.
+        number: usize,
+        /// Why.
+        problem: ViewError,
+    },
+    /// A view does not show all of the mesh.
+    #[error("view {number} does not show all of the mesh: what an image does not see is not there")]
+    CutOff {
+        /// The view, counted from 1.
+        number: usize,
+    },
+    /// The images are too large.
+    #[error(transparent)]
+    Size(#[from] HeightMapError),
+    /// The capture takes more memory than allowed.
+    #[error(
+        "{views} images of {size}x{size} and the mesh take {} MiB of memory, {} MiB are allowed",
+        needed.div_ceil(1 << 20), limit >> 20
+    )]
+    TooMuchMemory {
+        /// How many images.
+        views: usize,
+        /// Texels of a side.
+        size: u32,
+        /// Bytes that are needed.
+        needed: u64,
+        /// Bytes that are allowed.
+        limit: u64,
+    },
+    /// What was captured is no object.
+    #[error(transparent)]
+    Object(#[from] ObjectError),
+    /// The capture was cancelled.
+    #[error("the capture was cancelled")]
+    Cancelled,
+}
