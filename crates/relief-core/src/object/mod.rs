@@ -2,18 +2,24 @@
 //!
 //! Kautz and Seidel 2001, section 4: each image says of what it looks at that everything behind what it sees,
 //! down to its base plane, may be solid. An object is what all of its images say so of.
+//!
+//! [`ImageObject::first_hit`] asks the images in turn where a ray is next in their solids.
 
 mod atlas;
+mod cell;
 mod cells;
+mod rounds;
 mod view;
 
 pub use atlas::AtlasLayout;
+pub use cell::{AGREEMENT, MAX_DISTANCE};
+pub use rounds::ObjectHit;
 pub use view::{View, ViewError, ViewRay};
 
 use glam::DVec3;
 
 use crate::mesh::{MeshError, Placement};
-use crate::{HeightMap, HeightMapError, Wrap};
+use crate::{HeightMap, HeightMapError, MaxPyramid, Wrap};
 
 /// The most images of an object.
 pub const MAX_VIEWS: usize = 1024;
@@ -27,7 +33,7 @@ pub const EMPTY_HEIGHT: f64 = 1e-5;
 pub enum JumpCells {
     /// As everywhere: bilinear.
     Bilinear,
-    /// At each place as high as the nearest of the four.
+    /// At each place as high as the nearest of the four; halfway between them, as that further right or down.
     Step,
     /// Everywhere as high as the highest of them.
     #[default]
@@ -40,13 +46,16 @@ pub enum JumpCells {
 ///
 /// An image's solid is what it sees at a height above [`EMPTY_HEIGHT`] and at most its map's: texels of 0 see
 /// nothing, and beside the image there are only such texels. Between the centres of four texels the map is
-/// bilinear, but for [`JumpCells`] where they differ by more than the jump. The object is the intersection of
-/// the solids.
+/// bilinear, but for [`JumpCells`] where they differ by more than the jump. So it reaches beside the image by
+/// half a texel, and what cells are that meet there may differ: between them are walls. The object is the
+/// intersection of the solids.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImageObject {
     views: Vec<View>,
     layout: AtlasLayout,
     heights: HeightMap,
+    /// The highest of many cells at once.
+    pyramid: MaxPyramid,
     cells: JumpCells,
     jump: f64,
 }
@@ -116,7 +125,8 @@ impl ImageObject {
         let [width, height] = layout.size();
         let texels = layout.pack(maps.iter().map(HeightMap::texels), 0.0);
         let heights = HeightMap::new(width, height, texels, Wrap::Clamp)?;
-        Ok(Self { views, layout, heights, cells, jump: 0.0 }.with_jump(jump_texels))
+        let pyramid = MaxPyramid::new(&heights);
+        Ok(Self { views, layout, heights, pyramid, cells, jump: 0.0 }.with_jump(jump_texels))
     }
 
     /// The same object with cells of another kind, which jump where they differ by more than so many texels.

@@ -1,6 +1,8 @@
 use glam::DVec3;
 
 use super::{AtlasLayout, ImageObject, JumpCells, ObjectError, View};
+use crate::mesh::Placement;
+use crate::raycast::Ray;
 use crate::{HeightMap, Wrap};
 
 fn cube_of(maps: &[HeightMap]) -> Result<ImageObject, ObjectError> {
@@ -60,4 +62,79 @@ fn maps_that_do_not_fit_are_refused() {
     let many = vec![view([4, 4]); 1025];
     assert_eq!(object(many, &vec![map; 1025], 4.0), Some(ObjectError::BadCount(1025)));
     assert!(AtlasLayout::new(vec![[4, 4]; 1024]).is_ok());
+}
+
+fn block() -> ImageObject {
+    // The middle half of each image is seen at three quarters of the way: a cube of 2 m, whose sides are walls
+    // of cells.
+    let map = HeightMap::from_fn(40, 40, Wrap::Clamp, |x, y| {
+        let inside = |at: u32| (10..30).contains(&at);
+        if inside(x) && inside(y) { 0.75 } else { 0.0 }
+    })
+    .expect("a map");
+    cube_of(&vec![map; 6]).expect("an object").with_cells(JumpCells::Nearest, 4.0).expect("a jump")
+}
+
+#[test]
+fn a_block_is_hit_on_its_faces() {
+    let object = block();
+    for (number, axis) in [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y].into_iter().enumerate() {
+        let aside = DVec3::new(0.31, 0.47, -0.22);
+        let origin = axis * 5.0 + (aside - axis * aside.dot(axis));
+        let ray = Ray { origin, direction: axis * -2.0 };
+        let hit = object.first_hit(&ray).expect("it is on the way");
+        assert!((hit.t - 2.0).abs() < 1e-12, "{hit:?}");
+        assert!((object.views()[hit.view].point(hit.at) - ray.at(hit.t)).length() < 1e-12);
+        assert!(hit.reads > 0 && (hit.view == number || hit.at.z < 0.75), "{hit:?}");
+        assert_eq!(object.first_hit(&Ray { direction: axis, ..ray }), None);
+        let inside = Ray { origin: aside, direction: axis };
+        assert_eq!(object.first_hit(&inside).map(|hit| hit.t), Some(0.0));
+    }
+    assert!(object.contains(DVec3::splat(0.99)) && !object.contains(DVec3::splat(1.01)));
+    assert_eq!(object.height_at(0, 0.5, 0.5), Some(0.75));
+    assert_eq!(object.height_at(6, 0.5, 0.5), None);
+}
+
+#[test]
+fn sheets_that_two_images_see_from_both_sides_are_hit() {
+    // Their heights add up to 1, exactly, and yet where a ray meets them differs by roundings.
+    for height in [0.5_f32, 0.6, 0.7, 0.9] {
+        let map = |height| HeightMap::new(8, 8, vec![height; 64], Wrap::Clamp).expect("a map");
+        let sheet = cube_of(&[map(height), map(1.0 - height)]).expect("an object");
+        let placement = Placement {
+            position_m: DVec3::new(0.3, -0.1, 0.7),
+            rotation_degrees: DVec3::new(13.0, 77.0, -31.0),
+            size: 0.7,
+        };
+        let turn = placement.turn().expect("a placement");
+        let views = sheet.views().iter().map(|view| view.placed(&placement).expect("a placement")).collect();
+        let maps = [map(height), map(1.0 - height)];
+        let object = ImageObject::new(views, &maps, JumpCells::Bilinear, 4.0).expect("an object");
+        for step in 0..100 {
+            let aside = f64::from(step) * 0.017;
+            for side in [3.0, -3.0] {
+                let (origin, to) = (DVec3::new(side, 0.1, 0.2), DVec3::new(0.0, aside - 0.8, aside * 0.3));
+                let place = |point: DVec3| turn * point * placement.size + placement.position_m;
+                let ray = Ray { origin: place(origin), direction: place(to) - place(origin) };
+                assert!(object.first_hit(&ray).is_some(), "{height}: {ray:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn rays_that_are_none_miss() {
+    let object = block();
+    let ray = Ray { origin: DVec3::new(5.0, 0.0, 0.0), direction: DVec3::NEG_X };
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, 1e12] {
+        let origin = DVec3::new(bad, 0.0, 0.0);
+        assert_eq!(object.first_hit(&Ray { origin, ..ray }), None);
+    }
+    for bad in [0.0, f64::NAN, f64::INFINITY, 1e-300, 1e300] {
+        assert_eq!(object.first_hit(&Ray { direction: DVec3::NEG_X * bad, ..ray }), None);
+    }
+    for small in [1e-80, 1e80] {
+        let hit = object.first_hit(&Ray { direction: DVec3::NEG_X * small, ..ray }).expect("a hit");
+        assert!((hit.t * small - 4.0).abs() < 1e-12);
+    }
 }

@@ -1,0 +1,112 @@
+//! The images' maps: what they are between the centres of four texels.
+
+use glam::DVec3;
+
+use super::{EMPTY_HEIGHT, ImageObject, JumpCells};
+use crate::raycast::Ray;
+
+/// How far, as a part of the way to them, solids count as reaching on along a ray: two images may see the same
+/// thin sheet from both sides, and what they say of it differs by roundings. Thousands of those of `f64`, and
+/// far less than a texel.
+pub const AGREEMENT: f64 = 1e-12;
+
+/// How many radii of the ball that an image shows a ray may begin away from it. There `f64` still resolves a
+/// thousandth of the texels of the largest images.
+pub const MAX_DISTANCE: f64 = 1e7;
+
+/// How many metres the direction of a ray may be long, and how many parts of one it must have: squares and
+/// products of such numbers are finite and not 0.
+const LENGTHS: [f64; 2] = [1e-90, 1e90];
+
+/// What of the images counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Solid {
+    /// Heights.
+    Depth,
+    /// Only whether there is something.
+    Silhouette,
+}
+
+/// A map between the centres of the texels `[00, 10, 01, 11]`: over a dual cell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Patch {
+    /// Bilinear.
+    Bilinear([f64; 4]),
+    /// Each quarter as high as its texel.
+    Quarters([f64; 4]),
+    /// Level.
+    Flat(f64),
+}
+
+impl Patch {
+    /// The height at a place in the cell, which goes from 0 to 1 on both axes.
+    fn at(&self, [u, v]: [f64; 2]) -> f64 {
+        match *self {
+            Self::Bilinear([h00, h10, h01, h11]) => {
+                (1.0 - v) * ((1.0 - u) * h00 + u * h10) + v * ((1.0 - u) * h01 + u * h11)
+            }
+            Self::Quarters(corners) => corners[usize::from(u >= 0.5) + 2 * usize::from(v >= 0.5)],
+            Self::Flat(height) => height,
+        }
+    }
+}
+
+impl ImageObject {
+    /// The map of an image over dual cell `(i, j)`, which lies between the texels `(i, j)` and `(i + 1, j + 1)`
+    /// and is one of `-1..columns`, `-1..rows`.
+    #[inline]
+    pub(super) fn patch(&self, number: usize, cell: [i64; 2], solid: Solid) -> Patch {
+        let place = self.layout.places()[number];
+        let [x, y] = [0, 1].map(|axis| (i64::from(place[axis]) + cell[axis]) as usize);
+        let (width, texels) = (self.heights.width() as usize, self.heights.texels());
+        let first = y * width + x;
+        let corners = [first, first + 1, first + width, first + width + 1].map(|at| f64::from(texels[at]));
+        if solid == Solid::Silhouette {
+            return Patch::Bilinear(corners.map(|height| f64::from(u8::from(height > 0.0))));
+        }
+        if self.cells == JumpCells::Nearest {
+            return Patch::Quarters(corners);
+        }
+        let [a, b, c, d] = corners;
+        let highest = a.max(b).max(c.max(d));
+        let jumps = highest - a.min(b).min(c.min(d)) > self.jump;
+        match self.cells {
+            JumpCells::Step if jumps => Patch::Quarters(corners),
+            JumpCells::Highest if jumps => Patch::Flat(highest),
+            _ => Patch::Bilinear(corners),
+        }
+    }
+
+    /// The map of an image, counted from 0, at texture coordinates; 0 beside the cells that reach into the
+    /// image. A place between two cells, or two quarters of one, is of that with the greater coordinates.
+    /// None where there is no such image.
+    pub fn height_at(&self, number: usize, u: f64, v: f64) -> Option<f64> {
+        let size = self.views.get(number)?.size().map(f64::from);
+        let place = [u * size[0] - 0.5, v * size[1] - 0.5];
+        if !(0..2).all(|axis| (-1.0..size[axis]).contains(&place[axis])) {
+            return Some(0.0);
+        }
+        let cell = place.map(f64::floor);
+        let patch = self.patch(number, cell.map(|at| at as i64), Solid::Depth);
+        Some(patch.at([place[0] - cell[0], place[1] - cell[1]]))
+    }
+
+    /// Whether a point is in the object.
+    pub fn contains(&self, point: DVec3) -> bool {
+        self.views.iter().enumerate().all(|(number, view)| {
+            let seen = view.see(point).filter(|at| at.z > EMPTY_HEIGHT);
+            seen.is_some_and(|at| self.height_at(number, at.x, at.y).is_some_and(|height| at.z <= height))
+        })
+    }
+
+    /// How far, in the ray's parameter, an image's solid counts as reaching on; none for a ray that is not
+    /// followed: see [`first_hit`](Self::first_hit).
+    pub(super) fn slack(&self, number: usize, ray: &Ray) -> Option<f64> {
+        let (centre, radius) = self.views[number].ball();
+        let length = ray.direction.length();
+        let is_near = (ray.origin - centre).length() <= MAX_DISTANCE * radius;
+        let is_direction = (LENGTHS[0]..=LENGTHS[1]).contains(&length);
+        (is_near && is_direction)
+            .then(|| AGREEMENT * ((ray.origin.length() + centre.length() + radius) / length))
+    }
+}

@@ -1,0 +1,365 @@
+//! The truth: the images are asked in turn where the ray is next in their solids, until none moves it.
+//!
+//! Each image is walked cell by cell (2-D DDA, Amanatides and Woo 1987, with crossings computed from the
+//! cell's number) and cells are solved in closed form. Cells that the ray passes above are skipped by the
+//! object's pyramid of maxima, several at once.
+
+use glam::DVec3;
+
+use super::cell::{Patch, Solid};
+use super::{EMPTY_HEIGHT, ImageObject, ViewRay};
+use crate::raycast::Ray;
+
+/// Where a ray meets an object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ObjectHit {
+    /// The parameter, in units of the ray's direction.
+    pub t: f64,
+    /// The image whose solid the ray enters there, counted from 0: one of them where it enters several, 0 where
+    /// it begins inside of all.
+    pub view: usize,
+    /// Texture coordinates and height in that image. The height is the ray's: below the map on the walls
+    /// between cells of different heights, and where the ray begins inside.
+    pub at: DVec3,
+    /// Cells and nodes of the pyramid that were read.
+    pub reads: u32,
+}
+
+impl ImageObject {
+    /// The first point of the object on a ray, from its parameter 0 on, in `f64`: 0 where it begins inside.
+    ///
+    /// An image's solid counts as reaching on along the ray by [`AGREEMENT`](super::AGREEMENT) of the
+    /// lengths that rounding goes by: those from the world's origin to the ray's and the image's, and the
+    /// image's radius. So thin sheets that images see from both sides are hit.
+    ///
+    /// A ray misses that is not finite, has a direction that is shorter than 1e-90 m or longer than 1e90 m, or
+    /// begins more than [`MAX_DISTANCE`](super::MAX_DISTANCE) radii away from what an image shows.
+    ///
+    /// Costs at most a step for each cell on the ray in each image: no image is walked twice.
+    pub fn first_hit(&self, ray: &Ray) -> Option<ObjectHit> {
+        self.enter(ray, Solid::Depth, 0..self.views.len())
+    }
+
+    /// Where a ray is first in the solids of some images, of which there is at least one.
+    pub(super) fn enter(
+        &self,
+        ray: &Ray,
+        solid: Solid,
+        numbers: impl Iterator<Item = usize>,
+    ) -> Option<ObjectHit> {
+        let mut walks = Vec::new();
+        let (mut t, mut entered, mut end) = (0.0, 0, f64::INFINITY);
+        for number in numbers {
+            let walk = Walk::new(self, number, ray, solid)?;
+            let [from, to] = walk.range.map(|s| walk.seen.on_ray(s));
+            if from > t {
+                (t, entered) = (from, walks.len());
+            }
+            end = end.min(to + walk.slack);
+            walks.push(walk);
+        }
+        // An image that moves the ray does so to where a piece of its solid begins, and comes to each once:
+        // this ends.
+        let (mut agreed, mut turn) = (0, 0);
+        while agreed < walks.len() {
+            if t > end {
+                return None;
+            }
+            let entry = walks[turn].entry(t)?;
+            if entry > t {
+                (t, entered, agreed) = (entry, turn, 0);
+            }
+            agreed += 1;
+            turn = if turn + 1 == walks.len() { 0 } else { turn + 1 };
+        }
+        let walk = walks.get(entered)?;
+        let reads = walks.iter().map(|walk| walk.reads).sum();
+        Some(ObjectHit { t, view: walk.number, at: walk.seen.at(walk.seen.of_ray(t)), reads })
+    }
+}
+
+/// A walk through the cells of one image, forward only.
+struct Walk<'a> {
+    object: &'a ImageObject,
+    number: usize,
+    solid: Solid,
+    seen: ViewRay,
+    /// The place in cells at `s = 0`, and its change.
+    start: [f64; 2],
+    speed: [f64; 2],
+    /// What is compared with the map: the height and its change.
+    lift: [f64; 2],
+    /// Where the ray is in the image's space.
+    range: [f64; 2],
+    size: [i64; 2],
+    place: [i64; 2],
+    /// The cell that the walk is in, and where the ray is in it.
+    cell: [i64; 2],
+    from: f64,
+    to: f64,
+    /// The level of the pyramid that is asked next.
+    level: usize,
+    /// Where the ray is in the cell's solid, in its own parameter, and which of these was not yet passed.
+    pieces: [[f64; 2]; 3],
+    count: usize,
+    next: usize,
+    slack: f64,
+    reads: u32,
+}
+
+impl<'a> Walk<'a> {
+    /// A walk; none where the ray does not come into the image's space.
+    fn new(object: &'a ImageObject, number: usize, ray: &Ray, solid: Solid) -> Option<Self> {
+        let slack = object.slack(number, ray)?;
+        let view = &object.views[number];
+        let seen = view.ray_in_view(ray, 0.0)?;
+        let size = view.size().map(f64::from);
+        let start = [seen.origin.x * size[0] - 0.5, seen.origin.y * size[1] - 0.5];
+        let speed = [seen.change.x * size[0], seen.change.y * size[1]];
+        let mut range = [0.0, seen.of_ray(seen.range[1])];
+        if range[1].is_nan() {
+            range[1] = f64::INFINITY;
+        }
+        for axis in 0..2 {
+            clip(&mut range, start[axis], speed[axis], [-1.0, size[axis]])?;
+        }
+        let [lowest, highest] = match solid {
+            Solid::Depth => [EMPTY_HEIGHT, f64::from(object.pyramid.highest())],
+            Solid::Silhouette => [0.0, 1.0],
+        };
+        if lowest >= highest {
+            return None;
+        }
+        clip(&mut range, -seen.origin.z, -seen.change.z, [-highest, -lowest])?;
+        let lift = match solid {
+            Solid::Depth => [seen.origin.z, seen.change.z],
+            Solid::Silhouette => [0.5, 0.0],
+        };
+        let mut walk = Self {
+            object,
+            number,
+            solid,
+            seen,
+            start,
+            speed,
+            lift,
+            range,
+            size: view.size().map(i64::from),
+            place: object.layout.places()[number].map(i64::from),
+            cell: [0; 2],
+            from: range[0],
+            to: range[0],
+            level: object.pyramid.levels() / 2,
+            pieces: [[0.0; 2]; 3],
+            count: 0,
+            next: 0,
+            slack,
+            reads: 0,
+        };
+        walk.cell = [0, 1].map(|axis| walk.cell_at(axis, range[0], [-1, walk.size[axis] - 1]));
+        Some(walk)
+    }
+
+    /// The column (axis 0) or row (axis 1) of cells at `s`, as far as it is one of some.
+    fn cell_at(&self, axis: usize, s: f64, [first, last]: [i64; 2]) -> i64 {
+        ((self.start[axis] + self.speed[axis] * s).floor() as i64).clamp(first, last)
+    }
+
+    /// The first parameter from `t` on at which the ray is in the solid; none where there is none.
+    fn entry(&mut self, t: f64) -> Option<f64> {
+        loop {
+            while self.next < self.count {
+                let [from, to] = self.pieces[self.next];
+                if to + self.slack >= t {
+                    return Some(from.max(t));
+                }
+                self.next += 1;
+            }
+            if !self.advance(t) {
+                return None;
+            }
+        }
+    }
+
+    /// Goes on to the next cell in which the ray may be in the solid at `t` or later; false at the end.
+    fn advance(&mut self, t: f64) -> bool {
+        let wanted = self.seen.of_ray(t - self.slack).min(self.range[1]);
+        if wanted > self.to {
+            self.from = wanted;
+            self.cell = [0, 1].map(|axis| self.cell_at(axis, wanted, [-1, self.size[axis] - 1]));
+        }
+        while self.from < self.range[1] && (0..2).all(|axis| (-1..self.size[axis]).contains(&self.cell[axis]))
+        {
+            let node = [0, 1].map(|axis| (self.place[axis] + self.cell[axis]) >> self.level);
+            let lines = [0, 1].map(|axis| {
+                let first = (node[axis] << self.level) - self.place[axis];
+                [first, first + (1 << self.level)]
+            });
+            let leaves = [0, 1].map(|axis| self.crossing(axis, lines[axis]));
+            let leave = leaves[0].min(leaves[1]).min(self.range[1]).max(self.from);
+            let lowest = self.lift_at(self.from).min(self.lift_at(leave));
+            let above = self.is_above(node, lowest);
+            if !above && self.level > 0 {
+                self.level -= 1;
+                continue;
+            }
+            let (cell, from) = (self.cell, self.from);
+            let axis = usize::from(leaves[1] < leaves[0]);
+            self.cell[axis] =
+                lines[axis][usize::from(self.speed[axis] > 0.0)] - i64::from(self.speed[axis] <= 0.0);
+            let other = 1 - axis;
+            self.cell[other] = self.cell_at(other, leave, [lines[other][0], lines[other][1] - 1]);
+            (self.from, self.to) = (leave, leave);
+            if above {
+                self.level = (self.level + 1).min(self.object.pyramid.levels() - 1);
+            } else if self.solve(cell, from, leave) {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Where the ray leaves what lies between two lines.
+    fn crossing(&self, axis: usize, lines: [i64; 2]) -> f64 {
+        let speed = self.speed[axis];
+        if speed == 0.0 {
+            return f64::INFINITY;
+        }
+        (lines[usize::from(speed > 0.0)] as f64 - self.start[axis]) / speed
+    }
+
+    fn lift_at(&self, s: f64) -> f64 {
+        self.lift[0] + self.lift[1] * s
+    }
+
+    /// Whether what is at least so high is above the map in all cells of a node.
+    fn is_above(&mut self, node: [i64; 2], lowest: f64) -> bool {
+        self.reads += 1;
+        let [width, _] = self.object.pyramid.size(self.level).unwrap_or_default();
+        let at = node[1] as usize * width as usize + node[0] as usize;
+        let highest = self.object.pyramid.nodes(self.level).get(at).copied().unwrap_or(1.0);
+        match self.solid {
+            Solid::Depth => lowest > f64::from(highest),
+            Solid::Silhouette => highest == 0.0,
+        }
+    }
+
+    /// Finds the pieces of the ray that are in a cell's solid; false when there are none.
+    fn solve(&mut self, cell: [i64; 2], from: f64, to: f64) -> bool {
+        (self.count, self.next) = (0, 0);
+        let length = to - from;
+        if length <= 0.0 {
+            return false;
+        }
+        self.reads += 1;
+        let place = [0, 1].map(|axis| self.start[axis] + self.speed[axis] * from - cell[axis] as f64);
+        let lift = [self.lift_at(from), self.lift[1]];
+        match self.object.patch(self.number, cell, self.solid) {
+            Patch::Flat(height) => self.keep(from, 0.0, length, [lift[0] - height, lift[1], 0.0]),
+            Patch::Bilinear([h00, h10, h01, h11]) => {
+                let (bx, by, d) = (h10 - h00, h01 - h00, (h00 - h10) + (h11 - h01));
+                let ([u, v], [du, dv]) = (place, self.speed);
+                let c0 = lift[0] - (h00 + bx * u + (by + d * u) * v);
+                let c1 = lift[1] - ((bx + d * v) * du + (by + d * u) * dv);
+                self.keep(from, 0.0, length, [c0, c1, -d * du * dv]);
+            }
+            Patch::Quarters(corners) => {
+                let mut cuts = [0, 1].map(|axis| {
+                    let cut = (0.5 - place[axis]) / self.speed[axis];
+                    if cut > 0.0 && cut < length { cut } else { length }
+                });
+                cuts.sort_by(f64::total_cmp);
+                let mut begin = 0.0;
+                for end in [cuts[0], cuts[1], length] {
+                    if begin < end {
+                        let middle = 0.5 * (begin + end);
+                        let [x, y] = [0, 1].map(|axis| place[axis] + self.speed[axis] * middle >= 0.5);
+                        let height = corners[usize::from(x) + 2 * usize::from(y)];
+                        self.keep(from, begin, end, [lift[0] - height, lift[1], 0.0]);
+                        begin = end;
+                    }
+                }
+            }
+        }
+        self.count > 0
+    }
+
+    /// Keeps the pieces of `[begin, end]`, counted from `from`, in which a quadratic is at most 0.
+    fn keep(&mut self, from: f64, begin: f64, end: f64, c: [f64; 3]) {
+        for [p, q] in not_above(c) {
+            let piece = [p.max(begin), q.min(end)];
+            if piece[0] <= piece[1] {
+                self.pieces[self.count] = piece.map(|tau| self.seen.on_ray(from + tau));
+                self.count += 1;
+            }
+        }
+    }
+}
+
+/// Takes from a range what is not between two values of `start + speed s`, the second excluded; none when
+/// nothing is left.
+fn clip(range: &mut [f64; 2], start: f64, speed: f64, [low, high]: [f64; 2]) -> Option<()> {
+    if speed == 0.0 {
+        return (low <= start && start < high).then_some(());
+    }
+    let [a, b] = [(low - start) / speed, (high - start) / speed];
+    *range = [range[0].max(a.min(b)), range[1].min(a.max(b))];
+    (range[0] <= range[1]).then_some(())
+}
+
+/// Where `c[0] + c[1] τ + c[2] τ²` is at most 0: up to two intervals, in ascending order; those that are not
+/// there end before they begin.
+fn not_above([c0, c1, c2]: [f64; 3]) -> [[f64; 2]; 2] {
+    const ALL: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+    const NONE: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
+    if c2 == 0.0 {
+        let root = -c0 / c1;
+        let only = match c1 {
+            _ if c1 > 0.0 => [ALL[0], root],
+            _ if c1 < 0.0 => [root, ALL[1]],
+            _ if c0 <= 0.0 => ALL,
+            _ => NONE,
+        };
+        return [only, NONE];
+    }
+    let discriminant = c1 * c1 - 4.0 * c0 * c2;
+    if discriminant < 0.0 {
+        return [if c2 < 0.0 { ALL } else { NONE }, NONE];
+    }
+    // The form of each root whose terms do not cancel.
+    let q = -0.5 * (c1 + discriminant.sqrt().copysign(c1));
+    let (a, b) = (q / c2, if q == 0.0 { 0.0 } else { c0 / q });
+    let [first, last] = [a.min(b), a.max(b)];
+    if c2 > 0.0 { [[first, last], NONE] } else { [[ALL[0], first], [last, ALL[1]]] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::not_above;
+
+    #[test]
+    fn quadratics_are_not_above_where_they_are_not() {
+        let quadratics = [
+            [2.0, -3.0, 1.0],
+            [-2.0, 3.0, -1.0],
+            [1.0, 0.0, 1.0],
+            [-1.0, 0.0, -1.0],
+            [1.0, 2.0, 0.0],
+            [1.0, -2.0, 0.0],
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [1.0, -2.0, 1.0],
+            [0.0, 0.0, 1.0],
+            [0.5, -1.0, 1e-14],
+        ];
+        for c in quadratics {
+            let pieces = not_above(c);
+            for step in -400..400 {
+                let tau = f64::from(step) / 100.0;
+                let value = c[0] + tau * (c[1] + tau * c[2]);
+                let inside = pieces.iter().any(|[from, to]| *from <= tau && tau <= *to);
+                assert!(inside == (value <= 0.0) || value.abs() < 1e-12, "{c:?} at {tau}: {pieces:?}");
+            }
+        }
+    }
+}
