@@ -9,7 +9,7 @@ use relief_core::object::JumpCells;
 use relief_io::Picture;
 use relief_maps::{Account, Maps, MapsError, Watch};
 use relief_shaders::cpu::{Frame, Light as ShaderLight, SurfaceSettings};
-use relief_shaders::object::ObjectCells;
+use relief_shaders::object::{MASK_CELLS, ObjectCells};
 use relief_shaders::surface::Shown;
 use relief_shaders::{MapNeed, MapSlot, SlotMaps};
 
@@ -84,7 +84,7 @@ impl Preparer {
             let color = surface.color().map(|picture| pictures.of(picture, levels, &self.pictures));
             let normal_map = match surface.normal_map() {
                 Some(normals) => Some(pictures.of_normals(normals, levels, &self.pictures)),
-                None if levels && surface.selection().paths().has_normals_of_relief() => {
+                None if levels && surface.selection().has_normals_of_relief() => {
                     pictures.derived(surface, &self.pictures)
                 }
                 None => None,
@@ -223,7 +223,7 @@ fn surface_settings(
     let (images, cells, jump) = images(surface);
     SurfaceSettings {
         images,
-        cells: cells as u32,
+        cells,
         jump,
         diffuse: four(material.diffuse()).into(),
         specular: four(material.specular()).into(),
@@ -248,13 +248,14 @@ fn surface_settings(
 
 /// How many images there are of what a surface shows, what their cells are, and by how much heights differ
 /// where they jump.
-fn images(surface: &Surface) -> (u32, JumpCells, f32) {
+fn images(surface: &Surface) -> (u32, u32, f32) {
     match (surface.object(), surface.selection().object_cells()) {
-        (Some(shown), Some(ObjectCells { cells, jump_texels })) => {
+        (Some(shown), Some(ObjectCells { cells, jump_texels, is_hull })) => {
             let object = shown.object();
+            let cells = if is_hull { MASK_CELLS } else { cells as u32 };
             (object.views().len() as u32, cells, object.jump_of(jump_texels.into()) as f32)
         }
-        _ => (0, JumpCells::Bilinear, 0.0),
+        _ => (0, JumpCells::Bilinear as u32, 0.0),
     }
 }
 

@@ -1190,7 +1190,11 @@ pub const CELLS_BILINEAR: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
 pub const CELLS_HIGHEST: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
+pub const CELLS_MASK: rt::Scalar<u32> = rt::Scalar(4u32);
+#[allow(non_upper_case_globals)]
 pub const CELLS_NEAREST: rt::Scalar<u32> = rt::Scalar(3u32);
+#[allow(non_upper_case_globals)]
+pub const CELLS_STEP: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
 pub const COARSEST: rt::Scalar<u32> = rt::Scalar(20u32);
 #[allow(non_upper_case_globals)]
@@ -1671,14 +1675,14 @@ impl<'g> Resources<'g> {
 
         let nowhere = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
         let _e6 = self.v_traced_scale_m();
-        let height_7 = at_2.of_surface.w();
-        let over = ((height_7 - rt::Scalar(1f32)) * _e6);
+        let height_8 = at_2.of_surface.w();
+        let over = ((height_8 - rt::Scalar(1f32)) * _e6);
         let _e12 = self.v_down_across(ray_7, over);
         let _e13 = self.v_down_along(ray_7, over);
         let _e15 = self.v_jumps_below(ray_7, over);
         let begin_2 = _e12.min(_e13).min(_e15);
         if rt::Scalar::into_branch_condition((!(!begin_2.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))))) {
-            if rt::Scalar::into_branch_condition(height_7.elementwise_ge(rt::Scalar(1f32))) {
+            if rt::Scalar::into_branch_condition(height_8.elementwise_ge(rt::Scalar(1f32))) {
                 local_3 = begin_2.elementwise_lt(rt::Scalar(0f32));
             } else {
                 local_3 = rt::Scalar(false);
@@ -1693,7 +1697,7 @@ impl<'g> Resources<'g> {
             return nowhere;
         }
         let enter_2 = begin_2.max(eye);
-        let floor = (height_7 * _e6);
+        let floor = (height_8 * _e6);
         let _e35 = self.v_down_across(ray_7, floor);
         let _e36 = self.v_down_along(ray_7, floor);
         let _e37 = self.v_jumps_below(ray_7, floor);
@@ -2533,8 +2537,8 @@ impl<'g> Resources<'g> {
         let third = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
         let volume = (second_1.cross(third).dot(normal_20) * rt::Scalar(way.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
-        let height_8 = (((offset - low_1) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        return <WayPoint>::new(<ShellPoint>::new(w_3, height_8), t_34, (place_19 - (along * t_34)).length(), volume);
+        let height_9 = (((offset - low_1) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        return <WayPoint>::new(<ShellPoint>::new(w_3, height_9), t_34, (place_19 - (along * t_34)).length(), volume);
     }
     pub(crate) fn before_turn(
         &self,
@@ -2766,8 +2770,8 @@ impl<'g> Resources<'g> {
         let apart = (_e19 * _e21).abs();
         let bend_3 = (rt::Scalar(2f32) * ((rt::Scalar(a_1.height) + rt::Scalar(b_1.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
         let slope_5 = ((rt::Scalar(b_1.height) - rt::Scalar(a_1.height)) - bend_3);
-        let height_9 = (rt::Scalar(a_1.height) + (part_1 * (slope_5 + (part_1 * bend_3))));
-        return apart.x().max(apart.y()).max(((rt::Scalar(at_10.height) - height_9).abs() / rt::Scalar(0.0625f32)));
+        let height_10 = (rt::Scalar(a_1.height) + (part_1 * (slope_5 + (part_1 * bend_3))));
+        return apart.x().max(apart.y()).max(((rt::Scalar(at_10.height) - height_10).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn beside_way(
         &self,
@@ -2795,8 +2799,8 @@ impl<'g> Resources<'g> {
         let _e31 = self.v_height_size(rt::Scalar(0u32));
         let apart_1 = (_e29 * _e31).abs();
         let slope_6 = ((rt::Scalar(b_2.point.height) - rt::Scalar(a_2.point.height)) - bend_1);
-        let height_10 = (rt::Scalar(a_2.point.height) + (part_8 * (slope_6 + (part_8 * bend_1))));
-        return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_11.point.height) - height_10).abs() / rt::Scalar(0.0625f32)));
+        let height_11 = (rt::Scalar(a_2.point.height) + (part_8 * (slope_6 + (part_8 * bend_1))));
+        return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_11.point.height) - height_11).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn between(&self, a_3: ShellPoint, b_3: ShellPoint) -> ShellPoint {
         rt::into(self.v_between(a_3, b_3))
@@ -2927,10 +2931,10 @@ impl<'g> Resources<'g> {
         let bx = (h_1.y() - h_1.x());
         let by_1 = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_117 = ((grid_1.origin - cell_2) + (grid_1.step * t_10));
+        let at_119 = ((grid_1.origin - cell_2) + (grid_1.step * t_10));
         let z = (path_6.h.x() + (t_10 * (path_6.h.y() + (t_10 * path_6.h.z()))));
         let dz = (path_6.h.y() + ((rt::Scalar(2f32) * t_10) * path_6.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_117.x())) + (by_1 * at_117.y())) + ((twist * at_117.x()) * at_117.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_117.x() * grid_1.step.y()) + (at_117.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_119.x())) + (by_1 * at_119.y())) + ((twist * at_119.x()) * at_119.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_119.x() * grid_1.step.y()) + (at_119.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn grid_cell(
         &self,
@@ -2963,30 +2967,35 @@ impl<'g> Resources<'g> {
             }
             return _e13;
         }
+        let _e36 = rt::Scalar(self.surface_settings.cells);
+        if rt::Scalar::into_branch_condition(_e36.elementwise_eq(CELLS_MASK)) {
+            let _e39 = self.v_height_cell(cell_3, level_10);
+            return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select(rt::Scalar(1f32), _e39.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select(rt::Scalar(1f32), _e39.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select(rt::Scalar(1f32), _e39.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select(rt::Scalar(1f32), _e39.w().elementwise_gt(rt::Scalar(0.00001f32))));
+        }
         let dual = <rt::Vec2<i32>>::from_scalars((cell_3.x() >> rt::Scalar(1u32)), (cell_3.y() >> rt::Scalar(1u32)));
-        let _e41 = self.v_height_cell(dual, level_10);
-        let most_4 = _e41.x().max(_e41.y()).max(_e41.z().max(_e41.w()));
-        let least_1 = _e41.x().min(_e41.y()).min(_e41.z().min(_e41.w()));
+        let _e72 = self.v_height_cell(dual, level_10);
+        let most_4 = _e72.x().max(_e72.y()).max(_e72.z().max(_e72.w()));
+        let least_1 = _e72.x().min(_e72.y()).min(_e72.z().min(_e72.w()));
         let right = ((cell_3.x() - dual.x()) - dual.x()).elementwise_eq(rt::Scalar(1i32));
         let lower = ((cell_3.y() - dual.y()) - dual.y()).elementwise_eq(rt::Scalar(1i32));
-        let _e72 = rt::Scalar(self.surface_settings.cells);
-        if rt::Scalar::into_branch_condition((!_e72.elementwise_eq(CELLS_NEAREST))) {
-            let _e81 = rt::Scalar(self.surface_settings.jump);
-            local_9 = (most_4 - least_1).elementwise_gt(_e81);
+        let _e103 = rt::Scalar(self.surface_settings.cells);
+        if rt::Scalar::into_branch_condition((!_e103.elementwise_eq(CELLS_NEAREST))) {
+            let _e112 = rt::Scalar(self.surface_settings.jump);
+            local_9 = (most_4 - least_1).elementwise_gt(_e112);
         } else {
             local_9 = rt::Scalar(true);
         }
-        let _e84 = local_9;
-        if rt::Scalar::into_branch_condition(_e84) {
-            let nearest_1 = _e41.x().select(_e41.y(), right).select(_e41.z().select(_e41.w(), right), lower);
+        let _e115 = local_9;
+        if rt::Scalar::into_branch_condition(_e115) {
+            let nearest_1 = _e72.x().select(_e72.y(), right).select(_e72.z().select(_e72.w(), right), lower);
             return <rt::Vec4<f32>>::from_scalars(nearest_1, nearest_1, nearest_1, nearest_1);
         }
-        let top_3 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.y()));
-        let bottom_2 = (rt::Scalar(0.5f32) * (_e41.z() + _e41.w()));
-        let left_1 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.z()));
-        let side_4 = (rt::Scalar(0.5f32) * (_e41.y() + _e41.w()));
+        let top_3 = (rt::Scalar(0.5f32) * (_e72.x() + _e72.y()));
+        let bottom_2 = (rt::Scalar(0.5f32) * (_e72.z() + _e72.w()));
+        let left_1 = (rt::Scalar(0.5f32) * (_e72.x() + _e72.z()));
+        let side_4 = (rt::Scalar(0.5f32) * (_e72.y() + _e72.w()));
         let middle_10 = (rt::Scalar(0.5f32) * (top_3 + bottom_2));
-        return <rt::Vec4<f32>>::from_scalars(_e41.x().select(top_3, right).select(left_1.select(middle_10, right), lower), top_3.select(_e41.y(), right).select(middle_10.select(side_4, right), lower), left_1.select(middle_10, right).select(_e41.z().select(bottom_2, right), lower), middle_10.select(side_4, right).select(bottom_2.select(_e41.w(), right), lower));
+        return <rt::Vec4<f32>>::from_scalars(_e72.x().select(top_3, right).select(left_1.select(middle_10, right), lower), top_3.select(_e72.y(), right).select(middle_10.select(side_4, right), lower), left_1.select(middle_10, right).select(_e72.z().select(bottom_2, right), lower), middle_10.select(side_4, right).select(bottom_2.select(_e72.w(), right), lower));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -3075,15 +3084,14 @@ impl<'g> Resources<'g> {
     fn v_cell_parts(&self) -> rt::Scalar<i32> {
         let mut local_10: rt::Scalar<bool>;
 
-        let _e2 = rt::Scalar(self.surface_settings.cells);
-        if rt::Scalar::into_branch_condition((!_e2.elementwise_eq(CELLS_BILINEAR))) {
-            let _e10 = rt::Scalar(self.surface_settings.cells);
-            local_10 = _e10.elementwise_eq(CELLS_HIGHEST);
+        let cells = rt::Scalar(self.surface_settings.cells);
+        if rt::Scalar::into_branch_condition((!cells.elementwise_eq(CELLS_STEP))) {
+            local_10 = cells.elementwise_eq(CELLS_NEAREST);
         } else {
             local_10 = rt::Scalar(true);
         }
-        let _e14 = local_10;
-        return rt::Scalar(2i32).select(rt::Scalar(1i32), _e14);
+        let _e11 = local_10;
+        return rt::Scalar(1i32).select(rt::Scalar(2i32), _e11);
     }
     pub(crate) fn cell_slopes(
         &self,
@@ -5499,11 +5507,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_shell_middle(pixel_30, along_21);
         at_25 = _e29;
         at_25.span = _e11;
-        let height_11 = (rt::Scalar(0.5f32) * (pixel_30.shell.heights.x() + pixel_30.shell.heights.y()));
+        let height_12 = (rt::Scalar(0.5f32) * (pixel_30.shell.heights.x() + pixel_30.shell.heights.y()));
         let _e43 = at_25.span.x();
-        let _e45 = self.v_shell_point(_e10, (along_21 * _e43), height_11);
+        let _e45 = self.v_shell_point(_e10, (along_21 * _e43), height_12);
         let _e48 = at_25.span.y();
-        let _e50 = self.v_shell_point(_e10, (along_21 * _e48), height_11);
+        let _e50 = self.v_shell_point(_e10, (along_21 * _e48), height_12);
         let _e53 = at_25.span.x();
         let _e58 = self.v_between(_e45, _e50);
         let _e59 = self.v_shell_point_from(_e10, (along_21 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
@@ -6675,7 +6683,7 @@ impl<'g> Resources<'g> {
         let duv_6 = _e9.xy();
         let descent_4 = (rt::Scalar(0f32) - at_39.normal.dot(direction_7));
         let _e15 = self.v_traced_scale_m();
-        let height_12 = at_39.of_surface.w();
+        let height_13 = at_39.of_surface.w();
         let slope_10 = ((rt::Scalar(0f32) - descent_4) / _e15);
         let _e23 = self.v_quadric_at(at_39.of_surface.xyz(), duv_6);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
@@ -6683,9 +6691,9 @@ impl<'g> Resources<'g> {
         let _e28 = self.v_plane_distance(pixel_48, _e27);
         let distance_2 = (_e28 * along_30);
         let eye_3 = (rt::Scalar(0f32) - distance_2);
-        let _e35 = self.v_bent_descent(((height_12 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
+        let _e35 = self.v_bent_descent(((height_13 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-            if rt::Scalar::into_branch_condition((!height_12.elementwise_lt(rt::Scalar(1f32)))) {
+            if rt::Scalar::into_branch_condition((!height_13.elementwise_lt(rt::Scalar(1f32)))) {
                 local_43 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
                 local_43 = rt::Scalar(true);
@@ -6700,13 +6708,13 @@ impl<'g> Resources<'g> {
         let _e53 = enter_1;
         let _e54 = enter_1;
         let _e59 = enter_1;
-        let begin_4 = (height_12 + (_e53 * (slope_10 + (curve * _e54)))).select(rt::Scalar(1f32), _e59.elementwise_eq(_e35));
+        let begin_4 = (height_13 + (_e53 * (slope_10 + (curve * _e54)))).select(rt::Scalar(1f32), _e59.elementwise_eq(_e35));
         let _e63 = enter_1;
         let _e66 = enter_1;
         let _e70 = self.v_bent_exit(<rt::Vec3<f32>>::from_scalars(begin_4, (slope_10 + ((rt::Scalar(2f32) * curve) * _e66)), curve));
         leave_5 = (_e63 + _e70);
         if rt::Scalar::into_branch_condition(_e23.elementwise_eq(rt::Scalar(0f32))) {
-            leave_5 = ((height_12 * _e15) / descent_4);
+            leave_5 = ((height_13 * _e15) / descent_4);
             let _e77 = leave_5;
             let _e78 = leave_5;
             leave_5 = (_e77 + ((_e78 - _e35) * rt::Scalar(0.000001f32)));
@@ -6728,7 +6736,7 @@ impl<'g> Resources<'g> {
         let _e105 = enter_1;
         let _e106 = enter_1;
         let _e111 = enter_1;
-        let entry_height_1 = (height_12 + (_e105 * (slope_10 + (curve * _e106)))).select(rt::Scalar(1f32), _e111.elementwise_eq(_e35));
+        let entry_height_1 = (height_13 + (_e105 * (slope_10 + (curve * _e106)))).select(rt::Scalar(1f32), _e111.elementwise_eq(_e35));
         let _e115 = enter_1;
         let base_4 = (rt::Scalar(0f32) - _e115).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e122 = enter_1;
@@ -7110,13 +7118,13 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_triangle_distance(pixel_53, _e6);
         let far_7 = (_e7 * along_32);
         let axis_2 = pixel_53.a.of_surface.z().to_u32();
-        let height_13 = at_46.of_surface.x();
+        let height_14 = at_46.of_surface.x();
         let _e17 = self.v_height_at(at_46.uv, rt::Scalar(at_46.level));
         let _e18 = self.v_slice_spacing(at_46, axis_2);
-        let _e19 = self.v_slices_stage(_e17, height_13, _e18);
+        let _e19 = self.v_slices_stage(_e17, height_14, _e18);
         let _e20 = self.v_slice_before(pixel_53, at_46, axis_2, along_32, far_7);
         let lead_2 = (far_7 * rt::Scalar(0.0000005f32)).select(_e20.w().min(far_7), _e20.w().elementwise_gt(rt::Scalar(0f32)));
-        return <Path>::new((at_46.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_13 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_46.metric, RAY_VIEW, rt::Scalar(at_46.level), (far_7 - lead_2), rt::Scalar(1f32));
+        return <Path>::new((at_46.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_14 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_46.metric, RAY_VIEW, rt::Scalar(at_46.level), (far_7 - lead_2), rt::Scalar(1f32));
     }
     pub(crate) fn object_texel(&self, place_11: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
         rt::into(self.v_object_texel(rt::into(place_11)))
@@ -7196,6 +7204,7 @@ impl<'g> Resources<'g> {
         params_32: rt::Vec4<f32>,
     ) -> Path {
         let mut interval_6: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let mut height_4: rt::Vec3<f32>;
 
         let along_33 = pixel_54.direction.normalize();
         let _e6 = self.v_image_of_object(k_9);
@@ -7217,11 +7226,17 @@ impl<'g> Resources<'g> {
         let _e68 = self.v_within_bounds(h_5, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e67);
         interval_6 = _e68;
         let start_3 = interval_6.x();
+        height_4 = <rt::Vec3<f32>>::from_scalars((h_5 + (dh_1 * start_3)), dh_1, rt::Scalar(0f32));
+        let _e78 = rt::Scalar(self.surface_settings.cells);
+        if rt::Scalar::into_branch_condition(_e78.elementwise_eq(CELLS_MASK)) {
+            height_4 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        }
         let tangent_5 = (_e6.u.xyz() / rt::Vec3::splat_from_scalar((_e6.u.xyz().dot(_e6.u.xyz()) * _e6.extent.x())));
         let bitangent_4 = (_e6.v.xyz() / rt::Vec3::splat_from_scalar((_e6.v.xyz().dot(_e6.v.xyz()) * _e6.extent.y())));
-        let _e112 = interval_6.y();
-        let _e120 = rt::Scalar(self.surface_settings.scale_m);
-        return <Path>::new((_e6.corner + (_e6.extent * <rt::Vec2<f32>>::from_scalars((u_1 + (du_1 * start_3)), (v_3 + (dv_1 * start_3))))), (_e6.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)), <rt::Vec3<f32>>::from_scalars((h_5 + (dh_1 * start_3)), dh_1, rt::Scalar(0f32)), (_e112 - start_3), k_9.to_f32(), <rt::Vec4<f32>>::from_scalars(tangent_5.dot(tangent_5), tangent_5.dot(bitangent_4), bitangent_4.dot(bitangent_4), _e120), RAY_VIEW, rt::Scalar(0u32), start_3, rt::Scalar(1f32));
+        let _e121 = height_4;
+        let _e123 = interval_6.y();
+        let _e131 = rt::Scalar(self.surface_settings.scale_m);
+        return <Path>::new((_e6.corner + (_e6.extent * <rt::Vec2<f32>>::from_scalars((u_1 + (du_1 * start_3)), (v_3 + (dv_1 * start_3))))), (_e6.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)), _e121, (_e123 - start_3), k_9.to_f32(), <rt::Vec4<f32>>::from_scalars(tangent_5.dot(tangent_5), tangent_5.dot(bitangent_4), bitangent_4.dot(bitangent_4), _e131), RAY_VIEW, rt::Scalar(0u32), start_3, rt::Scalar(1f32));
     }
     pub(crate) fn surface_segment_stage(
         &self,
@@ -7307,10 +7322,10 @@ impl<'g> Resources<'g> {
             let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_6, path_23.h.y(), path_23.h.z()), rt::Scalar(path_23.exit));
             start = _e22.min(rt::Scalar(path_23.exit));
         }
-        let height_14 = (middle_8 + ((path_23.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
+        let height_15 = (middle_8 + ((path_23.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
         let _e32 = start;
         let _e33 = self.v_path_slope(path_23, _e32);
-        let h_6 = <rt::Vec3<f32>>::from_scalars(height_14, (_e33 / kept), (path_23.h.z() / kept));
+        let h_6 = <rt::Vec3<f32>>::from_scalars(height_15, (_e33 / kept), (path_23.h.z() / kept));
         let _e40 = start;
         let rest_4 = (rt::Scalar(path_23.exit) - _e40);
         let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_6.x().max(rt::Scalar(0f32)), h_6.y(), h_6.z()), rest_4);
@@ -7409,9 +7424,9 @@ impl<'g> Resources<'g> {
         &self,
         prism_12: Prism,
         place_13: impl rt::Into<rt::Vec3<f32>>,
-        height_4: impl rt::Into<rt::Scalar<f32>>,
+        height_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_near(prism_12, rt::into(place_13), rt::into(height_4)))
+        rt::into(self.v_shell_point_near(prism_12, rt::into(place_13), rt::into(height_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7419,18 +7434,18 @@ impl<'g> Resources<'g> {
         &self,
         prism_12: Prism,
         place_13: rt::Vec3<f32>,
-        height_4: rt::Scalar<f32>,
+        height_5: rt::Scalar<f32>,
     ) -> ShellPoint {
         let low_3 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
-        let offset_8 = (low_3 + ((_e10 - low_3).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_4));
+        let offset_8 = (low_3 + ((_e10 - low_3).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_5));
         let _e16 = self.v_weights_at_offset(prism_12, place_13, offset_8);
         let _e18 = self.v_lift_of(prism_12.lift, _e16);
         let _e20 = self.v_weights_at_offset(prism_12, place_13, (offset_8 + _e18));
-        let near_8 = <ShellPoint>::new(_e20, height_4);
+        let near_8 = <ShellPoint>::new(_e20, height_5);
         let _e22 = self.v_shell_point_from(prism_12, place_13, near_8);
         let moved = (_e22.weights - near_8.weights).abs();
-        let away_1 = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_4).abs()));
+        let away_1 = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_5).abs()));
         if rt::Scalar::into_branch_condition(away_1.elementwise_lt(rt::Scalar(0.5f32))) {
             return _e22;
         }
@@ -7441,9 +7456,9 @@ impl<'g> Resources<'g> {
         pixel_58: PixelIn,
         prism_13: Prism,
         place_14: impl rt::Into<rt::Vec3<f32>>,
-        height_5: impl rt::Into<rt::Scalar<f32>>,
+        height_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_point_of_way(pixel_58, prism_13, rt::into(place_14), rt::into(height_5)))
+        rt::into(self.v_point_of_way(pixel_58, prism_13, rt::into(place_14), rt::into(height_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7452,13 +7467,13 @@ impl<'g> Resources<'g> {
         pixel_58: PixelIn,
         prism_13: Prism,
         place_14: rt::Vec3<f32>,
-        height_5: rt::Scalar<f32>,
+        height_6: rt::Scalar<f32>,
     ) -> ShellPoint {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_58.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_shell_point_near(prism_13, place_14, height_5);
+            let _e8 = self.v_shell_point_near(prism_13, place_14, height_6);
             return _e8;
         }
-        let _e9 = self.v_shell_point(prism_13, place_14, height_5);
+        let _e9 = self.v_shell_point(prism_13, place_14, height_6);
         return _e9;
     }
     pub(crate) fn surface_prism_polish(
@@ -9024,8 +9039,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_12;
                         let _e119 = t_24;
-                        let at_118 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_4 = at_118.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_118), forward_3);
+                        let at_120 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_4 = at_120.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_120), forward_3);
                         let _e131 = t_24;
                         let far_8 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_3;
@@ -9101,14 +9116,14 @@ impl<'g> Resources<'g> {
 
         let rest_7 = (rt::Scalar(path_56.exit) - t_25);
         let _e8 = self.v_path_height(path_56, t_25);
-        let height_15 = (_e8 - apex);
+        let height_16 = (_e8 - apex);
         let terms = (path_56.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_56.exit)) * path_56.h.z().abs()));
         let _e21 = self.v_path_slope(path_56, t_25);
         let rise_4 = ((_e21 + (path_56.h.z().min(rt::Scalar(0f32)) * rest_7)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_7;
         if rt::Scalar::into_branch_condition(rise_4.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
-            most = _e34.min((height_15 / (rt::Scalar(0f32) - rise_4)));
+            most = _e34.min((height_16 / (rt::Scalar(0f32) - rise_4)));
         }
         let _e39 = most;
         let end_7 = (t_25 + _e39);
@@ -9116,7 +9131,7 @@ impl<'g> Resources<'g> {
         let far_9 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_7)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
         let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_56.h.x().abs() + (end_7 * (path_56.h.y().abs() + (end_7 * path_56.h.z().abs())))));
         let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_9.x() + far_9.y())));
-        let gap_3 = (height_15 - (rt::Scalar(2f32) * lost_2));
+        let gap_3 = (height_16 - (rt::Scalar(2f32) * lost_2));
         let _e85 = self.v_height_size(rt::Scalar(path_56.level));
         let aside_5 = (((grid_8.origin - offset_6) + (grid_8.step * t_25)) / _e85);
         let c_17 = (((slope_4 * aside_5.length()) - gap_3) * ((slope_4 * aside_5.length()) + gap_3));
@@ -9147,7 +9162,7 @@ impl<'g> Resources<'g> {
         leave_6 = _e135.min(_e136);
         let _e139 = leave_6;
         let _e145 = leave_6;
-        if rt::Scalar::into_branch_condition(((slope_4 * (aside_5 + (path_56.duv * _e139)).length()) + lost_2).elementwise_le((height_15 + (rise_4 * _e145)))) {
+        if rt::Scalar::into_branch_condition(((slope_4 * (aside_5 + (path_56.duv * _e139)).length()) + lost_2).elementwise_le((height_16 + (rise_4 * _e145)))) {
             let _e149 = leave_6;
             return _e149;
         }
@@ -9199,8 +9214,8 @@ impl<'g> Resources<'g> {
                     let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_13;
                     let _e49 = t_26;
-                    let at_119 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_119);
+                    let at_121 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_121);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_26;
                     next_2 = _e54;
@@ -10537,21 +10552,11 @@ impl<'g> Resources<'g> {
         let _e56 = first_3;
         return _e56;
     }
-    pub(crate) fn object_depth(
-        &self,
-        pixel_70: PixelIn,
-        at_63: Entered,
-        params_64: impl rt::Into<rt::Vec4<f32>>,
-    ) -> FirstHit {
-        rt::into(self.v_object_depth(pixel_70, at_63, rt::into(params_64)))
+    pub(crate) fn first_in_all(&self, pixel_70: PixelIn, at_63: Entered) -> FirstHit {
+        rt::into(self.v_first_in_all(pixel_70, at_63))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_object_depth(
-        &self,
-        pixel_70: PixelIn,
-        at_63: Entered,
-        params_64: rt::Vec4<f32>,
-    ) -> FirstHit {
+    fn v_first_in_all(&self, pixel_70: PixelIn, at_63: Entered) -> FirstHit {
         let mut cost_22: rt::Vec3<u32> = NO_COST;
         let mut first_4: FirstHit;
         let mut reached_1: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -10561,119 +10566,161 @@ impl<'g> Resources<'g> {
         let mut local_76: rt::Scalar<bool>;
         let mut local_77: rt::Scalar<bool>;
 
-        let _e5 = cost_22;
-        let _e6 = self.v_miss(_e5);
-        first_4 = <FirstHit>::new(_e6, rt::Scalar(0u32), rt::Scalar(0f32));
+        let _e4 = cost_22;
+        let _e5 = self.v_miss(_e4);
+        first_4 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
         let most_12 = (rt::Scalar(at_63.segments) * MOST_ROUNDS);
         'naga_break: loop {
             'naga_continue: {
-                let _e22 = agreed;
-                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(rt::Scalar(at_63.segments))) {
-                    let _e27 = turns;
-                    local_76 = _e27.elementwise_lt(most_12);
+                let _e21 = agreed;
+                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_63.segments))) {
+                    let _e26 = turns;
+                    local_76 = _e26.elementwise_lt(most_12);
                 } else {
                     local_76 = rt::Scalar(false);
                 }
-                let _e30 = local_76;
-                if rt::Scalar::into_branch_condition(_e30) {
+                let _e29 = local_76;
+                if rt::Scalar::into_branch_condition(_e29) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e31 = k_20;
-                    let _e32 = self.v_segment_of(pixel_70, at_63, _e31);
-                    let _e33 = reached_1;
-                    let passed = (_e33 - rt::Scalar(_e32.start)).max(rt::Scalar(0f32));
-                    if rt::Scalar::into_branch_condition((!passed.elementwise_lt(rt::Scalar(_e32.exit)))) {
-                        let _e42 = cost_22;
-                        let _e43 = self.v_miss(_e42);
-                        first_4.hit = _e43;
-                        let _e44 = first_4;
-                        return _e44;
+                    let _e30 = k_20;
+                    let _e31 = self.v_segment_of(pixel_70, at_63, _e30);
+                    let _e32 = reached_1;
+                    let passed = (_e32 - rt::Scalar(_e31.start)).max(rt::Scalar(0f32));
+                    if rt::Scalar::into_branch_condition((!passed.elementwise_lt(rt::Scalar(_e31.exit)))) {
+                        let _e41 = cost_22;
+                        let _e42 = self.v_miss(_e41);
+                        first_4.hit = _e42;
+                        let _e43 = first_4;
+                        return _e43;
                     }
-                    let _e45 = self.v_beginning_at(_e32, passed);
-                    let _e46 = self.v_trace(_e45);
-                    let _e47 = cost_22;
-                    cost_22 = (_e47 + _e46.cost);
-                    if rt::Scalar::into_branch_condition(rt::Scalar(_e46.found).elementwise_eq(rt::Scalar(0u32))) {
-                        let _e54 = cost_22;
-                        let _e55 = self.v_miss(_e54);
-                        first_4.hit = _e55;
-                        let _e56 = first_4;
-                        return _e56;
+                    let _e44 = self.v_beginning_at(_e31, passed);
+                    let _e45 = self.v_trace(_e44);
+                    let _e46 = cost_22;
+                    cost_22 = (_e46 + _e45.cost);
+                    if rt::Scalar::into_branch_condition(rt::Scalar(_e45.found).elementwise_eq(rt::Scalar(0u32))) {
+                        let _e53 = cost_22;
+                        let _e54 = self.v_miss(_e53);
+                        first_4.hit = _e54;
+                        let _e55 = first_4;
+                        return _e55;
                     }
-                    let t_39 = (passed + rt::Scalar(_e46.t));
-                    let _e61 = rt::Scalar(first_4.hit.found);
-                    if rt::Scalar::into_branch_condition((!_e61.elementwise_eq(rt::Scalar(0u32)))) {
+                    let t_39 = (passed + rt::Scalar(_e45.t));
+                    let _e60 = rt::Scalar(first_4.hit.found);
+                    if rt::Scalar::into_branch_condition((!_e60.elementwise_eq(rt::Scalar(0u32)))) {
+                        let _e68 = reached_1;
                         let _e69 = reached_1;
-                        let _e70 = reached_1;
-                        local_77 = (rt::Scalar(_e32.start) + t_39).elementwise_gt((_e69 + (_e70 * rt::Scalar(0.000002f32))));
+                        local_77 = (rt::Scalar(_e31.start) + t_39).elementwise_gt((_e68 + (_e69 * rt::Scalar(0.000002f32))));
                     } else {
                         local_77 = rt::Scalar(true);
                     }
-                    let _e76 = local_77;
-                    if rt::Scalar::into_branch_condition(_e76) {
-                        reached_1 = (rt::Scalar(_e32.start) + t_39);
+                    let _e75 = local_77;
+                    if rt::Scalar::into_branch_condition(_e75) {
+                        reached_1 = (rt::Scalar(_e31.start) + t_39);
                         agreed = rt::Scalar(0u32);
-                        let _e84 = cost_22;
-                        let _e86 = k_20;
-                        let _e87 = self.v_hit_on_segment(pixel_70, at_63, _e32, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e46.uv, rt::Scalar(_e46.height), t_39, _e84), _e86);
-                        first_4 = _e87;
+                        let _e83 = cost_22;
+                        let _e85 = k_20;
+                        let _e86 = self.v_hit_on_segment(pixel_70, at_63, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e45.uv, rt::Scalar(_e45.height), t_39, _e83), _e85);
+                        first_4 = _e86;
                     }
-                    let _e88 = agreed;
-                    agreed = (_e88 + rt::Scalar(1u32));
-                    let _e91 = k_20;
-                    let _e95 = k_20;
-                    k_20 = (_e91 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e95 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_63.segments)));
-                    let _e101 = turns;
-                    turns = (_e101 + rt::Scalar(1u32));
+                    let _e87 = agreed;
+                    agreed = (_e87 + rt::Scalar(1u32));
+                    let _e90 = k_20;
+                    let _e94 = k_20;
+                    k_20 = (_e90 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e94 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_63.segments)));
+                    let _e100 = turns;
+                    turns = (_e100 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e108 = agreed;
-        rt::Scalar(first_4.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e108.elementwise_lt(rt::Scalar(at_63.segments)));
-        let _e114 = cost_22;
-        first_4.hit.cost = _e114;
-        let _e115 = first_4;
-        return _e115;
+        let _e107 = agreed;
+        rt::Scalar(first_4.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e107.elementwise_lt(rt::Scalar(at_63.segments)));
+        let _e113 = cost_22;
+        first_4.hit.cost = _e113;
+        let _e114 = first_4;
+        return _e114;
     }
-    pub(crate) fn object_stage(&self, pixel_71: PixelIn, at_64: Entered) -> FirstHit {
-        rt::into(self.v_object_stage(pixel_71, at_64))
+    pub(crate) fn object_depth(
+        &self,
+        pixel_71: PixelIn,
+        at_64: Entered,
+        params_64: impl rt::Into<rt::Vec4<f32>>,
+    ) -> FirstHit {
+        rt::into(self.v_object_depth(pixel_71, at_64, rt::into(params_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_stage(&self, pixel_71: PixelIn, at_64: Entered) -> FirstHit {
+    fn v_object_depth(
+        &self,
+        pixel_71: PixelIn,
+        at_64: Entered,
+        params_64: rt::Vec4<f32>,
+    ) -> FirstHit {
+        let _e3 = self.v_first_in_all(pixel_71, at_64);
+        return _e3;
+    }
+    pub(crate) fn object_hull(
+        &self,
+        pixel_72: PixelIn,
+        at_65: Entered,
+        params_65: impl rt::Into<rt::Vec4<f32>>,
+    ) -> FirstHit {
+        rt::into(self.v_object_hull(pixel_72, at_65, rt::into(params_65)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_object_hull(
+        &self,
+        pixel_72: PixelIn,
+        at_65: Entered,
+        params_65: rt::Vec4<f32>,
+    ) -> FirstHit {
+        let _e3 = self.v_first_in_all(pixel_72, at_65);
+        return _e3;
+    }
+    pub(crate) fn object_stage(&self, pixel_73: PixelIn, at_66: Entered) -> FirstHit {
+        rt::into(self.v_object_stage(pixel_73, at_66))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_object_stage(&self, pixel_73: PixelIn, at_66: Entered) -> FirstHit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_object_none(pixel_71, at_64, _e11);
+                let _e12 = self.v_object_none(pixel_73, at_66, _e11);
                 return _e12;
             }
-            _ => {
+            1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_object_depth(pixel_71, at_64, _e17);
+                let _e18 = self.v_object_depth(pixel_73, at_66, _e17);
                 return _e18;
+            }
+            _ => {
+                let _e23 = self.surface_settings.choices[3usize].params;
+                let _e24 = self.v_object_hull(pixel_73, at_66, _e23);
+                return _e24;
             }
         }
     }
-    pub(crate) fn first_hit(&self, pixel_72: PixelIn, at_65: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_72, at_65))
+    pub(crate) fn first_hit(&self, pixel_74: PixelIn, at_67: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_74, at_67))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_first_hit(&self, pixel_72: PixelIn, at_65: Entered) -> FirstHit {
-        let _e2 = self.v_object_stage(pixel_72, at_65);
+    fn v_first_hit(&self, pixel_74: PixelIn, at_67: Entered) -> FirstHit {
+        let _e2 = self.v_object_stage(pixel_74, at_67);
         return _e2;
     }
-    pub(crate) fn footprint_m(&self, at_66: Entered) -> f32 {
-        rt::into(self.v_footprint_m(at_66))
+    pub(crate) fn footprint_m(&self, at_68: Entered) -> f32 {
+        rt::into(self.v_footprint_m(at_68))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_footprint_m(&self, at_66: Entered) -> rt::Scalar<f32> {
+    fn v_footprint_m(&self, at_68: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        return ((rt::Scalar(at_66.footprint) * at_66.metric.x().sqrt()) / _e7.x());
+        return ((rt::Scalar(at_68.footprint) * at_68.metric.x().sqrt()) / _e7.x());
     }
     pub(crate) fn near_uv(&self, uv_18: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_near_uv(rt::into(uv_18)))
@@ -10691,17 +10738,17 @@ impl<'g> Resources<'g> {
         }
         return uv_18;
     }
-    pub(crate) fn from_hit(&self, at_67: Entered, hit_18: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_67, hit_18, light_1))
+    pub(crate) fn from_hit(&self, at_69: Entered, hit_18: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_69, hit_18, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_from_hit(&self, at_67: Entered, hit_18: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_67, light_1.direction);
+    fn v_from_hit(&self, at_69: Entered, hit_18: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_69, light_1.direction);
         let _e6 = self.v_near_uv(hit_18.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_67.level));
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_69.level));
         let h_7 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_7, rt::Scalar(0f32), rt::Scalar(0f32), at_67.metric, RAY_SHADOW, rt::Scalar(at_67.level), rt::Scalar(0f32), rt::Scalar(1f32));
+        return <Path>::new(_e6, _e4.xy(), h_7, rt::Scalar(0f32), rt::Scalar(0f32), at_69.metric, RAY_SHADOW, rt::Scalar(at_69.level), rt::Scalar(0f32), rt::Scalar(1f32));
     }
     pub(crate) fn way_out(&self, path_67: Path, light_2: Toward) -> f32 {
         rt::into(self.v_way_out(path_67, light_2))
@@ -10726,14 +10773,14 @@ impl<'g> Resources<'g> {
         let _e34 = way_6;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_68: Entered, hit_19: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_68, hit_19, light_3))
+    pub(crate) fn light_ray(&self, at_70: Entered, hit_19: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_70, hit_19, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_68: Entered, hit_19: Hit, light_3: Toward) -> LightRay {
+    fn v_light_ray(&self, at_70: Entered, hit_19: Hit, light_3: Toward) -> LightRay {
         let mut local_78: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_68, hit_19, light_3);
+        let _e3 = self.v_from_hit(at_70, hit_19, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -10763,8 +10810,8 @@ impl<'g> Resources<'g> {
         let gap_7 = (end_15 * (_e31.y() + (_e31.z() * end_15)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
         let h_8 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_79 = <Path>::new(_e51, _e3.duv, h_8, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_79);
+        let path_80 = <Path>::new(_e51, _e3.duv, h_8, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_80);
     }
     pub(crate) fn shadow_search_stage(&self, path_68: Path) -> Found {
         rt::into(self.v_shadow_search_stage(path_68))
@@ -10835,13 +10882,13 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn free_way(&self, at_69: Entered, hit_20: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_69, hit_20, light_4))
+    pub(crate) fn free_way(&self, at_71: Entered, hit_20: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_71, hit_20, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_free_way(&self, at_69: Entered, hit_20: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_69, hit_20, light_4);
+    fn v_free_way(&self, at_71: Entered, hit_20: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_71, hit_20, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -10999,37 +11046,37 @@ impl<'g> Resources<'g> {
         view_8: LightView,
         point_9: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_120 = <rt::Vec4<f32>>::new_31(point_9, rt::Scalar(1f32));
-        let depth_7 = view_8.depth.dot(at_120);
+        let at_122 = <rt::Vec4<f32>>::new_31(point_9, rt::Scalar(1f32));
+        let depth_7 = view_8.depth.dot(at_122);
         let over_2 = rt::Scalar(1f32).select(depth_7, rt::Scalar(view_8.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_8.column.dot(at_120), view_8.row.dot(at_120)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_8.column.dot(at_122), view_8.row.dot(at_122)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
     }
     pub(crate) fn patch_normal(
         &self,
-        at_70: Entered,
+        at_72: Entered,
         uv_19: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_70, rt::into(uv_19)))
+        rt::into(self.v_patch_normal(at_72, rt::into(uv_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_patch_normal(
         &self,
-        at_70: Entered,
+        at_72: Entered,
         uv_19: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let facet = at_70.facing.normalize();
-            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_70.normal).elementwise_ge(rt::Scalar(0f32))));
+            let facet = at_72.facing.normalize();
+            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_72.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_19, rt::Scalar(at_70.level));
+        let _e18 = self.v_height_and_slope(uv_19, rt::Scalar(at_72.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_2 = (at_70.tangent + (at_70.normal * (_e18.y() * _e24)));
+        let along_u_2 = (at_72.tangent + (at_72.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_2 = (at_70.bitangent + (at_70.normal * (_e18.z() * _e33)));
+        let along_v_2 = (at_72.bitangent + (at_72.normal * (_e18.z() * _e33)));
         let across_6 = along_v_2.cross(along_u_2).normalize();
-        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_70.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_72.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
@@ -11074,24 +11121,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn row_sees(
         &self,
-        at_71: InView,
+        at_73: InView,
         row_6: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_71, rt::into(row_6), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_73, rt::into(row_6), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_row_sees(
         &self,
-        at_71: InView,
+        at_73: InView,
         row_6: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column: rt::Scalar<f32>;
 
-        let view_19 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_71.number))];
-        column = at_71.low.x().floor();
+        let view_19 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_73.number))];
+        column = at_73.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = column;
@@ -11102,13 +11149,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e18 = column;
                     let _e24 = column;
-                    let wide_2 = (at_71.high.x().min((_e18 + rt::Scalar(1f32))) - at_71.low.x().max(_e24));
+                    let wide_2 = (at_73.high.x().min((_e18 + rt::Scalar(1f32))) - at_73.low.x().max(_e24));
                     let _e27 = column;
                     let place_25 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_19, at_71.point, at_71.normal, (place_25 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_8 = _e35.clamp(rt::Scalar(at_71.least_depth), rt::Scalar(at_71.most_depth));
+                    let _e35 = self.v_plane_depth(view_19, at_73.point, at_73.normal, (place_25 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_8 = _e35.clamp(rt::Scalar(at_73.least_depth), rt::Scalar(at_73.most_depth));
                     let key = (rt::Scalar(view_19.near) / (rt::Scalar(view_19.near) + depth_8.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_25.to_i32(), rt::Scalar(at_71.number).to_i32());
+                    let _e48 = self.v_light_texel(place_25.to_i32(), rt::Scalar(at_73.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -11124,19 +11171,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn seen_part(
         &self,
         number_9: impl rt::Into<rt::Scalar<u32>>,
-        at_72: Entered,
+        at_74: Entered,
         normal_16: impl rt::Into<rt::Vec3<f32>>,
         place_17: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_9), at_72, rt::into(normal_16), rt::into(place_17), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_9), at_74, rt::into(normal_16), rt::into(place_17), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
         &self,
         number_9: rt::Scalar<u32>,
-        at_72: Entered,
+        at_74: Entered,
         normal_16: rt::Vec3<f32>,
         place_17: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
@@ -11147,8 +11194,8 @@ impl<'g> Resources<'g> {
 
         let view_20 = self.frame.light_views[rt::Scalar::into_array_index(number_9)];
         let texel_m = (rt::Scalar(view_20.texel_m) * rt::Scalar(1f32).select(place_17.z(), rt::Scalar(view_20.from_point).elementwise_eq(rt::Scalar(1u32))));
-        let _e19 = self.v_footprint_m(at_72);
-        let point_22 = (at_72.point + (normal_16 * (bias * texel_m.max(_e19))));
+        let _e19 = self.v_footprint_m(at_74);
+        let point_22 = (at_74.point + (normal_16 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
         let low_8 = (place_17.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_3 = (low_8 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
@@ -11180,19 +11227,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_seen(
         &self,
-        at_73: Entered,
+        at_75: Entered,
         uv_20: impl rt::Into<rt::Vec2<f32>>,
         number_10: impl rt::Into<rt::Scalar<u32>>,
         toward: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_73, rt::into(uv_20), rt::into(number_10), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_75, rt::into(uv_20), rt::into(number_10), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
-        at_73: Entered,
+        at_75: Entered,
         uv_20: rt::Vec2<f32>,
         number_10: rt::Scalar<u32>,
         toward: rt::Vec3<f32>,
@@ -11205,7 +11252,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_73, uv_20);
+        let _e14 = self.v_patch_normal(at_75, uv_20);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -11221,13 +11268,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e31 = k_22;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_light_place(_e33, at_73.point);
+                    let _e35 = self.v_light_place(_e33, at_75.point);
                     let _e38 = k_22;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
                     let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_6));
                     if rt::Scalar::into_branch_condition(_e43) {
                         let _e44 = k_22;
-                        let _e45 = self.v_seen_part(_e44, at_73, _e14, _e35, width_6, bias_1);
+                        let _e45 = self.v_seen_part(_e44, at_75, _e14, _e35, width_6, bias_1);
                         return _e45;
                     }
                     let _e46 = k_22;
@@ -11287,40 +11334,40 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_74: Entered,
+        at_76: Entered,
         v_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_74, rt::into(v_1)))
+        rt::into(self.v_to_tangent_space(at_76, rt::into(v_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_to_tangent_space(
         &self,
-        at_74: Entered,
+        at_76: Entered,
         v_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_3 = at_74.tangent.normalize();
-        let along_v_3 = at_74.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_74.normal.dot(v_1));
+        let along_u_3 = at_76.tangent.normalize();
+        let along_v_3 = at_76.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_76.normal.dot(v_1));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_75: Entered,
+        at_77: Entered,
         uv_21: impl rt::Into<rt::Vec2<f32>>,
         level_22: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_75, rt::into(uv_21), rt::into(level_22)))
+        rt::into(self.v_normals_of_level(at_77, rt::into(uv_21), rt::into(level_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_75: Entered,
+        at_77: Entered,
         uv_21: rt::Vec2<f32>,
         level_22: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_22.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_75, uv_21);
-            let _e6 = self.v_to_tangent_space(at_75, _e5);
+            let _e5 = self.v_finest_normal(at_77, uv_21);
+            let _e6 = self.v_to_tangent_space(at_77, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
@@ -11331,8 +11378,8 @@ impl<'g> Resources<'g> {
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_5 = ((tile.x() * at_75.tangent.normalize().dot(at_75.tangent)) / at_75.tangent.dot(at_75.tangent));
-        let y_3 = ((tile.y() * at_75.bitangent.normalize().dot(at_75.bitangent)) / at_75.bitangent.dot(at_75.bitangent));
+        let x_5 = ((tile.x() * at_77.tangent.normalize().dot(at_77.tangent)) / at_77.tangent.dot(at_77.tangent));
+        let y_3 = ((tile.y() * at_77.bitangent.normalize().dot(at_77.bitangent)) / at_77.bitangent.dot(at_77.bitangent));
         let _e44 = self.v_normal_at(uv_21, rt::Scalar(0i32), (level_22 - rt::Scalar(1u32)));
         let _e48 = self.v_normal_at(uv_21, rt::Scalar(1i32), (level_22 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_5), (_e44.y() * y_3), _e44.z());
@@ -11350,16 +11397,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_76: Entered,
+        at_78: Entered,
         normals: Normals,
         view_11: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_76, normals, rt::into(view_11)))
+        rt::into(self.v_seen_normals(at_78, normals, rt::into(view_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_76: Entered,
+        at_78: Entered,
         normals: Normals,
         view_11: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -11379,7 +11426,7 @@ impl<'g> Resources<'g> {
         let along_35 = (with_x / rt::Vec3::splat_from_scalar(a_28.max((with_x.length() / most_14))));
         let rest_9 = (with_y - (along_35 * b_28));
         let across_7 = (rest_9 / rt::Vec3::splat_from_scalar(d_2.max((rest_9.length() / most_14))));
-        let _e77 = self.v_to_tangent_space(at_76, view_11);
+        let _e77 = self.v_to_tangent_space(at_78, view_11);
         let middle_15 = (_e77.z() - _e77.xy().dot(slope_12));
         let _e91 = self.v_facing_four(middle_15, (-((_e77.x() * a_28) + (_e77.y() * b_28))), (-(_e77.y() * d_2)));
         let one = middle_15.max(rt::Scalar(0f32));
@@ -11387,36 +11434,36 @@ impl<'g> Resources<'g> {
         let _e95 = self.v_mean_of_five(one, _e94);
         let all_1 = _e95.max(rt::Scalar(0.001f32));
         let aside_8 = ((along_35 * ((_e91.x() - _e91.y()) / all_1)) + (across_7 * ((_e91.z() - _e91.w()) / all_1)));
-        let _e113 = self.v_from_tangent_space(at_76, (first_14.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
+        let _e113 = self.v_from_tangent_space(at_78, (first_14.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
         return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_14.xyz(), along_35, across_7, slope_12, <rt::Vec2<f32>>::from_scalars(a_28, b_28), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_77: Entered) -> f32 {
-        rt::into(self.v_table_part(at_77))
+    pub(crate) fn table_part(&self, at_79: Entered) -> f32 {
+        rt::into(self.v_table_part(at_79))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_table_part(&self, at_77: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_79: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_77.fade) * ((rt::Scalar(at_77.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_79.fade) * ((rt::Scalar(at_79.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_78: Entered,
+        at_80: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_78, seen_1, table, rt::into(part_6)))
+        rt::into(self.v_with_table(at_80, seen_1, table, rt::into(part_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_with_table(
         &self,
-        at_78: Entered,
+        at_80: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: rt::Scalar<f32>,
@@ -11425,7 +11472,7 @@ impl<'g> Resources<'g> {
 
         told = seen_1;
         let before_4 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_78, table.mean);
+        let _e9 = self.v_from_tangent_space(at_80, table.mean);
         let mean_4 = (before_4 + ((_e9 - before_4) * part_6));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
@@ -11503,22 +11550,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_79: Entered,
+        at_81: Entered,
         uv_24: impl rt::Into<rt::Vec2<f32>>,
         view_12: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_79, rt::into(uv_24), rt::into(view_12), levels_2))
+        rt::into(self.v_table_of(at_81, rt::into(uv_24), rt::into(view_12), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_79: Entered,
+        at_81: Entered,
         uv_24: rt::Vec2<f32>,
         view_12: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_79, view_12);
+        let _e4 = self.v_climb(at_81, view_12);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_6 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
@@ -11538,8 +11585,8 @@ impl<'g> Resources<'g> {
         let _e52 = self.v_seen_in_levels(uv_24, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_8);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_7 = ((tile_1.x() * at_79.tangent.normalize().dot(at_79.tangent)) / at_79.tangent.dot(at_79.tangent));
-        let y_5 = ((tile_1.y() * at_79.bitangent.normalize().dot(at_79.bitangent)) / at_79.bitangent.dot(at_79.bitangent));
+        let x_7 = ((tile_1.x() * at_81.tangent.normalize().dot(at_81.tangent)) / at_81.tangent.dot(at_81.tangent));
+        let y_5 = ((tile_1.y() * at_81.bitangent.normalize().dot(at_81.bitangent)) / at_81.bitangent.dot(at_81.bitangent));
         let mean_5 = _e56.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_7), (mean_5.y() * y_5), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
@@ -11548,16 +11595,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_80: Entered,
+        at_82: Entered,
         uv_25: impl rt::Into<rt::Vec2<f32>>,
         view_13: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_80, rt::into(uv_25), rt::into(view_13)))
+        rt::into(self.v_mesostructure_normals(at_82, rt::into(uv_25), rt::into(view_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_80: Entered,
+        at_82: Entered,
         uv_25: rt::Vec2<f32>,
         view_13: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -11567,14 +11614,14 @@ impl<'g> Resources<'g> {
 
         let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_one_seen(at_80.normal);
+            let _e9 = self.v_one_seen(at_82.normal);
             return _e9;
         }
-        let upright_3 = at_80.normal.dot(view_13);
+        let upright_3 = at_82.normal.dot(view_13);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_80.fade)));
+        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_82.fade)));
         let _e22 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_6 = ((rt::Scalar(at_80.footprint) * _e22) * width_7);
+        let texels_6 = ((rt::Scalar(at_82.footprint) * _e22) * width_7);
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_6, _e27);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
@@ -11584,15 +11631,15 @@ impl<'g> Resources<'g> {
         }
         let _e39 = local_84;
         if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_80, uv_25);
+            let _e40 = self.v_finest_normal(at_82, uv_25);
             let _e41 = self.v_one_seen(_e40);
             return _e41;
         }
-        let _e43 = self.v_normals_of_level(at_80, uv_25, rt::Scalar(_e28.fine));
+        let _e43 = self.v_normals_of_level(at_82, uv_25, rt::Scalar(_e28.fine));
         first_5 = _e43.first;
         second = _e43.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_80, uv_25, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e54 = self.v_normals_of_level(at_82, uv_25, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
             let _e55 = first_5;
             let _e57 = first_5;
             first_5 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
@@ -11602,15 +11649,15 @@ impl<'g> Resources<'g> {
         }
         let _e69 = first_5;
         let _e70 = second;
-        let _e72 = self.v_seen_normals(at_80, <Normals>::new(_e69, _e70), view_13);
-        let _e73 = self.v_table_part(at_80);
+        let _e72 = self.v_seen_normals(at_82, <Normals>::new(_e69, _e70), view_13);
+        let _e73 = self.v_table_part(at_82);
         if rt::Scalar::into_branch_condition(_e73.elementwise_gt(rt::Scalar(0f32))) {
             let _e79 = rt::Scalar(self.surface_settings.height_levels);
-            let _e80 = self.v_levels_of(rt::Scalar(at_80.footprint), _e79);
+            let _e80 = self.v_levels_of(rt::Scalar(at_82.footprint), _e79);
             let _e81 = self.v_has_table(_e80);
             if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_80, uv_25, view_13, _e80);
-                let _e83 = self.v_with_table(at_80, _e72, _e82, _e73);
+                let _e82 = self.v_table_of(at_82, uv_25, view_13, _e80);
+                let _e83 = self.v_with_table(at_82, _e72, _e82, _e73);
                 return _e83;
             }
         }
@@ -11618,63 +11665,63 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_81: Entered,
+        at_83: Entered,
         hit_21: Hit,
         light_5: Toward,
-        params_65: impl rt::Into<rt::Vec4<f32>>,
+        params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_81, hit_21, light_5, rt::into(params_65)))
+        rt::into(self.v_shadow_ray(at_83, hit_21, light_5, rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_ray(
         &self,
-        at_81: Entered,
+        at_83: Entered,
         hit_21: Hit,
         light_5: Toward,
-        params_65: rt::Vec4<f32>,
+        params_66: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_81, hit_21, light_5);
+        let _e4 = self.v_free_way(at_83, hit_21, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_82: Entered,
+        at_84: Entered,
         hit_22: Hit,
         light_6: Toward,
-        params_66: impl rt::Into<rt::Vec4<f32>>,
+        params_67: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_82, hit_22, light_6, rt::into(params_66)))
+        rt::into(self.v_shadow_none(at_84, hit_22, light_6, rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_none(
         &self,
-        at_82: Entered,
+        at_84: Entered,
         hit_22: Hit,
         light_6: Toward,
-        params_66: rt::Vec4<f32>,
+        params_67: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_83: Entered,
+        at_85: Entered,
         hit_23: Hit,
         light_7: Toward,
-        params_67: impl rt::Into<rt::Vec4<f32>>,
+        params_68: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_83, hit_23, light_7, rt::into(params_67)))
+        rt::into(self.v_shadow_entry(at_85, hit_23, light_7, rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_83: Entered,
+        at_85: Entered,
         hit_23: Hit,
         light_7: Toward,
-        params_67: rt::Vec4<f32>,
+        params_68: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_83, hit_23, light_7);
+        let _e4 = self.v_from_hit(at_85, hit_23, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -11693,7 +11740,7 @@ impl<'g> Resources<'g> {
         }
         let _e51 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_4 = ((_e41.uv - _e4.uv).abs() * _e51);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_67.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_68.x()));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
         rt::into(self.v_mixed(rt::into(seed)))
@@ -11798,25 +11845,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_84: Entered,
+        at_86: Entered,
         hit_25: Hit,
         light_9: Toward,
-        params_68: impl rt::Into<rt::Vec4<f32>>,
+        params_69: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_84, hit_25, light_9, rt::into(params_68)))
+        rt::into(self.v_shadow_soft(at_86, hit_25, light_9, rt::into(params_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_84: Entered,
+        at_86: Entered,
         hit_25: Hit,
         light_9: Toward,
-        params_68: rt::Vec4<f32>,
+        params_69: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_24: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_7 = params_68.x().to_u32();
+        let count_7 = params_69.x().to_u32();
         let _e6 = self.v_seed_of(hit_25);
         'naga_break: loop {
             'naga_continue: {
@@ -11829,7 +11876,7 @@ impl<'g> Resources<'g> {
                     let _e13 = free;
                     let _e14 = k_24;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_7);
-                    let _e16 = self.v_free_way(at_84, hit_25, _e15);
+                    let _e16 = self.v_free_way(at_86, hit_25, _e15);
                     free = (_e13 + _e16);
                     let _e18 = k_24;
                     k_24 = (_e18 + rt::Scalar(1u32));
@@ -11841,25 +11888,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_85: Entered,
+        at_87: Entered,
         hit_26: Hit,
         light_10: Toward,
-        params_69: impl rt::Into<rt::Vec4<f32>>,
+        params_70: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_85, hit_26, light_10, rt::into(params_69)))
+        rt::into(self.v_shadow_heuristic(at_87, hit_26, light_10, rt::into(params_70)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_85: Entered,
+        at_87: Entered,
         hit_26: Hit,
         light_10: Toward,
-        params_69: rt::Vec4<f32>,
+        params_70: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_25: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_85, hit_26, light_10);
+        let _e4 = self.v_from_hit(at_87, hit_26, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -11867,13 +11914,13 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e16 = k_25;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_69.x())) {
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_70.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e19 = k_25;
-                    let part_18 = (_e19 / params_69.x());
+                    let part_18 = (_e19 / params_70.x());
                     let _e22 = most_1;
                     let _e24 = self.v_path_gap(_e4, (part_18 * _e11));
                     most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_18)));
@@ -11883,7 +11930,7 @@ impl<'g> Resources<'g> {
             }
         }
         let _e35 = most_1;
-        return (rt::Scalar(1f32) - (params_69.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_70.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
@@ -11952,54 +11999,54 @@ impl<'g> Resources<'g> {
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_16))));
     }
-    pub(crate) fn part_above(&self, height_6: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_part_above(rt::into(height_6)))
+    pub(crate) fn part_above(&self, height_7: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_part_above(rt::into(height_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_part_above(&self, height_6: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_9 = height_6.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
+    fn v_part_above(&self, height_7: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let x_9 = height_7.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
         let s_3 = (x_9 * x_9);
         return (rt::Scalar(0.5f32) + (x_9 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_86: Entered,
+        at_88: Entered,
         hit_27: Hit,
         light_11: Toward,
-        params_70: impl rt::Into<rt::Vec4<f32>>,
+        params_71: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_86, hit_27, light_11, rt::into(params_70)))
+        rt::into(self.v_shadow_horizon(at_88, hit_27, light_11, rt::into(params_71)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_86: Entered,
+        at_88: Entered,
         hit_27: Hit,
         light_11: Toward,
-        params_70: rt::Vec4<f32>,
+        params_71: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_86, light_11.direction);
+        let _e5 = self.v_climb(at_88, light_11.direction);
         let map_5 = self.surface_settings.maps[3usize];
         let along_37 = (_e5.xy() * map_5.tile_m);
         let _e13 = self.v_turn_of(along_37);
-        let azimuth_4 = (_e13 * params_70.x());
+        let azimuth_4 = (_e13 * params_71.x());
         let first_15 = azimuth_4.floor();
-        let count_8 = params_70.x().to_i32();
+        let count_8 = params_71.x().to_i32();
         let before_5 = (first_15.to_i32() % count_8);
         let part_19 = (azimuth_4 - first_15);
-        let _e24 = self.v_shadow_texel_between(hit_27.uv, before_5, rt::Scalar(at_86.level));
+        let _e24 = self.v_shadow_texel_between(hit_27.uv, before_5, rt::Scalar(at_88.level));
         let low_9 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_27.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_86.level));
+        let _e31 = self.v_shadow_texel_between(hit_27.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_88.level));
         let sine_1 = (low_9 + ((_e31.x() - low_9) * part_19));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
         let far_13 = (squared_4 * along_37.dot(along_37)).sqrt();
-        let _e48 = self.v_from_hit(at_86, hit_27, light_11);
+        let _e48 = self.v_from_hit(at_88, hit_27, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_9 = (_e49 * _e52);
         let horizon = far_13.max(near_9);
-        let up_5 = at_86.normal.dot(light_11.direction);
+        let up_5 = at_88.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_5.elementwise_gt(horizon));
         }
@@ -12013,61 +12060,61 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn open_part(
         &self,
-        at_87: Entered,
+        at_89: Entered,
         hit_28: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_87, hit_28, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_89, hit_28, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_open_part(
         &self,
-        at_87: Entered,
+        at_89: Entered,
         hit_28: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_28.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_87.level));
+        let _e9 = self.v_shadow_texel_between(hit_28.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_89.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_88: Entered,
+        at_90: Entered,
         hit_29: Hit,
         light_12: Toward,
-        params_71: impl rt::Into<rt::Vec4<f32>>,
+        params_72: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_88, hit_29, light_12, rt::into(params_71)))
+        rt::into(self.v_shadow_visibility(at_90, hit_29, light_12, rt::into(params_72)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_88: Entered,
+        at_90: Entered,
         hit_29: Hit,
         light_12: Toward,
-        params_71: rt::Vec4<f32>,
+        params_72: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_88, light_12.direction);
+        let _e5 = self.v_climb(at_90, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_6 = self.surface_settings.maps[3usize];
         let along_38 = (_e5.xy() * map_6.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
-        let height_16 = (_e5.z() * _e21);
-        let squared_5 = ((height_16 * height_16) / (along_38.dot(along_38) + (height_16 * height_16)));
-        let azimuths = params_71.x().to_i32();
-        let elevations_1 = params_71.y().to_i32();
+        let height_17 = (_e5.z() * _e21);
+        let squared_5 = ((height_17 * height_17) / (along_38.dot(along_38) + (height_17 * height_17)));
+        let azimuths = params_72.x().to_i32();
+        let elevations_1 = params_72.y().to_i32();
         let _e32 = self.v_turn_of(along_38);
-        let azimuth_5 = (_e32 * params_71.x());
-        let elevation_4 = ((squared_5 * params_71.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_71.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_71.z().elementwise_lt(rt::Scalar(2f32))) {
+        let azimuth_5 = (_e32 * params_72.x());
+        let elevation_4 = ((squared_5 * params_72.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_72.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_72.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_29 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_88, hit_29, a_29, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+            let _e56 = self.v_open_part(at_90, hit_29, a_29, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().to_i32() % azimuths);
@@ -12076,136 +12123,156 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_88, hit_29, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_88, hit_29, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_90, hit_29, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_90, hit_29, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_88, hit_29, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_90, hit_29, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_88, hit_29, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_90, hit_29, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_89: Entered,
+        at_91: Entered,
         hit_30: Hit,
         light_13: Toward,
-        params_72: impl rt::Into<rt::Vec4<f32>>,
+        params_73: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_89, hit_30, light_13, rt::into(params_72)))
+        rt::into(self.v_shadow_map(at_91, hit_30, light_13, rt::into(params_73)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_map(
         &self,
-        at_89: Entered,
+        at_91: Entered,
         hit_30: Hit,
         light_13: Toward,
-        params_72: rt::Vec4<f32>,
+        params_73: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_89, hit_30.uv, rt::Scalar(light_13.number), light_13.direction, params_72.z(), params_72.w());
+        let _e9 = self.v_light_seen(at_91, hit_30.uv, rt::Scalar(light_13.number), light_13.direction, params_73.z(), params_73.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_90: Entered,
+        at_92: Entered,
         hit_31: Hit,
         light_14: Toward,
-        params_73: impl rt::Into<rt::Vec4<f32>>,
+        params_74: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_90, hit_31, light_14, rt::into(params_73)))
+        rt::into(self.v_shadow_scene(at_92, hit_31, light_14, rt::into(params_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_scene(
         &self,
-        at_90: Entered,
+        at_92: Entered,
         hit_31: Hit,
         light_14: Toward,
-        params_73: rt::Vec4<f32>,
+        params_74: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_91: Entered, hit_32: Hit, light_15: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_91, hit_32, light_15))
+    pub(crate) fn shadow_stage(&self, at_93: Entered, hit_32: Hit, light_15: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_93, hit_32, light_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_91: Entered, hit_32: Hit, light_15: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_93: Entered, hit_32: Hit, light_15: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[8usize].params;
-                let _e13 = self.v_shadow_ray(at_91, hit_32, light_15, _e12);
+                let _e13 = self.v_shadow_ray(at_93, hit_32, light_15, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[8usize].params;
-                let _e19 = self.v_shadow_none(at_91, hit_32, light_15, _e18);
+                let _e19 = self.v_shadow_none(at_93, hit_32, light_15, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[8usize].params;
-                let _e25 = self.v_shadow_entry(at_91, hit_32, light_15, _e24);
+                let _e25 = self.v_shadow_entry(at_93, hit_32, light_15, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[8usize].params;
-                let _e31 = self.v_shadow_soft(at_91, hit_32, light_15, _e30);
+                let _e31 = self.v_shadow_soft(at_93, hit_32, light_15, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[8usize].params;
-                let _e37 = self.v_shadow_heuristic(at_91, hit_32, light_15, _e36);
+                let _e37 = self.v_shadow_heuristic(at_93, hit_32, light_15, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[8usize].params;
-                let _e43 = self.v_shadow_horizon(at_91, hit_32, light_15, _e42);
+                let _e43 = self.v_shadow_horizon(at_93, hit_32, light_15, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[8usize].params;
-                let _e49 = self.v_shadow_visibility(at_91, hit_32, light_15, _e48);
+                let _e49 = self.v_shadow_visibility(at_93, hit_32, light_15, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[8usize].params;
-                let _e55 = self.v_shadow_map(at_91, hit_32, light_15, _e54);
+                let _e55 = self.v_shadow_map(at_93, hit_32, light_15, _e54);
                 return _e55;
             }
             _ => {
                 let _e60 = self.surface_settings.choices[8usize].params;
-                let _e61 = self.v_shadow_scene(at_91, hit_32, light_15, _e60);
+                let _e61 = self.v_shadow_scene(at_93, hit_32, light_15, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_73: PixelIn, at_92: Entered, hit_33: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_73, at_92, hit_33))
+    pub(crate) fn mirrored_light(&self, pixel_75: PixelIn, at_94: Entered, hit_33: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_75, at_94, hit_33))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mirrored_light(&self, pixel_73: PixelIn, at_92: Entered, hit_33: Hit) -> rt::Scalar<f32> {
+    fn v_mirrored_light(&self, pixel_75: PixelIn, at_94: Entered, hit_33: Hit) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_33.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
-        let down_2 = pixel_73.direction.normalize();
-        let up_6 = (down_2 - (at_92.normal * (rt::Scalar(2f32) * down_2.dot(at_92.normal))));
-        let _e24 = self.v_shadow_stage(at_92, hit_33, <Toward>::new(up_6, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
+        let down_2 = pixel_75.direction.normalize();
+        let up_6 = (down_2 - (at_94.normal * (rt::Scalar(2f32) * down_2.dot(at_94.normal))));
+        let _e24 = self.v_shadow_stage(at_94, hit_33, <Toward>::new(up_6, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
         return _e24;
+    }
+    pub(crate) fn normal_of_mask(&self, image_3: Image, path_69: Path, hit_34: Hit) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_mask(image_3, path_69, hit_34))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_normal_of_mask(&self, image_3: Image, path_69: Path, hit_34: Hit) -> rt::Vec3<f32> {
+        let _e3 = self.v_grid_of(path_69);
+        let at_123 = (_e3.origin + (_e3.step * rt::Scalar(hit_34.t)));
+        let _e9 = self.v_cell_of(at_123);
+        let _e12 = self.v_grid_cell(_e9.to_i32(), rt::Scalar(0u32));
+        let part_20 = (at_123 - _e9);
+        let rise_u_2 = (((_e12.y() - _e12.x()) * (rt::Scalar(1f32) - part_20.y())) + ((_e12.w() - _e12.z()) * part_20.y()));
+        let rise_v_2 = (((_e12.z() - _e12.x()) * (rt::Scalar(1f32) - part_20.x())) + ((_e12.w() - _e12.y()) * part_20.x()));
+        let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (image_3.u.xyz().normalize() * rise_u_2)) - (image_3.v.xyz().normalize() * rise_v_2));
+        let square_4 = outward.dot(outward);
+        if rt::Scalar::into_branch_condition(square_4.elementwise_gt(rt::Scalar(0f32))) {
+            return (outward / rt::Vec3::splat_from_scalar(square_4.sqrt()));
+        }
+        return image_3.toward;
     }
     pub(crate) fn object_color(
         &self,
-        at_93: Entered,
+        at_95: Entered,
         view_14: impl rt::Into<rt::Vec3<f32>>,
         asked_1: impl rt::Into<rt::Scalar<bool>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_color(at_93, rt::into(view_14), rt::into(asked_1)))
+        rt::into(self.v_object_color(at_95, rt::into(view_14), rt::into(asked_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_color(
         &self,
-        at_93: Entered,
+        at_95: Entered,
         view_14: rt::Vec3<f32>,
         asked_1: rt::Scalar<bool>,
     ) -> rt::Vec3<f32> {
@@ -12232,7 +12299,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e24 = k_26;
                     let _e25 = self.v_image_of_object(_e24);
-                    let _e27 = self.v_angle_to_image(_e25, at_93.point, view_14, asked_1);
+                    let _e27 = self.v_angle_to_image(_e25, at_95.point, view_14, asked_1);
                     let _e28 = angle1_;
                     if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e28)) {
                         let _e30 = angle3_;
@@ -12305,15 +12372,15 @@ impl<'g> Resources<'g> {
         }
         let _e106 = image1_;
         let _e107 = self.v_image_of_object(_e106);
-        let _e109 = self.v_place_in_image(_e107, at_93.point);
+        let _e109 = self.v_place_in_image(_e107, at_95.point);
         let uv1_ = _e109.xy();
         let _e111 = image2_;
         let _e112 = self.v_image_of_object(_e111);
-        let _e114 = self.v_place_in_image(_e112, at_93.point);
+        let _e114 = self.v_place_in_image(_e112, at_95.point);
         let uv2_ = _e114.xy();
         let _e116 = image3_;
         let _e117 = self.v_image_of_object(_e116);
-        let _e119 = self.v_place_in_image(_e117, at_93.point);
+        let _e119 = self.v_place_in_image(_e117, at_95.point);
         let uv3_ = _e119.xy();
         let _e122 = self.v_color_at(uv1_, rt::Scalar(0u32));
         let _e124 = weight1_;
@@ -12349,27 +12416,27 @@ impl<'g> Resources<'g> {
         let parts_6 = (((farthest + (rt::Scalar(1u32) << level_27)) - rt::Scalar(1u32)) >> level_27);
         return parts_6.clamp(rt::Scalar(1u32), DICE_PARTS).select(rt::Scalar(1u32), level_27.elementwise_eq(COARSEST));
     }
-    pub(crate) fn pixel_direction(&self, pixel_74: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_direction(rt::into(pixel_74)))
+    pub(crate) fn pixel_direction(&self, pixel_76: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_direction(rt::into(pixel_76)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_direction(&self, pixel_74: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_direction(&self, pixel_76: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.corner;
         let _e7 = self.frame.right;
         let _e14 = self.frame.down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_74.x())) + (_e14.xyz() * pixel_74.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_76.x())) + (_e14.xyz() * pixel_76.y()));
     }
-    pub(crate) fn pixel_eye(&self, pixel_75: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_eye(rt::into(pixel_75)))
+    pub(crate) fn pixel_eye(&self, pixel_77: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_eye(rt::into(pixel_77)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_eye(&self, pixel_75: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_eye(&self, pixel_77: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.eye;
         let _e7 = self.frame.eye_right;
         let _e14 = self.frame.eye_down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_75.x())) + (_e14.xyz() * pixel_75.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_77.x())) + (_e14.xyz() * pixel_77.y()));
     }
     pub(crate) fn pixel_of(
         &self,
@@ -12399,85 +12466,32 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn placed_over(
         &self,
-        at_94: Entered,
+        at_96: Entered,
         uv_27: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_over(at_94, rt::into(uv_27)))
+        rt::into(self.v_placed_over(at_96, rt::into(uv_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_over(
         &self,
-        at_94: Entered,
+        at_96: Entered,
         uv_27: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_9 = (uv_27 - at_94.uv);
+        let aside_9 = (uv_27 - at_96.uv);
         let _e6 = rt::Scalar(self.surface_settings.bias_m);
         let _e9 = rt::Scalar(self.surface_settings.scale_m);
-        let _e11 = self.v_height_at(uv_27, rt::Scalar(at_94.level));
-        let height_17 = (_e6 + (_e9 * _e11));
-        placed = at_94;
-        placed.point = (((at_94.point + (at_94.tangent * aside_9.x())) + (at_94.bitangent * aside_9.y())) + (at_94.normal * height_17));
+        let _e11 = self.v_height_at(uv_27, rt::Scalar(at_96.level));
+        let height_18 = (_e6 + (_e9 * _e11));
+        placed = at_96;
+        placed.point = (((at_96.point + (at_96.tangent * aside_9.x())) + (at_96.bitangent * aside_9.y())) + (at_96.normal * height_18));
         placed.uv = uv_27;
         let _e29 = placed;
         return _e29;
     }
     pub(crate) fn surface_plane_place(
-        &self,
-        pixel_76: PixelIn,
-        at_95: Entered,
-        path_69: Path,
-        hit_34: Hit,
-        params_74: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_76, at_95, path_69, hit_34, rt::into(params_74)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_surface_plane_place(
-        &self,
-        pixel_76: PixelIn,
-        at_95: Entered,
-        path_69: Path,
-        hit_34: Hit,
-        params_74: rt::Vec4<f32>,
-    ) -> Entered {
-        let _e6 = self.v_placed_over(at_95, hit_34.uv);
-        return _e6;
-    }
-    pub(crate) fn placed_at(
-        &self,
-        pixel_77: PixelIn,
-        at_96: Entered,
-        weights_4: impl rt::Into<rt::Vec3<f32>>,
-        point_12: impl rt::Into<rt::Vec3<f32>>,
-        uv_28: impl rt::Into<rt::Vec2<f32>>,
-    ) -> Entered {
-        rt::into(self.v_placed_at(pixel_77, at_96, rt::into(weights_4), rt::into(point_12), rt::into(uv_28)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_placed_at(
-        &self,
-        pixel_77: PixelIn,
-        at_96: Entered,
-        weights_4: rt::Vec3<f32>,
-        point_12: rt::Vec3<f32>,
-        uv_28: rt::Vec2<f32>,
-    ) -> Entered {
-        let mut placed_1: Entered;
-
-        let _e6 = self.v_frame_at(pixel_77, weights_4, point_12, uv_28, at_96.facing);
-        placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_96.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_96.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_96.fade);
-        let _e14 = placed_1;
-        return _e14;
-    }
-    pub(crate) fn surface_prism_place(
         &self,
         pixel_78: PixelIn,
         at_97: Entered,
@@ -12485,11 +12499,11 @@ impl<'g> Resources<'g> {
         hit_35: Hit,
         params_75: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_78, at_97, path_70, hit_35, rt::into(params_75)))
+        rt::into(self.v_surface_plane_place(pixel_78, at_97, path_70, hit_35, rt::into(params_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_surface_prism_place(
+    fn v_surface_plane_place(
         &self,
         pixel_78: PixelIn,
         at_97: Entered,
@@ -12497,33 +12511,86 @@ impl<'g> Resources<'g> {
         hit_35: Hit,
         params_75: rt::Vec4<f32>,
     ) -> Entered {
-        let along_39 = pixel_78.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_78, along_39);
-        let _e8 = self.v_prism_of(pixel_78, along_39, _e7, params_75);
-        let s_4 = ((rt::Scalar(path_70.start) + rt::Scalar(hit_35.t)) - _e7);
-        let _e15 = self.v_point_of_way(pixel_78, _e8, (along_39 * s_4), rt::Scalar(hit_35.height));
+        let _e6 = self.v_placed_over(at_97, hit_35.uv);
+        return _e6;
+    }
+    pub(crate) fn placed_at(
+        &self,
+        pixel_79: PixelIn,
+        at_98: Entered,
+        weights_4: impl rt::Into<rt::Vec3<f32>>,
+        point_12: impl rt::Into<rt::Vec3<f32>>,
+        uv_28: impl rt::Into<rt::Vec2<f32>>,
+    ) -> Entered {
+        rt::into(self.v_placed_at(pixel_79, at_98, rt::into(weights_4), rt::into(point_12), rt::into(uv_28)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_placed_at(
+        &self,
+        pixel_79: PixelIn,
+        at_98: Entered,
+        weights_4: rt::Vec3<f32>,
+        point_12: rt::Vec3<f32>,
+        uv_28: rt::Vec2<f32>,
+    ) -> Entered {
+        let mut placed_1: Entered;
+
+        let _e6 = self.v_frame_at(pixel_79, weights_4, point_12, uv_28, at_98.facing);
+        placed_1 = _e6;
+        rt::Scalar(placed_1.level) = rt::Scalar(at_98.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_98.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_98.fade);
+        let _e14 = placed_1;
+        return _e14;
+    }
+    pub(crate) fn surface_prism_place(
+        &self,
+        pixel_80: PixelIn,
+        at_99: Entered,
+        path_71: Path,
+        hit_36: Hit,
+        params_76: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_prism_place(pixel_80, at_99, path_71, hit_36, rt::into(params_76)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_surface_prism_place(
+        &self,
+        pixel_80: PixelIn,
+        at_99: Entered,
+        path_71: Path,
+        hit_36: Hit,
+        params_76: rt::Vec4<f32>,
+    ) -> Entered {
+        let along_39 = pixel_80.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_80, along_39);
+        let _e8 = self.v_prism_of(pixel_80, along_39, _e7, params_76);
+        let s_4 = ((rt::Scalar(path_71.start) + rt::Scalar(hit_36.t)) - _e7);
+        let _e15 = self.v_point_of_way(pixel_80, _e8, (along_39 * s_4), rt::Scalar(hit_36.height));
         let weights_6 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_78, at_97, weights_6, (pixel_78.origin + (along_39 * (rt::Scalar(path_70.start) + rt::Scalar(hit_35.t)))), hit_35.uv);
+        let _e24 = self.v_placed_at(pixel_80, at_99, weights_6, (pixel_80.origin + (along_39 * (rt::Scalar(path_71.start) + rt::Scalar(hit_36.t)))), hit_36.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_98: Entered,
+        at_100: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_98, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_100, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_frame(
         &self,
-        at_98: Entered,
+        at_100: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
         let mut local_85: rt::Scalar<bool>;
 
-        placed_2 = at_98;
-        let _e5 = self.v_quadric_slope(at_98.of_surface.xyz(), aside);
+        placed_2 = at_100;
+        let _e5 = self.v_quadric_slope(at_100.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
             local_85 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
@@ -12534,13 +12601,13 @@ impl<'g> Resources<'g> {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_5 = at_98.metric;
+        let m_5 = at_100.metric;
         let area_6 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
         let along_t = (((_e5.x() * m_5.z()) - (_e5.y() * m_5.y())) / area_6);
         let along_b = (((_e5.y() * m_5.x()) - (_e5.x() * m_5.y())) / area_6);
-        placed_2.tangent = (at_98.tangent + (at_98.normal * _e5.x()));
-        placed_2.bitangent = (at_98.bitangent + (at_98.normal * _e5.y()));
-        placed_2.normal = ((at_98.normal - (at_98.tangent * along_t)) - (at_98.bitangent * along_b)).normalize();
+        placed_2.tangent = (at_100.tangent + (at_100.normal * _e5.x()));
+        placed_2.bitangent = (at_100.bitangent + (at_100.normal * _e5.y()));
+        placed_2.normal = ((at_100.normal - (at_100.tangent * along_t)) - (at_100.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_3 = _e63.dot(_e65);
@@ -12556,97 +12623,97 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
-        pixel_79: PixelIn,
-        at_99: Entered,
-        path_71: Path,
-        hit_36: Hit,
-        params_76: impl rt::Into<rt::Vec4<f32>>,
+        pixel_81: PixelIn,
+        at_101: Entered,
+        path_72: Path,
+        hit_37: Hit,
+        params_77: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_79, at_99, path_71, hit_36, rt::into(params_76)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_81, at_101, path_72, hit_37, rt::into(params_77)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_place(
         &self,
-        pixel_79: PixelIn,
-        at_99: Entered,
-        path_71: Path,
-        hit_36: Hit,
-        params_76: rt::Vec4<f32>,
+        pixel_81: PixelIn,
+        at_101: Entered,
+        path_72: Path,
+        hit_37: Hit,
+        params_77: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_99, (hit_36.uv - at_99.uv));
+        let _e8 = self.v_quadric_frame(at_101, (hit_37.uv - at_101.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_79.origin + (pixel_79.direction.normalize() * (rt::Scalar(path_71.start) + rt::Scalar(hit_36.t))));
-        placed_3.uv = hit_36.uv;
+        placed_3.point = (pixel_81.origin + (pixel_81.direction.normalize() * (rt::Scalar(path_72.start) + rt::Scalar(hit_37.t))));
+        placed_3.uv = hit_37.uv;
         let _e21 = placed_3;
         return _e21;
     }
     pub(crate) fn surface_quadric_vertical_place(
         &self,
-        pixel_80: PixelIn,
-        at_100: Entered,
-        path_72: Path,
-        hit_37: Hit,
-        params_77: impl rt::Into<rt::Vec4<f32>>,
+        pixel_82: PixelIn,
+        at_102: Entered,
+        path_73: Path,
+        hit_38: Hit,
+        params_78: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_80, at_100, path_72, hit_37, rt::into(params_77)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_82, at_102, path_73, hit_38, rt::into(params_78)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
-        pixel_80: PixelIn,
-        at_100: Entered,
-        path_72: Path,
-        hit_37: Hit,
-        params_77: rt::Vec4<f32>,
+        pixel_82: PixelIn,
+        at_102: Entered,
+        path_73: Path,
+        hit_38: Hit,
+        params_78: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_10 = (hit_37.uv - at_100.uv);
+        let aside_10 = (hit_38.uv - at_102.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_37.uv, rt::Scalar(at_100.level));
-        let height_18 = (_e10 + (_e13 * _e16));
+        let _e16 = self.v_height_at(hit_38.uv, rt::Scalar(at_102.level));
+        let height_19 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_100.of_surface.xyz(), aside_10);
-        let lifted_2 = (((_e19 - at_100.of_surface.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_100, aside_10);
+        let _e27 = self.v_quadric_at(at_102.of_surface.xyz(), aside_10);
+        let lifted_2 = (((_e19 - at_102.of_surface.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_102, aside_10);
         placed_4 = _e29;
-        placed_4.point = (((at_100.point + (at_100.tangent * aside_10.x())) + (at_100.bitangent * aside_10.y())) + (at_100.normal * (height_18 + lifted_2)));
-        placed_4.uv = hit_37.uv;
+        placed_4.point = (((at_102.point + (at_102.tangent * aside_10.x())) + (at_102.bitangent * aside_10.y())) + (at_102.normal * (height_19 + lifted_2)));
+        placed_4.uv = hit_38.uv;
         let _e47 = placed_4;
         return _e47;
     }
     pub(crate) fn surface_tetrahedra_place(
         &self,
-        pixel_81: PixelIn,
-        at_101: Entered,
-        path_73: Path,
-        hit_38: Hit,
-        params_78: impl rt::Into<rt::Vec4<f32>>,
+        pixel_83: PixelIn,
+        at_103: Entered,
+        path_74: Path,
+        hit_39: Hit,
+        params_79: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_81, at_101, path_73, hit_38, rt::into(params_78)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_83, at_103, path_74, hit_39, rt::into(params_79)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
-        pixel_81: PixelIn,
-        at_101: Entered,
-        path_73: Path,
-        hit_38: Hit,
-        params_78: rt::Vec4<f32>,
+        pixel_83: PixelIn,
+        at_103: Entered,
+        path_74: Path,
+        hit_39: Hit,
+        params_79: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
         let mut number_11: rt::Scalar<u32> = rt::Scalar(1u32);
 
-        let along_40 = pixel_81.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_81, along_40);
-        let t_40 = ((rt::Scalar(path_73.start) + rt::Scalar(hit_38.t)) - _e7);
-        let _e13 = self.v_tetrahedron(pixel_81, along_40, _e7, rt::Scalar(0u32));
+        let along_40 = pixel_83.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_83, along_40);
+        let t_40 = ((rt::Scalar(path_74.start) + rt::Scalar(hit_39.t)) - _e7);
+        let _e13 = self.v_tetrahedron(pixel_83, along_40, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
@@ -12660,7 +12727,7 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e30 = number_11;
-                    let _e31 = self.v_tetrahedron(pixel_81, along_40, _e7, _e30);
+                    let _e31 = self.v_tetrahedron(pixel_83, along_40, _e7, _e30);
                     let aside_11 = (_e31.inside.x() - t_40).max((t_40 - _e31.inside.y()));
                     let _e39 = beside_1;
                     if rt::Scalar::into_branch_condition(aside_11.elementwise_lt(_e39)) {
@@ -12675,173 +12742,177 @@ impl<'g> Resources<'g> {
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
         let weights_7 = (_e45 + (_e47 * t_40));
-        let point_23 = (pixel_81.origin + (along_40 * (rt::Scalar(path_73.start) + rt::Scalar(hit_38.t))));
-        let _e58 = self.v_placed_at(pixel_81, at_101, weights_7.xyz(), point_23, hit_38.uv);
+        let point_23 = (pixel_83.origin + (along_40 * (rt::Scalar(path_74.start) + rt::Scalar(hit_39.t))));
+        let _e58 = self.v_placed_at(pixel_83, at_103, weights_7.xyz(), point_23, hit_39.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
-        pixel_82: PixelIn,
-        at_102: Entered,
-        path_74: Path,
-        hit_39: Hit,
-        params_79: impl rt::Into<rt::Vec4<f32>>,
+        pixel_84: PixelIn,
+        at_104: Entered,
+        path_75: Path,
+        hit_40: Hit,
+        params_80: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_82, at_102, path_74, hit_39, rt::into(params_79)))
+        rt::into(self.v_surface_facets_place(pixel_84, at_104, path_75, hit_40, rt::into(params_80)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_place(
         &self,
-        pixel_82: PixelIn,
-        at_102: Entered,
-        path_74: Path,
-        hit_39: Hit,
-        params_79: rt::Vec4<f32>,
+        pixel_84: PixelIn,
+        at_104: Entered,
+        path_75: Path,
+        hit_40: Hit,
+        params_80: rt::Vec4<f32>,
     ) -> Entered {
-        return at_102;
+        return at_104;
     }
     pub(crate) fn surface_slices_place(
         &self,
-        pixel_83: PixelIn,
-        at_103: Entered,
-        path_75: Path,
-        hit_40: Hit,
-        params_80: impl rt::Into<rt::Vec4<f32>>,
+        pixel_85: PixelIn,
+        at_105: Entered,
+        path_76: Path,
+        hit_41: Hit,
+        params_81: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_83, at_103, path_75, hit_40, rt::into(params_80)))
+        rt::into(self.v_surface_slices_place(pixel_85, at_105, path_76, hit_41, rt::into(params_81)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_place(
         &self,
-        pixel_83: PixelIn,
-        at_103: Entered,
-        path_75: Path,
-        hit_40: Hit,
-        params_80: rt::Vec4<f32>,
-    ) -> Entered {
-        let _e6 = self.v_placed_over(at_103, hit_40.uv);
-        return _e6;
-    }
-    pub(crate) fn surface_object_place(
-        &self,
-        pixel_84: PixelIn,
-        at_104: Entered,
-        path_76: Path,
-        hit_41: Hit,
-        params_81: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Entered {
-        rt::into(self.v_surface_object_place(pixel_84, at_104, path_76, hit_41, rt::into(params_81)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_surface_object_place(
-        &self,
-        pixel_84: PixelIn,
-        at_104: Entered,
+        pixel_85: PixelIn,
+        at_105: Entered,
         path_76: Path,
         hit_41: Hit,
         params_81: rt::Vec4<f32>,
     ) -> Entered {
+        let _e6 = self.v_placed_over(at_105, hit_41.uv);
+        return _e6;
+    }
+    pub(crate) fn surface_object_place(
+        &self,
+        pixel_86: PixelIn,
+        at_106: Entered,
+        path_77: Path,
+        hit_42: Hit,
+        params_82: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_object_place(pixel_86, at_106, path_77, hit_42, rt::into(params_82)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_object_place(
+        &self,
+        pixel_86: PixelIn,
+        at_106: Entered,
+        path_77: Path,
+        hit_42: Hit,
+        params_82: rt::Vec4<f32>,
+    ) -> Entered {
         let mut placed_5: Entered;
 
-        let _e7 = self.v_image_of_object(rt::Scalar(path_76.base).to_u32());
-        placed_5 = at_104;
-        placed_5.point = (pixel_84.origin + (pixel_84.direction.normalize() * (rt::Scalar(path_76.start) + rt::Scalar(hit_41.t))));
-        placed_5.uv = hit_41.uv;
+        let _e7 = self.v_image_of_object(rt::Scalar(path_77.base).to_u32());
+        placed_5 = at_106;
+        placed_5.point = (pixel_86.origin + (pixel_86.direction.normalize() * (rt::Scalar(path_77.start) + rt::Scalar(hit_42.t))));
+        placed_5.uv = hit_42.uv;
         placed_5.tangent = (_e7.u.xyz() / rt::Vec3::splat_from_scalar((_e7.u.xyz().dot(_e7.u.xyz()) * _e7.extent.x())));
         placed_5.bitangent = (_e7.v.xyz() / rt::Vec3::splat_from_scalar((_e7.v.xyz().dot(_e7.v.xyz()) * _e7.extent.y())));
         placed_5.normal = _e7.toward;
-        placed_5.metric = path_76.metric;
+        let _e50 = rt::Scalar(self.surface_settings.cells);
+        if rt::Scalar::into_branch_condition(_e50.elementwise_eq(CELLS_MASK)) {
+            let _e54 = self.v_normal_of_mask(_e7, path_77, hit_42);
+            placed_5.normal = _e54;
+        }
+        placed_5.metric = path_77.metric;
         placed_5.facing = _e7.toward;
-        let _e52 = placed_5;
-        return _e52;
+        let _e59 = placed_5;
+        return _e59;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_85: PixelIn, at_105: Entered, path_77: Path, hit_42: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_85, at_105, path_77, hit_42))
+    pub(crate) fn surface_place_stage(&self, pixel_87: PixelIn, at_107: Entered, path_78: Path, hit_43: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_87, at_107, path_78, hit_43))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_85: PixelIn, at_105: Entered, path_77: Path, hit_42: Hit) -> Entered {
+    fn v_surface_place_stage(&self, pixel_87: PixelIn, at_107: Entered, path_78: Path, hit_43: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_85, at_105, path_77, hit_42, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_87, at_107, path_78, hit_43, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_85, at_105, path_77, hit_42, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_87, at_107, path_78, hit_43, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_85, at_105, path_77, hit_42, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_87, at_107, path_78, hit_43, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_85, at_105, path_77, hit_42, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_87, at_107, path_78, hit_43, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_85, at_105, path_77, hit_42, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_87, at_107, path_78, hit_43, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_85, at_105, path_77, hit_42, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_87, at_107, path_78, hit_43, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_85, at_105, path_77, hit_42, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_87, at_107, path_78, hit_43, _e49);
                 return _e50;
             }
             _ => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_place(pixel_85, at_105, path_77, hit_42, _e55);
+                let _e56 = self.v_surface_object_place(pixel_87, at_107, path_78, hit_43, _e55);
                 return _e56;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_86: PixelIn, at_106: Entered, path_78: Path, hit_43: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_86, at_106, path_78, hit_43))
+    pub(crate) fn place_on_segment(&self, pixel_88: PixelIn, at_108: Entered, path_79: Path, hit_44: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_88, at_108, path_79, hit_44))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_place_on_segment(&self, pixel_86: PixelIn, at_106: Entered, path_78: Path, hit_43: Hit) -> Entered {
+    fn v_place_on_segment(&self, pixel_88: PixelIn, at_108: Entered, path_79: Path, hit_44: Hit) -> Entered {
         let mut placed_6: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_86, at_106, path_78, hit_43);
+        let _e4 = self.v_surface_place_stage(pixel_88, at_108, path_79, hit_44);
         placed_6 = _e4;
-        let _e7 = self.v_depth_on_ray(pixel_86, path_78, hit_43);
+        let _e7 = self.v_depth_on_ray(pixel_88, path_79, hit_44);
         rt::Scalar(placed_6.depth) = _e7;
         let _e8 = placed_6;
         return _e8;
     }
     pub(crate) fn place_hit(
         &self,
-        pixel_87: PixelIn,
-        at_107: Entered,
+        pixel_89: PixelIn,
+        at_109: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
-        hit_44: Hit,
+        hit_45: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_87, at_107, rt::into(segment), hit_44))
+        rt::into(self.v_place_hit(pixel_89, at_109, rt::into(segment), hit_45))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_place_hit(
         &self,
-        pixel_87: PixelIn,
-        at_107: Entered,
+        pixel_89: PixelIn,
+        at_109: Entered,
         segment: rt::Scalar<u32>,
-        hit_44: Hit,
+        hit_45: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_87, at_107, segment);
-        let _e5 = self.v_place_on_segment(pixel_87, at_107, _e4, hit_44);
+        let _e4 = self.v_segment_of(pixel_89, at_109, segment);
+        let _e5 = self.v_place_on_segment(pixel_89, at_109, _e4, hit_45);
         return _e5;
     }
     pub(crate) fn toward_light(
@@ -12870,27 +12941,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn point_of_light(
         &self,
-        at_108: Entered,
-        hit_45: Hit,
+        at_110: Entered,
+        hit_46: Hit,
         number_13: impl rt::Into<rt::Scalar<u32>>,
         k_27: impl rt::Into<rt::Scalar<u32>>,
         count_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_108, hit_45, rt::into(number_13), rt::into(k_27), rt::into(count_5)))
+        rt::into(self.v_point_of_light(at_110, hit_46, rt::into(number_13), rt::into(k_27), rt::into(count_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_light(
         &self,
-        at_108: Entered,
-        hit_45: Hit,
+        at_110: Entered,
+        hit_46: Hit,
         number_13: rt::Scalar<u32>,
         k_27: rt::Scalar<u32>,
         count_5: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_13, at_108.point);
+        let _e6 = self.v_toward_light(number_13, at_110.point);
         if rt::Scalar::into_branch_condition(count_5.elementwise_gt(rt::Scalar(0u32))) {
-            let _e9 = self.v_seed_of(hit_45);
+            let _e9 = self.v_seed_of(hit_46);
             let _e10 = self.v_point_of_disc(_e6, _e9, k_27, count_5);
             return _e10;
         }
@@ -12898,26 +12969,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_109: Entered,
-        hit_46: Hit,
+        at_111: Entered,
+        hit_47: Hit,
         number_14: impl rt::Into<rt::Scalar<u32>>,
         k_28: impl rt::Into<rt::Scalar<u32>>,
         count_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_109, hit_46, rt::into(number_14), rt::into(k_28), rt::into(count_6)))
+        rt::into(self.v_ray_to_light(at_111, hit_47, rt::into(number_14), rt::into(k_28), rt::into(count_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ray_to_light(
         &self,
-        at_109: Entered,
-        hit_46: Hit,
+        at_111: Entered,
+        hit_47: Hit,
         number_14: rt::Scalar<u32>,
         k_28: rt::Scalar<u32>,
         count_6: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_109, hit_46, number_14, k_28, count_6);
-        let _e6 = self.v_light_ray(at_109, hit_46, _e5);
+        let _e5 = self.v_point_of_light(at_111, hit_47, number_14, k_28, count_6);
+        let _e6 = self.v_light_ray(at_111, hit_47, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
@@ -12946,16 +13017,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_110: Entered,
+        at_112: Entered,
         seen_2: SeenNormals,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_110, seen_2, rt::into(toward_2)))
+        rt::into(self.v_seen_cosine(at_112, seen_2, rt::into(toward_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_110: Entered,
+        at_112: Entered,
         seen_2: SeenNormals,
         toward_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -12964,7 +13035,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_2.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_2.normal.dot(toward_2).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_110, toward_2);
+        let _e10 = self.v_to_tangent_space(at_112, toward_2);
         let middle_16 = seen_2.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_16, seen_2.along.dot(_e10), seen_2.across.dot(_e10));
         let one_1 = (rt::Scalar(seen_2.middle_seen) * middle_16.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
@@ -13042,9 +13113,9 @@ impl<'g> Resources<'g> {
         view_15: impl rt::Into<rt::Vec3<f32>>,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
         color_7: impl rt::Into<rt::Vec3<f32>>,
-        params_82: impl rt::Into<rt::Vec4<f32>>,
+        params_83: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_18), rt::into(mean), rt::into(cosine_1), rt::into(view_15), rt::into(toward_3), rt::into(color_7), rt::into(params_82)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_18), rt::into(mean), rt::into(cosine_1), rt::into(view_15), rt::into(toward_3), rt::into(color_7), rt::into(params_83)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
@@ -13055,7 +13126,7 @@ impl<'g> Resources<'g> {
         view_15: rt::Vec3<f32>,
         toward_3: rt::Vec3<f32>,
         color_7: rt::Vec3<f32>,
-        params_82: rt::Vec4<f32>,
+        params_83: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_2: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -13113,20 +13184,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn reflected_light(
         &self,
-        at_111: Entered,
-        hit_47: Hit,
+        at_113: Entered,
+        hit_48: Hit,
         seen_3: SeenNormals,
         view_17: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_111, hit_47, seen_3, rt::into(view_17), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_113, hit_48, seen_3, rt::into(view_17), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_111: Entered,
-        hit_47: Hit,
+        at_113: Entered,
+        hit_48: Hit,
         seen_3: SeenNormals,
         view_17: rt::Vec3<f32>,
         color_9: rt::Vec3<f32>,
@@ -13138,7 +13209,7 @@ impl<'g> Resources<'g> {
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_111, hit_47, (seen_3.normal * rt::Scalar(seen_3.length)), view_17, diffuse);
+        let _e20 = self.v_ambient_stage(at_113, hit_48, (seen_3.normal * rt::Scalar(seen_3.length)), view_17, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
@@ -13150,8 +13221,8 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e29 = k_29;
-                    let _e31 = self.v_toward_light(_e29, at_111.point);
-                    let _e33 = self.v_seen_cosine(at_111, seen_3, _e31.direction);
+                    let _e31 = self.v_toward_light(_e29, at_113.point);
+                    let _e33 = self.v_seen_cosine(at_113, seen_3, _e31.direction);
                     let _e37 = self.v_shade_stage(seen_3.normal, rt::Scalar(seen_3.length), _e33, view_17, _e31.direction, diffuse);
                     let _e38 = light_16;
                     let _e41 = k_29;
@@ -13168,17 +13239,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_color(
         &self,
-        at_112: Entered,
-        hit_48: Hit,
+        at_114: Entered,
+        hit_49: Hit,
         view_18: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_surface_color(at_112, hit_48, rt::into(view_18)))
+        rt::into(self.v_surface_color(at_114, hit_49, rt::into(view_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_color(
         &self,
-        at_112: Entered,
-        hit_48: Hit,
+        at_114: Entered,
+        hit_49: Hit,
         view_18: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let mut local_86: rt::Scalar<bool>;
@@ -13192,14 +13263,14 @@ impl<'g> Resources<'g> {
         }
         let _e17 = local_86;
         if rt::Scalar::into_branch_condition(_e17) {
-            let _e20 = self.v_color_or_white(hit_48.uv, rt::Scalar(at_112.footprint));
+            let _e20 = self.v_color_or_white(hit_49.uv, rt::Scalar(at_114.footprint));
             return _e20;
         }
         let how = self.surface_settings.choices[3usize].params.z();
         if rt::Scalar::into_branch_condition(how.elementwise_eq(rt::Scalar(2f32))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         }
-        let _e35 = self.v_object_color(at_112, view_18, how.elementwise_eq(rt::Scalar(1f32)));
+        let _e35 = self.v_object_color(at_114, view_18, how.elementwise_eq(rt::Scalar(1f32)));
         return _e35;
     }
     pub(crate) fn z_of(&self, depth_6: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -13221,65 +13292,65 @@ impl<'g> Resources<'g> {
     pub(crate) fn shade_hit(
         &self,
         origin_2: impl rt::Into<rt::Vec3<f32>>,
-        at_113: Entered,
-        hit_49: Hit,
+        at_115: Entered,
+        hit_50: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_2), at_113, hit_49, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_2), at_115, hit_50, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(
         &self,
         origin_2: rt::Vec3<f32>,
-        at_113: Entered,
-        hit_49: Hit,
+        at_115: Entered,
+        hit_50: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_49.found).elementwise_eq(rt::Scalar(0u32))) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_49.cost.x(), hit_49.cost.y(), hit_49.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_50.found).elementwise_eq(rt::Scalar(0u32))) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_50.cost.x(), hit_50.cost.y(), hit_50.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_49.uv, rt::Scalar(at_113.level));
-        let view_21 = (origin_2 - at_113.point).normalize();
-        let _e49 = self.v_mesostructure_normals(at_113, hit_49.uv, view_21);
-        let _e50 = self.v_surface_color(at_113, hit_49, view_21);
-        let _e51 = self.v_reflected_light(at_113, hit_49, _e49, view_21, _e50, visible_1);
+        let _e44 = self.v_height_at(hit_50.uv, rt::Scalar(at_115.level));
+        let view_21 = (origin_2 - at_115.point).normalize();
+        let _e49 = self.v_mesostructure_normals(at_115, hit_50.uv, view_21);
+        let _e50 = self.v_surface_color(at_115, hit_50, view_21);
+        let _e51 = self.v_reflected_light(at_115, hit_50, _e49, view_21, _e50, visible_1);
         let _e56 = self.frame.forward;
-        let depth_9 = (at_113.point - origin_2).dot(_e56.xyz());
+        let depth_9 = (at_115.point - origin_2).dot(_e56.xyz());
         let _e61 = self.v_height_size(rt::Scalar(0u32));
-        let _e67 = self.v_cell_of(((hit_49.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e87 = self.v_z_of(rt::Scalar(at_113.depth));
+        let _e67 = self.v_cell_of(((hit_50.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e87 = self.v_z_of(rt::Scalar(at_115.depth));
         let _e90 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_49.exhausted), hit_49.uv, _e44, at_113.point, _e49.normal, depth_9, rt::Scalar(hit_49.t), _e67.to_i32(), hit_49.cost.x(), hit_49.cost.y(), hit_49.cost.z(), visible_1[0usize].x(), rt::Scalar(at_113.level), _e87, _e90);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_50.exhausted), hit_50.uv, _e44, at_115.point, _e49.normal, depth_9, rt::Scalar(hit_50.t), _e67.to_i32(), hit_50.cost.x(), hit_50.cost.y(), hit_50.cost.z(), visible_1[0usize].x(), rt::Scalar(at_115.level), _e87, _e90);
     }
     pub(crate) fn visible_light(
         &self,
-        at_114: Entered,
-        hit_50: Hit,
+        at_116: Entered,
+        hit_51: Hit,
         number_15: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_114, hit_50, rt::into(number_15)))
+        rt::into(self.v_visible_light(at_116, hit_51, rt::into(number_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_visible_light(
         &self,
-        at_114: Entered,
-        hit_50: Hit,
+        at_116: Entered,
+        hit_51: Hit,
         number_15: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_15, at_114.point);
-        let _e5 = self.v_shadow_stage(at_114, hit_50, _e4);
+        let _e4 = self.v_toward_light(number_15, at_116.point);
+        let _e5 = self.v_shadow_stage(at_116, hit_51, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_115: Entered, hit_51: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_115, hit_51))
+    pub(crate) fn visible_lights(&self, at_117: Entered, hit_52: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_117, hit_52))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_115: Entered, hit_51: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_117: Entered, hit_52: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut k_30: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_51.found).elementwise_eq(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_52.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
             return _e7;
         }
@@ -13294,7 +13365,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e15 = k_30;
                     let _e17 = k_30;
-                    let _e18 = self.v_visible_light(at_115, hit_51, _e17);
+                    let _e18 = self.v_visible_light(at_117, hit_52, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e23 = k_30;
                     k_30 = (_e23 + rt::Scalar(1u32));
@@ -13304,17 +13375,17 @@ impl<'g> Resources<'g> {
         let _e26 = visible_2;
         return _e26;
     }
-    pub(crate) fn shade_pixel(&self, pixel_88: PixelIn) -> PixelOut {
-        rt::into(self.v_shade_pixel(pixel_88))
+    pub(crate) fn shade_pixel(&self, pixel_90: PixelIn) -> PixelOut {
+        rt::into(self.v_shade_pixel(pixel_90))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shade_pixel(&self, pixel_88: PixelIn) -> PixelOut {
-        let _e1 = self.v_enter_relief(pixel_88);
-        let _e2 = self.v_first_hit(pixel_88, _e1);
-        let _e5 = self.v_place_hit(pixel_88, _e1, rt::Scalar(_e2.segment), _e2.hit);
+    fn v_shade_pixel(&self, pixel_90: PixelIn) -> PixelOut {
+        let _e1 = self.v_enter_relief(pixel_90);
+        let _e2 = self.v_first_hit(pixel_90, _e1);
+        let _e5 = self.v_place_hit(pixel_90, _e1, rt::Scalar(_e2.segment), _e2.hit);
         let _e9 = self.v_visible_lights(_e5, _e2.hit);
-        let _e10 = self.v_shade_hit(pixel_88.origin, _e5, _e2.hit, _e9);
+        let _e10 = self.v_shade_hit(pixel_90.origin, _e5, _e2.hit, _e9);
         return _e10;
     }
     pub(crate) fn weighted_site(
@@ -13342,10 +13413,10 @@ impl<'g> Resources<'g> {
         a_16: BaseSite,
         b_16: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
-        at_116: impl rt::Into<rt::Scalar<u32>>,
+        at_118: impl rt::Into<rt::Scalar<u32>>,
         parts_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_116), rt::into(parts_2)))
+        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_118), rt::into(parts_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13354,11 +13425,11 @@ impl<'g> Resources<'g> {
         a_16: BaseSite,
         b_16: BaseSite,
         shares: rt::Vec2<f32>,
-        at_116: rt::Scalar<u32>,
+        at_118: rt::Scalar<u32>,
         parts_2: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_2 - at_116).to_f32() * shares.x());
-        let of_b = (at_116.to_f32() * shares.y());
+        let of_a = ((parts_2 - at_118).to_f32() * shares.x());
+        let of_b = (at_118.to_f32() * shares.y());
         let sum_7 = (of_a + of_b);
         let _e17 = self.v_weighted_site(a_16, b_16, b_16, <rt::Vec3<f32>>::from_scalars((of_a / sum_7), (of_b / sum_7), rt::Scalar(0f32)));
         return _e17;
@@ -13427,9 +13498,9 @@ impl<'g> Resources<'g> {
         let down_3 = (grid_11.middle.y() - ((grid_11.up.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e42));
         let far_14 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_121 = <rt::Vec3<f32>>::from_scalars(right_4, down_3, _e49).clamp((-far_14), far_14);
+        let at_124 = <rt::Vec3<f32>>::from_scalars(right_4, down_3, _e49).clamp((-far_14), far_14);
         let _e60 = share;
-        return <Voxel>::new((at_121 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
+        return <Voxel>::new((at_124 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
     }
 }
 

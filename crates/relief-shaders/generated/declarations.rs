@@ -223,6 +223,11 @@ pub const MODULES: &[Module] = &[
 // each image for the next point are ours. No image lets a ray go on too far, so that none passes a point that
 // all agree on.
 "# },
+    Module { path: "object/hull", head: r#"// The visual hull: what lies in all silhouettes. Rays go round the images as they do where these have depths;
+// in each the silhouette is where the mask, bilinear between texels, is at least a half.
+//
+// Kautz and Seidel 2001, section 5; Matusik et al. 2000.
+"# },
     Module { path: "object/none", head: r#"// No object: a relief, whose segments are searched in their order. A segment whose hit lies in a hole has
 // none. In a shell that overlaps itself segments do so, too: there it is the nearest of all.
 "# },
@@ -1086,6 +1091,13 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "constants",
+        name: "CELLS_MASK",
+        sampling: None,
+        uses: &[],
+        text: r#"const CELLS_MASK = 4u;"#,
+    },
+    Declaration {
+        module: "constants",
         name: "STAGE_OBJECT",
         sampling: None,
         uses: &[],
@@ -1410,11 +1422,12 @@ struct Grid {
         module: "shared/cell",
         name: "cell_parts",
         sampling: None,
-        uses: &["CELLS_BILINEAR", "CELLS_HIGHEST", "surface_settings"],
+        uses: &["CELLS_NEAREST", "CELLS_STEP", "surface_settings"],
         text: r#"// How many cells there are between two texels: 2 where each quarter of a dual cell may be as high as its own
 // texel.
 fn cell_parts() -> i32 {
-    return select(2, 1, surface_settings.cells == CELLS_BILINEAR || surface_settings.cells == CELLS_HIGHEST);
+    let cells = surface_settings.cells;
+    return select(1, 2, cells == CELLS_STEP || cells == CELLS_NEAREST);
 }"#,
     },
     Declaration {
@@ -1487,7 +1500,7 @@ fn cell_after(grid: Grid, cell: vec2f, leave: vec2f, forward: vec2<bool>, t: f32
         module: "shared/cell",
         name: "grid_cell",
         sampling: None,
-        uses: &["CELLS_BILINEAR", "CELLS_HIGHEST", "CELLS_NEAREST", "height_cell", "surface_settings"],
+        uses: &["CELLS_BILINEAR", "CELLS_HIGHEST", "CELLS_MASK", "CELLS_NEAREST", "EMPTY_HEIGHT", "height_cell", "surface_settings"],
         text: r#"// The corners of a cell of the grid, as `height_cell` has those of dual cells: as images of objects have them
 // where heights jump. One read.
 fn grid_cell(cell: vec2i, level: u32) -> vec4f {
@@ -1502,6 +1515,15 @@ fn grid_cell(cell: vec2i, level: u32) -> vec4f {
             return vec4f(most, most, most, most);
         }
         return h;
+    }
+    if (surface_settings.cells == CELLS_MASK) {
+        let h = height_cell(cell, level);
+        return vec4f(
+            select(0.0, 1.0, h.x > EMPTY_HEIGHT),
+            select(0.0, 1.0, h.y > EMPTY_HEIGHT),
+            select(0.0, 1.0, h.z > EMPTY_HEIGHT),
+            select(0.0, 1.0, h.w > EMPTY_HEIGHT),
+        );
     }
     // The quarters of a dual cell, each at one of its texels.
     let dual = vec2i(cell.x >> 1u, cell.y >> 1u);
@@ -4019,6 +4041,65 @@ fn object_color(at: Entered, view: vec3f, asked: bool) -> vec3f {
     let first = color_at(uv1, 0u).xyz * weight1;
     let sum = first + color_at(uv2, 0u).xyz * weight2 + color_at(uv3, 0u).xyz * weight3;
     return sum * (1.0 / (weight1 + weight2 + weight3));
+}"#,
+    },
+    Declaration {
+        module: "shared/object",
+        name: "AGREED",
+        sampling: None,
+        uses: &[],
+        text: r#"// The part of a distance by which two images may differ about a place: a few roundings. Smaller, and rays go
+// round for long between images of the same surface; larger, and what is thinner is passed.
+const AGREED = 0.000002;"#,
+    },
+    Declaration {
+        module: "shared/object",
+        name: "MOST_ROUNDS",
+        sampling: None,
+        uses: &[],
+        text: r#"// How often a ray goes round at most. Images of the same surface send it on between them by ever less.
+const MOST_ROUNDS = 256u;"#,
+    },
+    Declaration {
+        module: "shared/object",
+        name: "first_in_all",
+        sampling: None,
+        uses: &["AGREED", "Entered", "FirstHit", "Hit", "MOST_ROUNDS", "NO_COST", "PixelIn", "beginning_at", "hit_on_segment", "miss", "reached", "segment_of", "trace"],
+        text: r#"// The first point of a ray that all images say may be there.
+fn first_in_all(pixel: PixelIn, at: Entered) -> FirstHit {
+    var cost = NO_COST;
+    var first = FirstHit(miss(cost), 0u, 0.0);
+    var reached = 0.0;
+    var agreed = 0u;
+    var k = 0u;
+    var turns = 0u;
+    let most = at.segments * MOST_ROUNDS;
+    while (agreed < at.segments && turns < most) {
+        let path = segment_of(pixel, at, k);
+        let passed = max(reached - path.start, 0.0);
+        if (!(passed < path.exit)) {
+            first.hit = miss(cost);
+            return first;
+        }
+        let hit = trace(beginning_at(path, passed));
+        cost = cost + hit.cost;
+        if (hit.found == 0u) {
+            first.hit = miss(cost);
+            return first;
+        }
+        let t = passed + hit.t;
+        if (first.hit.found == 0u || path.start + t > reached + reached * AGREED) {
+            reached = path.start + t;
+            agreed = 0u;
+            first = hit_on_segment(pixel, at, path, Hit(1u, 0u, hit.uv, hit.height, t, cost), k);
+        }
+        agreed = agreed + 1u;
+        k = select(k + 1u, 0u, k + 1u == at.segments);
+        turns = turns + 1u;
+    }
+    first.hit.exhausted = select(0u, 1u, agreed < at.segments);
+    first.hit.cost = cost;
+    return first;
 }"#,
     },
     Declaration {
@@ -6884,7 +6965,7 @@ fn within_bounds(x: f32, dx: f32, low: f32, high: f32, interval: vec2f) -> vec2f
         module: "surface/object",
         name: "surface_object_segment",
         sampling: None,
-        uses: &["EMPTY_HEIGHT", "Entered", "NEVER", "Path", "PixelIn", "RAY_VIEW", "height_size", "image_of_object", "surface_settings", "within_bounds"],
+        uses: &["CELLS_MASK", "EMPTY_HEIGHT", "Entered", "NEVER", "Path", "PixelIn", "RAY_VIEW", "height_size", "image_of_object", "surface_settings", "within_bounds"],
         text: r#"fn surface_object_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
     let along = normalize(pixel.direction);
     let image = image_of_object(k);
@@ -6901,12 +6982,17 @@ fn within_bounds(x: f32, dx: f32, low: f32, high: f32, interval: vec2f) -> vec2f
     interval = within_bounds(v, dv, 0.0 - beyond.y, 1.0 + beyond.y, interval);
     interval = within_bounds(h, dh, EMPTY_HEIGHT, 1.0, interval);
     let start = interval.x;
+    var height = vec3f(h + dh * start, dh, 0.0);
+    if (surface_settings.cells == CELLS_MASK) {
+        // What is asked is where the mask is a half.
+        height = vec3f(0.5, 0.0, 0.0);
+    }
     let tangent = image.u.xyz / (dot(image.u.xyz, image.u.xyz) * image.extent.x);
     let bitangent = image.v.xyz / (dot(image.v.xyz, image.v.xyz) * image.extent.y);
     return Path(
         image.corner + image.extent * vec2f(u + du * start, v + dv * start),
         image.extent * vec2f(du, dv),
-        vec3f(h + dh * start, dh, 0.0),
+        height,
         interval.y - start,
         f32(k),
         vec4f(
@@ -6933,9 +7019,32 @@ fn within_bounds(x: f32, dx: f32, low: f32, high: f32, interval: vec2f) -> vec2f
     },
     Declaration {
         module: "surface/object",
+        name: "normal_of_mask",
+        sampling: None,
+        uses: &["Hit", "Image", "Path", "cell_of", "grid_cell", "grid_of"],
+        text: r#"// The normal of a silhouette: beside the view, away from where the mask grows; along it where the ray begins
+// inside.
+fn normal_of_mask(image: Image, path: Path, hit: Hit) -> vec3f {
+    let grid = grid_of(path);
+    let at = grid.origin + grid.step * hit.t;
+    let cell = cell_of(at);
+    let h = grid_cell(vec2i(cell), 0u);
+    let part = at - cell;
+    let rise_u = (h.y - h.x) * (1.0 - part.y) + (h.w - h.z) * part.y;
+    let rise_v = (h.z - h.x) * (1.0 - part.x) + (h.w - h.y) * part.x;
+    let outward = vec3f(0.0, 0.0, 0.0) - normalize(image.u.xyz) * rise_u - normalize(image.v.xyz) * rise_v;
+    let square = dot(outward, outward);
+    if (square > 0.0) {
+        return outward / sqrt(square);
+    }
+    return image.toward;
+}"#,
+    },
+    Declaration {
+        module: "surface/object",
         name: "surface_object_place",
         sampling: None,
-        uses: &["Entered", "Hit", "Path", "PixelIn", "image_of_object"],
+        uses: &["CELLS_MASK", "Entered", "Hit", "Path", "PixelIn", "image_of_object", "normal_of_mask", "surface_settings"],
         text: r#"// On the ray, in the frame of the image that shows the hit, whose number the path has in place of a base.
 fn surface_object_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
     let image = image_of_object(u32(path.base));
@@ -6945,6 +7054,9 @@ fn surface_object_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, param
     placed.tangent = image.u.xyz / (dot(image.u.xyz, image.u.xyz) * image.extent.x);
     placed.bitangent = image.v.xyz / (dot(image.v.xyz, image.v.xyz) * image.extent.y);
     placed.normal = image.toward;
+    if (surface_settings.cells == CELLS_MASK) {
+        placed.normal = normal_of_mask(image, path, hit);
+    }
     placed.metric = path.metric;
     placed.facing = image.toward;
     return placed;
@@ -8254,60 +8366,20 @@ fn surface_tetrahedra_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, p
     },
     Declaration {
         module: "object/depth",
-        name: "AGREED",
-        sampling: None,
-        uses: &[],
-        text: r#"// The part of a distance by which two images may differ about a place: a few roundings. Smaller, and rays go
-// round for long between images of the same surface; larger, and what is thinner is passed.
-const AGREED = 0.000002;"#,
-    },
-    Declaration {
-        module: "object/depth",
-        name: "MOST_ROUNDS",
-        sampling: None,
-        uses: &[],
-        text: r#"// How often a ray goes round at most. Images of the same surface send it on between them by ever less.
-const MOST_ROUNDS = 256u;"#,
-    },
-    Declaration {
-        module: "object/depth",
         name: "object_depth",
         sampling: None,
-        uses: &["AGREED", "Entered", "FirstHit", "Hit", "MOST_ROUNDS", "NO_COST", "PixelIn", "beginning_at", "hit_on_segment", "miss", "reached", "segment_of", "trace"],
+        uses: &["Entered", "FirstHit", "PixelIn", "first_in_all"],
         text: r#"fn object_depth(pixel: PixelIn, at: Entered, params: vec4f) -> FirstHit {
-    var cost = NO_COST;
-    var first = FirstHit(miss(cost), 0u, 0.0);
-    var reached = 0.0;
-    var agreed = 0u;
-    var k = 0u;
-    var turns = 0u;
-    let most = at.segments * MOST_ROUNDS;
-    while (agreed < at.segments && turns < most) {
-        let path = segment_of(pixel, at, k);
-        let passed = max(reached - path.start, 0.0);
-        if (!(passed < path.exit)) {
-            first.hit = miss(cost);
-            return first;
-        }
-        let hit = trace(beginning_at(path, passed));
-        cost = cost + hit.cost;
-        if (hit.found == 0u) {
-            first.hit = miss(cost);
-            return first;
-        }
-        let t = passed + hit.t;
-        if (first.hit.found == 0u || path.start + t > reached + reached * AGREED) {
-            reached = path.start + t;
-            agreed = 0u;
-            first = hit_on_segment(pixel, at, path, Hit(1u, 0u, hit.uv, hit.height, t, cost), k);
-        }
-        agreed = agreed + 1u;
-        k = select(k + 1u, 0u, k + 1u == at.segments);
-        turns = turns + 1u;
-    }
-    first.hit.exhausted = select(0u, 1u, agreed < at.segments);
-    first.hit.cost = cost;
-    return first;
+    return first_in_all(pixel, at);
+}"#,
+    },
+    Declaration {
+        module: "object/hull",
+        name: "object_hull",
+        sampling: None,
+        uses: &["Entered", "FirstHit", "PixelIn", "first_in_all"],
+        text: r#"fn object_hull(pixel: PixelIn, at: Entered, params: vec4f) -> FirstHit {
+    return first_in_all(pixel, at);
 }"#,
     },
     Declaration {

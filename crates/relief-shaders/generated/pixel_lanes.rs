@@ -1666,6 +1666,56 @@ lanes! { fn gap_to(r: &Resources<'_>, path_a0: &Path, grid_a1: &Grid, cell_a2: V
     let dz_40 = add(path_a0.h.y, mul(splat((2.0f32 * t_a4)), path_a0.h.z));
     return Vec3 { x: sub(z_32, add(add(add(h_a3.x, mul(bx_7, at_22.x)), mul(by_10, at_22.y)), mul(mul(twist_17, at_22.x), at_22.y))), y: sub(dz_40, add(add(mul(bx_7, grid_a1.step.x), mul(by_10, grid_a1.step.y)), mul(twist_17, add(mul(at_22.x, grid_a1.step.y), mul(at_22.y, grid_a1.step.x))))), z: sub(path_a0.h.z, mul(mul(twist_17, grid_a1.step.x), grid_a1.step.y)) };
 } }
+lanes! { fn grid_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let mut both_v0: M = splat_m(false);
+    if (r.surface_settings.cells == 0u32) {
+        let e_7 = height_cell_ls(r, ex, cell_a0, level_a1);
+        return e_7;
+    }
+    if (r.surface_settings.cells == 2u32) {
+        let h_13 = height_cell_ls(r, ex, cell_a0, level_a1);
+        let most_20 = max(max(h_13.x, h_13.y), max(h_13.z, h_13.w));
+        let least_27 = min(min(h_13.x, h_13.y), min(h_13.z, h_13.w));
+        let c1 = gt(sub(most_20, least_27), splat(r.surface_settings.jump));
+        ret = Vec4 { x: most_20, y: most_20, z: most_20, w: most_20 };
+        ex = and_not(ex, c1);
+        let y2 = h_13;
+        return Vec4 { x: sel(ex, y2.x, ret.x), y: sel(ex, y2.y, ret.y), z: sel(ex, y2.z, ret.z), w: sel(ex, y2.w, ret.w) };
+    }
+    if (r.surface_settings.cells == 4u32) {
+        if none(ex) { return ret; }
+        let h_39 = height_cell_ls(r, ex, cell_a0, level_a1);
+        let y3 = Vec4 { x: sel(gt(h_39.x, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), y: sel(gt(h_39.y, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), z: sel(gt(h_39.z, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), w: sel(gt(h_39.w, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)) };
+        return Vec4 { x: sel(ex, y3.x, ret.x), y: sel(ex, y3.y, ret.y), z: sel(ex, y3.z, ret.z), w: sel(ex, y3.w, ret.w) };
+    }
+    let dual_71 = Vec2 { x: shr_i(cell_a0.x, splat_u(1u32)), y: shr_i(cell_a0.y, splat_u(1u32)) };
+    if none(ex) { return ret; }
+    let h_72 = height_cell_ls(r, ex, dual_71, level_a1);
+    let most_79 = max(max(h_72.x, h_72.y), max(h_72.z, h_72.w));
+    let least_86 = min(min(h_72.x, h_72.y), min(h_72.z, h_72.w));
+    let right_93 = eq_i(sub_i(sub_i(cell_a0.x, dual_71.x), dual_71.x), splat_i(1i32));
+    let lower_100 = eq_i(sub_i(sub_i(cell_a0.y, dual_71.y), dual_71.y), splat_i(1i32));
+    if !(r.surface_settings.cells == 3u32) {
+        both_v0 = gt(sub(most_79, least_86), splat(r.surface_settings.jump));
+    } else {
+        both_v0 = splat_m(true);
+    }
+    let e_115 = both_v0;
+    let c4 = e_115;
+    let nearest_122 = sel(lower_100, sel(right_93, h_72.w, h_72.z), sel(right_93, h_72.y, h_72.x));
+    let y5 = Vec4 { x: nearest_122, y: nearest_122, z: nearest_122, w: nearest_122 };
+    ret = Vec4 { x: sel(and(ex, c4), y5.x, ret.x), y: sel(and(ex, c4), y5.y, ret.y), z: sel(and(ex, c4), y5.z, ret.z), w: sel(and(ex, c4), y5.w, ret.w) };
+    ex = and_not(ex, c4);
+    let top_128 = mul(splat(0.5f32), add(h_72.x, h_72.y));
+    let bottom_133 = mul(splat(0.5f32), add(h_72.z, h_72.w));
+    let left_138 = mul(splat(0.5f32), add(h_72.x, h_72.z));
+    let side_143 = mul(splat(0.5f32), add(h_72.y, h_72.w));
+    let middle_146 = mul(splat(0.5f32), add(top_128, bottom_133));
+    let y6 = Vec4 { x: sel(lower_100, sel(right_93, middle_146, left_138), sel(right_93, top_128, h_72.x)), y: sel(lower_100, sel(right_93, side_143, middle_146), sel(right_93, h_72.y, top_128)), z: sel(lower_100, sel(right_93, bottom_133, h_72.z), sel(right_93, middle_146, left_138)), w: sel(lower_100, sel(right_93, h_72.w, bottom_133), sel(right_93, side_143, middle_146)) };
+    return Vec4 { x: sel(ex, y6.x, ret.x), y: sel(ex, y6.y, ret.y), z: sel(ex, y6.z, ret.z), w: sel(ex, y6.w, ret.w) };
+} }
 lanes! { fn cell_leave(r: &Resources<'_>, within: M, grid_a0: &Grid, cell_a1: Vec2<F>) -> Vec2<F> {
     let mut ex = within;
     let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
@@ -2704,6 +2754,7 @@ lanes! { fn surface_object_segment(r: &Resources<'_>, within: M, pixel_a0: &Pixe
     let mut ex = within;
     let mut ret: Path = zero_path();
     let mut interval_v0: Vec2<F> = Vec2 { x: splat(0.0f32), y: splat(3e38f32) };
+    let mut height_v1: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
     let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
     let along_5 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
     let image_6 = image_of_object_s(r, k_a2);
@@ -2725,12 +2776,17 @@ lanes! { fn surface_object_segment(r: &Resources<'_>, within: M, pixel_a0: &Pixe
     let e_68 = within_bounds(r, ex, h_27, dh_36, splat(1e-5f32), splat(1.0f32), e_67);
     interval_v0 = e_68;
     let start_70 = interval_v0.x;
-    let e_80 = mul(add(add(add(mul(image_6.u.x, image_6.u.x), mul(image_6.u.y, image_6.u.y)), mul(image_6.u.z, image_6.u.z)), splat(0.0f32)), image_6.extent.x);
-    let tangent_82 = Vec3 { x: div(image_6.u.x, e_80), y: div(image_6.u.y, e_80), z: div(image_6.u.z, e_80) };
-    let e_92 = mul(add(add(add(mul(image_6.v.x, image_6.v.x), mul(image_6.v.y, image_6.v.y)), mul(image_6.v.z, image_6.v.z)), splat(0.0f32)), image_6.extent.y);
-    let bitangent_94 = Vec3 { x: div(image_6.v.x, e_92), y: div(image_6.v.y, e_92), z: div(image_6.v.z, e_92) };
-    let e_112 = interval_v0.y;
-    return Path { uv: Vec2 { x: add(image_6.corner.x, mul(image_6.extent.x, add(u_13, mul(du_30, start_70)))), y: add(image_6.corner.y, mul(image_6.extent.y, add(v_20, mul(dv_33, start_70)))) }, duv: Vec2 { x: mul(image_6.extent.x, du_30), y: mul(image_6.extent.y, dv_33) }, h: Vec3 { x: add(h_27, mul(dh_36, start_70)), y: dh_36, z: splat(0.0f32) }, exit: sub(e_112, start_70), base: splat((k_a2 as f32)), metric: Vec4 { x: add(add(add(mul(tangent_82.x, tangent_82.x), mul(tangent_82.y, tangent_82.y)), mul(tangent_82.z, tangent_82.z)), splat(0.0f32)), y: add(add(add(mul(tangent_82.x, bitangent_94.x), mul(tangent_82.y, bitangent_94.y)), mul(tangent_82.z, bitangent_94.z)), splat(0.0f32)), z: add(add(add(mul(bitangent_94.x, bitangent_94.x), mul(bitangent_94.y, bitangent_94.y)), mul(bitangent_94.z, bitangent_94.z)), splat(0.0f32)), w: splat(r.surface_settings.scale_m) }, ray: splat_u(0u32), level: splat_u(0u32), start: start_70, share: splat(1.0f32), };
+    height_v1 = Vec3 { x: add(h_27, mul(dh_36, start_70)), y: dh_36, z: splat(0.0f32) };
+    if (r.surface_settings.cells == 4u32) {
+        height_v1 = Vec3 { x: splat(0.5f32), y: splat(0.0f32), z: splat(0.0f32) };
+    }
+    let e_94 = mul(add(add(add(mul(image_6.u.x, image_6.u.x), mul(image_6.u.y, image_6.u.y)), mul(image_6.u.z, image_6.u.z)), splat(0.0f32)), image_6.extent.x);
+    let tangent_96 = Vec3 { x: div(image_6.u.x, e_94), y: div(image_6.u.y, e_94), z: div(image_6.u.z, e_94) };
+    let e_106 = mul(add(add(add(mul(image_6.v.x, image_6.v.x), mul(image_6.v.y, image_6.v.y)), mul(image_6.v.z, image_6.v.z)), splat(0.0f32)), image_6.extent.y);
+    let bitangent_108 = Vec3 { x: div(image_6.v.x, e_106), y: div(image_6.v.y, e_106), z: div(image_6.v.z, e_106) };
+    let e_121 = height_v1;
+    let e_123 = interval_v0.y;
+    return Path { uv: Vec2 { x: add(image_6.corner.x, mul(image_6.extent.x, add(u_13, mul(du_30, start_70)))), y: add(image_6.corner.y, mul(image_6.extent.y, add(v_20, mul(dv_33, start_70)))) }, duv: Vec2 { x: mul(image_6.extent.x, du_30), y: mul(image_6.extent.y, dv_33) }, h: e_121, exit: sub(e_123, start_70), base: splat((k_a2 as f32)), metric: Vec4 { x: add(add(add(mul(tangent_96.x, tangent_96.x), mul(tangent_96.y, tangent_96.y)), mul(tangent_96.z, tangent_96.z)), splat(0.0f32)), y: add(add(add(mul(tangent_96.x, bitangent_108.x), mul(tangent_96.y, bitangent_108.y)), mul(tangent_96.z, bitangent_108.z)), splat(0.0f32)), z: add(add(add(mul(bitangent_108.x, bitangent_108.x), mul(bitangent_108.y, bitangent_108.y)), mul(bitangent_108.z, bitangent_108.z)), splat(0.0f32)), w: splat(r.surface_settings.scale_m) }, ray: splat_u(0u32), level: splat_u(0u32), start: start_70, share: splat(1.0f32), };
 } }
 lanes! { fn surface_segment_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32) -> Path {
     let mut ex = within;
@@ -3621,6 +3677,29 @@ lanes! { fn shadow_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: 
         }
     }
 } }
+lanes! { fn normal_of_mask(r: &Resources<'_>, within: M, image_a0: &Image, path_a1: &Path, hit_a2: &Hit) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let grid_3 = grid_of(r, path_a1);
+    let at_8 = Vec2 { x: add(grid_3.origin.x, mul(grid_3.step.x, hit_a2.t)), y: add(grid_3.origin.y, mul(grid_3.step.y, hit_a2.t)) };
+    let cell_9 = cell_of(r, at_8);
+    let h_12 = grid_cell(r, ex, Vec2 { x: i_of_small(cell_9.x), y: i_of_small(cell_9.y) }, 0u32);
+    let part_13 = Vec2 { x: sub(at_8.x, cell_9.x), y: sub(at_8.y, cell_9.y) };
+    let rise_u_26 = add(mul(sub(h_12.y, h_12.x), sub(splat(1.0f32), part_13.y)), mul(sub(h_12.w, h_12.z), part_13.y));
+    let rise_v_39 = add(mul(sub(h_12.z, h_12.x), sub(splat(1.0f32), part_13.x)), mul(sub(h_12.w, h_12.y), part_13.x));
+    let length1 = sqrt(add(add(mul(image_a0.u.x, image_a0.u.x), mul(image_a0.u.y, image_a0.u.y)), mul(image_a0.u.z, image_a0.u.z)));
+    let e_46 = Vec3 { x: div(image_a0.u.x, length1), y: div(image_a0.u.y, length1), z: div(image_a0.u.z, length1) };
+    let length2 = sqrt(add(add(mul(image_a0.v.x, image_a0.v.x), mul(image_a0.v.y, image_a0.v.y)), mul(image_a0.v.z, image_a0.v.z)));
+    let e_51 = Vec3 { x: div(image_a0.v.x, length2), y: div(image_a0.v.y, length2), z: div(image_a0.v.z, length2) };
+    let outward_53 = Vec3 { x: sub(sub(splat(0.0f32), mul(e_46.x, rise_u_26)), mul(e_51.x, rise_v_39)), y: sub(sub(splat(0.0f32), mul(e_46.y, rise_u_26)), mul(e_51.y, rise_v_39)), z: sub(sub(splat(0.0f32), mul(e_46.z, rise_u_26)), mul(e_51.z, rise_v_39)) };
+    let square_54 = add(add(add(mul(outward_53.x, outward_53.x), mul(outward_53.y, outward_53.y)), mul(outward_53.z, outward_53.z)), splat(0.0f32));
+    let c3 = gt(square_54, splat(0.0f32));
+    let e_57 = sqrt(square_54);
+    ret = Vec3 { x: div(outward_53.x, e_57), y: div(outward_53.y, e_57), z: div(outward_53.z, e_57) };
+    ex = and_not(ex, c3);
+    let y4 = Vec3 { x: image_a0.toward.x, y: image_a0.toward.y, z: image_a0.toward.z };
+    return Vec3 { x: sel(ex, y4.x, ret.x), y: sel(ex, y4.y, ret.y), z: sel(ex, y4.z, ret.z) };
+} }
 stage! { fn object_color(r: &Resources<'_>, within: M, at_a0: &Entered, view_a1: Vec3<F>, asked_a2: bool) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
@@ -3881,7 +3960,9 @@ lanes! { fn surface_slices_place(r: &Resources<'_>, within: M, pixel_a0: &PixelI
     let e_6 = placed_over(r, ex, at_a1, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y });
     return e_6;
 } }
-lanes! { fn surface_object_place(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+lanes! { fn surface_object_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
     let mut placed_v0: Entered = zero_entered();
     let image_7 = image_of_object_l(r, u_of_f(path_a2.base));
     placed_v0 = *at_a1;
@@ -3895,10 +3976,14 @@ lanes! { fn surface_object_place(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &
     let e_43 = mul(add(add(add(mul(image_7.v.x, image_7.v.x), mul(image_7.v.y, image_7.v.y)), mul(image_7.v.z, image_7.v.z)), splat(0.0f32)), image_7.extent.y);
     placed_v0.bitangent = Vec3 { x: div(image_7.v.x, e_43), y: div(image_7.v.y, e_43), z: div(image_7.v.z, e_43) };
     placed_v0.normal = Vec3 { x: image_7.toward.x, y: image_7.toward.y, z: image_7.toward.z };
+    if (r.surface_settings.cells == 4u32) {
+        let e_54 = normal_of_mask(r, ex, &image_7, path_a2, hit_a3);
+        placed_v0.normal = e_54;
+    }
     placed_v0.metric = Vec4 { x: path_a2.metric.x, y: path_a2.metric.y, z: path_a2.metric.z, w: path_a2.metric.w };
     placed_v0.facing = Vec3 { x: image_7.toward.x, y: image_7.toward.y, z: image_7.toward.z };
-    let e_52 = placed_v0;
-    return e_52;
+    let e_59 = placed_v0;
+    return e_59;
 } }
 lanes! { fn surface_place_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Entered {
     let mut ex = within;
@@ -3933,7 +4018,7 @@ lanes! { fn surface_place_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn
             return e_50;
         }
         _ => {
-            let e_56 = surface_object_place(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            let e_56 = surface_object_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
             return e_56;
         }
     }

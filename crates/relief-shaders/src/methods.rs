@@ -292,6 +292,15 @@ pub const METHODS: &[Method] = &[
         settings: object::OF_DEPTH,
         publication: Publication { paper: DEPTH_OBJECTS, section: "4" },
     },
+    Method {
+        name: "visual-hull",
+        summary: "the visual hull of an object: what lies in the silhouettes of all images",
+        geometry: geometry::OBJECT,
+        search: "cells",
+        refine: "patch",
+        settings: object::OF_SILHOUETTES,
+        publication: Publication { paper: DEPTH_OBJECTS, section: "5" },
+    },
 ];
 
 /// The method of that name.

@@ -159,7 +159,8 @@ impl Selection {
     /// How the images of an object are read, where one is shown.
     pub fn object_cells(&self) -> Option<ObjectCells> {
         let is_shown = self.shown_by_geometry() == Shown::Object;
-        is_shown.then(|| ObjectCells::of(self.choices[OBJECT].params))
+        let Choice { entry, params, .. } = &self.choices[OBJECT];
+        is_shown.then(|| ObjectCells::of(entry.name, *params))
     }
 
     /// A method by name, with its settings.
@@ -327,6 +328,11 @@ impl Selection {
     /// What the chosen surface makes of rays.
     pub fn paths(&self) -> &'static Paths {
         &PATHS[self.choices[SURFACE].number as usize]
+    }
+
+    /// Whether normals are those of a relief, not of triangles or silhouettes.
+    pub fn has_normals_of_relief(&self) -> bool {
+        self.paths().has_normals_of_relief() && !self.object_cells().is_some_and(|object| object.is_hull)
     }
 
     /// Whether all other stages make something of the surface's segments.

@@ -34,7 +34,17 @@ fn pixels_of(
     eye: DVec3,
     backend: BackendChoice,
 ) -> Vec<PixelOut> {
-    let mut selection = Selection::method("depth-object").expect("a method");
+    pixels_by("depth-object", object, settings, eye, backend)
+}
+
+fn pixels_by(
+    method: &str,
+    object: ImageObject,
+    settings: &[(&str, f64)],
+    eye: DVec3,
+    backend: BackendChoice,
+) -> Vec<PixelOut> {
+    let mut selection = Selection::method(method).expect("a method");
     selection.choose("shadow", "none").expect("a listed name");
     for (key, value) in settings {
         selection.set(key, *value).expect("a setting");
@@ -83,6 +93,39 @@ fn finer_images_come_nearer_to_what_they_were_made_of() {
     }
 }
 
+/// The share of covered pixels that show the same place.
+fn alike(one: &[PixelOut], other: &[PixelOut]) -> f64 {
+    let covered = one.iter().zip(other).filter(|(a, b)| a.hit == 1 || b.hit == 1);
+    let alike = covered.clone().filter(|(a, b)| {
+        let apart = [a.position.x - b.position.x, a.position.y - b.position.y, a.position.z - b.position.z];
+        a.hit == b.hit && apart.iter().all(|part| part.abs() <= 1e-4)
+    });
+    let covered = covered.count();
+    assert!(covered > 3000, "{covered} pixels");
+    alike.count() as f64 / covered as f64
+}
+
+#[test]
+fn hulls_hold_the_object_and_three_silhouettes_of_a_cube_are_all() {
+    for eye in EYES {
+        let of = |directions: &[DVec3]| {
+            let object = object_of_spheres(directions, 64, JumpCells::Highest);
+            pixels_by("visual-hull", object, &[], eye, BackendChoice::Cpu)
+        };
+        let (six, three) = (of(&CUBE), of(&[CUBE[0], CUBE[2], CUBE[4]]));
+        let share = alike(&six, &three);
+        // Fewer see less of the object, and others another one.
+        let two = alike(&six, &of(&[CUBE[0], CUBE[2]]));
+        assert!(share >= ALIKE && two < 0.9, "{share} {two}");
+        let object = pixels(64, &[("object.cells", 0.0)], eye, BackendChoice::Cpu);
+        let outside = object.iter().zip(&six).filter(|(object, hull)| {
+            object.hit == 1 && !(hull.hit == 1 && hull.depth <= object.depth + 0.02)
+        });
+        let outside = outside.count();
+        assert!(outside < 40, "{outside} pixels of the object before the hull");
+    }
+}
+
 #[test]
 fn both_backends_show_the_same_object() {
     if !has_adapter() {
@@ -98,16 +141,16 @@ fn both_backends_show_the_same_object() {
     for (eye, settings) in EYES.iter().cycle().zip(ways) {
         let [cpu, gpu] =
             [BackendChoice::Cpu, BackendChoice::Gpu].map(|backend| pixels(48, settings, *eye, backend));
-        let covered = cpu.iter().zip(&gpu).filter(|(a, b)| a.hit == 1 || b.hit == 1);
-        let alike = covered.clone().filter(|(a, b)| {
-            let apart =
-                [a.position.x - b.position.x, a.position.y - b.position.y, a.position.z - b.position.z];
-            a.hit == b.hit && apart.iter().all(|part| part.abs() <= 1e-4)
-        });
-        let share = alike.count() as f64 / covered.clone().count() as f64;
-        println!("{settings:?}: {} pixels, {share:.5} alike", covered.clone().count());
-        assert!(covered.count() > 3000 && share >= ALIKE, "{settings:?}: {share}");
+        let share = alike(&cpu, &gpu);
+        println!("{settings:?}: {share:.5} alike");
+        assert!(share >= ALIKE, "{settings:?}: {share}");
     }
+    let hull = |backend| {
+        let object = object_of_spheres(&CUBE, 48, JumpCells::Highest);
+        pixels_by("visual-hull", object, &[], EYES[1], backend)
+    };
+    let share = alike(&hull(BackendChoice::Cpu), &hull(BackendChoice::Gpu));
+    assert!(share >= ALIKE, "{share}");
 }
 
 #[test]

@@ -263,7 +263,7 @@ impl SceneBuilder {
                 (Some(_), None) => return Err(ValueProblem::Object.of("method")),
                 _ => {}
             }
-            if !surface.selection().paths().has_normals_of_relief() {
+            if !surface.selection().has_normals_of_relief() {
                 if surface.normal_map().is_some() {
                     return Err(ValueProblem::VertexNormals.of("normal"));
                 }

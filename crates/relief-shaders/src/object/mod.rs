@@ -7,10 +7,11 @@ use relief_core::registry::{Entry, Param};
 use crate::stages::entry_place;
 
 mod depth;
+mod hull;
 mod none;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[none::ENTRY, depth::ENTRY];
+pub const ENTRIES: &[Entry] = &[none::ENTRY, depth::ENTRY, hull::ENTRY];
 
 /// Most images of an object that all of them are asked of.
 pub const MAX_IMAGES: usize = 64;
@@ -62,20 +63,28 @@ pub struct ObjectCells {
     pub cells: JumpCells,
     /// By how many texels' width heights differ there.
     pub jump_texels: f32,
+    /// Whether only silhouettes count.
+    pub is_hull: bool,
 }
 
 impl ObjectCells {
     /// Those of the settings, in the order of these.
-    pub(crate) fn of([cells, jump_texels, ..]: [f32; 4]) -> Self {
+    pub(crate) fn of(name: &str, [cells, jump_texels, ..]: [f32; 4]) -> Self {
         let cells = match cells as u32 {
             0 => JumpCells::Bilinear,
             1 => JumpCells::Step,
             2 => JumpCells::Highest,
             _ => JumpCells::Nearest,
         };
-        Self { cells, jump_texels }
+        Self { cells, jump_texels, is_hull: name == hull::ENTRY.name }
     }
 }
+
+/// What the shaders call cells of silhouettes, after those of [`JumpCells`].
+pub const MASK_CELLS: u32 = JumpCells::ALL.len() as u32;
+
+/// The settings of visual hulls.
+pub(crate) const OF_SILHOUETTES: &[(&str, f32)] = &[("object.solid", entry_place(ENTRIES, "hull") as f32)];
 
 /// The settings of objects of images with depth.
 pub(crate) const OF_DEPTH: &[(&str, f32)] = &[("object.solid", entry_place(ENTRIES, "depth") as f32)];

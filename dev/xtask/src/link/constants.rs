@@ -6,6 +6,7 @@ use relief_core::encoding::cone::HALF_RATIO;
 use relief_core::encoding::seen_normal;
 use relief_core::object::{EMPTY_HEIGHT, JumpCells};
 use relief_core::{FoundState, RayUse, SliceAxis, Wrap};
+use relief_shaders::object::MASK_CELLS;
 use relief_shaders::{LightRayState, MAX_LIGHT_VIEWS, MAX_LIGHTS, MapSlot, OBJECT, STAGES, surface, wgsl};
 
 /// The module's source.
@@ -49,6 +50,7 @@ pub fn module() -> String {
     for cells in JumpCells::ALL {
         constant(&format!("CELLS_{}", cells.name().to_uppercase()), cells as u32);
     }
+    constant("CELLS_MASK", MASK_CELLS);
     constant("STAGE_OBJECT", OBJECT as u32);
     constant("STAGES", STAGES.len() as u32);
     let _ = writeln!(text, "const EMPTY_HEIGHT = {:?};", EMPTY_HEIGHT as f32);
