@@ -263,7 +263,8 @@ impl SurfaceSpec {
             maps.take_picture(&color);
             surface = surface.with_color(color);
         }
-        if let Some(normal) = normal {
+        // Silhouettes have normals of their own.
+        if let Some(normal) = normal.filter(|_| parts.selection.has_normals_of_relief()) {
             let bytes = NORMAL_BYTES[1] * u64::from(normal.width) * u64::from(normal.height);
             maps.left = maps.left.saturating_sub(bytes);
             surface = surface.with_normal_map(&normal);
