@@ -6,6 +6,7 @@
 mod arrangement;
 mod capture;
 mod file;
+mod verify;
 mod view_spec;
 
 pub use arrangement::{Arrangement, MAX_GRID};
@@ -15,4 +16,5 @@ pub use capture::{
 pub use file::{DEFAULT_JUMP_TEXELS, ViewEntry, read_description, read_object, read_views};
 pub use file::{Description, Measured, ObjectFile, ObjectFileError, ObjectFileProblem, ObjectOptions};
 pub use file::{OBJECT_FILE, ObjectWriter, WriteObjectError};
+pub use verify::{MAX_PICTURES, Verification};
 pub use view_spec::{ViewKind, ViewSpec};

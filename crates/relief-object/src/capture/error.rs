@@ -5,6 +5,7 @@ use relief_core::object::{MAX_VIEWS, ObjectError, ViewError};
 
 use super::{MAX_IMAGE_SIDE, MIN_IMAGE_SIDE};
 use crate::arrangement::MAX_GRID;
+use crate::verify::MAX_PICTURES;
 
 /// Why a mesh cannot be captured.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -24,6 +25,17 @@ pub enum CaptureError {
     /// A field of view is given for views that have their own.
     #[error("the views are perspective and have fields of view of their own")]
     OwnFov,
+    /// There are too many pictures to compare, or pictures too large.
+    #[error(
+        "{views} pictures of {size}x{size} to compare: at most {} of {} a side are possible",
+        MAX_PICTURES[0], MAX_PICTURES[1]
+    )]
+    BadPictures {
+        /// How many pictures.
+        views: u32,
+        /// Pixels of a side of each.
+        size: u32,
+    },
     /// A view cannot be.
     #[error("view {number}: {problem}")]
     View {

@@ -22,7 +22,8 @@ use self::highest::Highest;
 use self::looks::Place;
 use crate::arrangement::MAX_GRID;
 use crate::file::check_sheet;
-use crate::{Arrangement, ViewKind, ViewSpec};
+use crate::verify::{self, Verification};
+use crate::{Arrangement, Measured, ViewKind, ViewSpec};
 
 /// The least side of an image, in texels.
 pub const MIN_IMAGE_SIDE: u32 = 8;
@@ -197,6 +198,21 @@ impl<'a> Capturer<'a> {
             images,
             backs: backs.into_inner(),
         })
+    }
+
+    /// How far what was captured is from the mesh; none where no picture is to be compared.
+    ///
+    /// # Errors
+    ///
+    /// When the jump cannot be, when pictures are too many or too large, or when it is cancelled.
+    pub fn verify(
+        &self,
+        captured: &Captured,
+        verification: &Verification,
+        watch: &Watch,
+    ) -> Result<Option<Measured>, CaptureError> {
+        let object = captured.object(verification.cells, verification.jump_texels)?;
+        verify::measure(&self.caster, &object, self.ball(), verification, watch)
     }
 
     /// An image, and how many of its texels show backs.

@@ -78,6 +78,15 @@ pub struct Measured {
     pub worst_depth_error_percent: Option<f64>,
 }
 
+impl Measured {
+    /// Whether this is nearer to the mesh than another: more pixels show both, or where as many do, they are
+    /// less far apart.
+    pub fn is_nearer_than(&self, other: &Self) -> bool {
+        let apart = |measured: &Self| measured.depth_error_percent.unwrap_or(f64::INFINITY);
+        self.iou.total_cmp(&other.iou).then(apart(other).total_cmp(&apart(self))).is_gt()
+    }
+}
+
 /// Bytes of a texel of an atlas of heights, of colours and of normals.
 const TEXEL_BYTES: [u64; 3] = [4, 16, 12];
 

@@ -191,7 +191,8 @@ fn in_space(captured: &Captured, image: usize, at: usize) -> DVec3 {
 }
 
 fn vector(at: DVec3) -> String {
-    let [x, y, z] = at.to_array();
+    // There is no minus before a zero.
+    let [x, y, z] = at.to_array().map(|part| part + 0.0);
     format!("[{x}, {y}, {z}]")
 }
 
