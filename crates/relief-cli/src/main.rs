@@ -76,6 +76,8 @@ enum Command {
     Height(commands::height::Arguments),
     /// Displace a mesh by a height map, without cracks, to triangles in a glTF, PLY, OBJ or STL file
     Mesh(Box<commands::mesh::Arguments>),
+    /// Capture a mesh in images with depth, which together are an image-based object
+    Capture(Box<commands::capture::Arguments>),
     /// Compare methods: how wrong their hits are, what they cost and how they look, as a page and as figures
     Compare(Box<commands::compare::Arguments>),
     /// Time frames of methods, part by part
@@ -140,6 +142,7 @@ impl Command {
             Command::Bake(arguments) => arguments.files(),
             Command::Height(arguments) => arguments.files(),
             Command::Mesh(arguments) => arguments.files(),
+            Command::Capture(arguments) => arguments.files(),
             Command::Compare(arguments) => arguments.files(),
             Command::Bench(arguments) => arguments.files(),
             Command::Shader(_) | Command::Methods(_) | Command::Completions(_) | Command::Man(_) => {
@@ -156,6 +159,7 @@ impl Command {
             Command::Bake(arguments) => arguments.json,
             Command::Height(arguments) => arguments.json(),
             Command::Mesh(arguments) => arguments.json,
+            Command::Capture(arguments) => arguments.json,
             Command::Compare(arguments) => arguments.json,
             Command::Bench(arguments) => arguments.json,
             Command::Shader(arguments) => arguments.json,
@@ -172,6 +176,7 @@ impl Command {
             Command::Bake(arguments) => commands::bake::run(arguments),
             Command::Height(arguments) => commands::height::run(arguments),
             Command::Mesh(arguments) => commands::mesh::run(arguments),
+            Command::Capture(arguments) => commands::capture::run(arguments),
             Command::Compare(arguments) => commands::compare::run(arguments),
             Command::Bench(arguments) => commands::bench::run(arguments),
             Command::Shader(arguments) => commands::shader::run(arguments),

@@ -2,6 +2,7 @@
 
 pub mod bake;
 pub mod bench;
+pub mod capture;
 pub mod compare;
 pub mod completions;
 pub mod contest;

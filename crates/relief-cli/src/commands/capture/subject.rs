@@ -1,0 +1,110 @@
+//! What is captured: a mesh and its colours.
+
+use std::path::Path;
+
+use glam::Vec2;
+use relief_core::mesh::{FramingError, Mesh, Placement, UvProjection};
+use relief_io::{
+    MeshColors, MeshFile, MeshOptions, Picture, ReadError, ReadProblem, read_mesh, read_picture,
+};
+use relief_render::scene::{MeshChoice, SurfaceSpec, read_scene};
+
+use super::Arguments;
+use crate::commands::scene_arguments::of_scene;
+use crate::failure::Failure;
+
+/// A mesh and its colours.
+pub struct Subject {
+    pub mesh: Mesh,
+    pub colors: Option<MeshColors>,
+    /// What a user may not expect.
+    pub notes: Vec<String>,
+}
+
+/// The proportions of a plane without a map.
+const SQUARE: [f64; 2] = [1.0, 1.0];
+
+impl Subject {
+    /// Reads the mesh of a file, a built-in one, or that of a scene's surface.
+    pub fn read(arguments: &Arguments) -> Result<Self, Failure> {
+        let is_scene = arguments.input.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+        let surface = if is_scene { of_file(&arguments.input)? } else { of_mesh(&arguments.input)? };
+        let max_bytes = arguments.max_bytes();
+        let mut notes = Vec::new();
+        let (mesh, own) = match surface.mesh.clone().unwrap_or_default() {
+            MeshChoice::Builtin(builtin) => (builtin.build(SQUARE).map_err(Failure::work)?, None),
+            MeshChoice::File(path) => of_mesh_file(&path, surface.project, max_bytes, &mut notes)?,
+        };
+        let at = |error| Failure::Work(format!("{}: {error}", arguments.input.display()));
+        let tile = Vec2::from(surface.tile.unwrap_or([1.0, 1.0]));
+        let placement = Placement {
+            position_m: surface.position.unwrap_or_default().into(),
+            rotation_degrees: surface.rotation.unwrap_or_default().into(),
+            size: surface.size.unwrap_or(1.0),
+        };
+        let mesh = mesh.tiled(tile).and_then(|mesh| mesh.placed(&placement)).map_err(at)?;
+        let colors = match arguments.color.as_ref().or(surface.color.as_ref()) {
+            Some(path) => {
+                let picture = read_picture(path, max_bytes).map_err(Failure::of_picture)?;
+                Some(with_picture(picture, &surface))
+            }
+            None => own,
+        };
+        Ok(Self { mesh, colors, notes })
+    }
+}
+
+/// The colours of a picture, as much of them as the surface's material leaves.
+fn with_picture(picture: Picture, surface: &SurfaceSpec) -> MeshColors {
+    let diffuse = surface.material.as_ref().and_then(|material| material.diffuse);
+    MeshColors { factor: diffuse.unwrap_or([1.0; 3]), picture: Some(picture) }
+}
+
+/// The surface of a mesh by its name or file.
+fn of_mesh(path: &Path) -> Result<SurfaceSpec, Failure> {
+    let mesh: MeshChoice = path.to_string_lossy().parse().map_err(Failure::usage)?;
+    Ok(SurfaceSpec { mesh: Some(mesh), ..SurfaceSpec::default() })
+}
+
+/// The only surface of a scene file, which has no height map.
+fn of_file(path: &Path) -> Result<SurfaceSpec, Failure> {
+    let spec = read_scene(path).map_err(of_scene)?;
+    let refused = |what: &str| Err(Failure::Work(format!("{}: {what}", path.display())));
+    let mut surfaces = spec.each_surface();
+    match (surfaces.pop(), surfaces.is_empty()) {
+        (Some(surface), true) if surface.height.is_none() => Ok(surface),
+        (Some(_), true) => refused(
+            "its surface is a height map on a mesh, of which there are no triangles to capture: `relief mesh` \
+             writes them into a file that is captured",
+        ),
+        _ => refused("it has several surfaces, and an object is of one mesh: give the mesh's file"),
+    }
+}
+
+/// The mesh of a file, and its colours if it has any.
+fn of_mesh_file(
+    path: &Path,
+    projection: Option<UvProjection>,
+    max_bytes: u64,
+    notes: &mut Vec<String>,
+) -> Result<(Mesh, Option<MeshColors>), Failure> {
+    let options = MeshOptions { projection, colors: true, max_bytes };
+    let MeshFile { mesh, colors, .. } = match read_mesh(path, &options) {
+        Err(ReadError { problem, .. }) if has_no_texture(&problem) && projection.is_none() => {
+            // No picture lies on it by coordinates that it has not, and nothing else needs them.
+            notes.push(format!("{}: it has no texture coordinates for a picture of colours", path.display()));
+            let projected = MeshOptions { projection: Some(UvProjection::Box), ..options };
+            read_mesh(path, &projected).map_err(Failure::of_mesh)?
+        }
+        other => other.map_err(Failure::of_mesh)?,
+    };
+    Ok((mesh, colors))
+}
+
+/// Whether a mesh is refused for its texture coordinates alone.
+fn has_no_texture(problem: &ReadProblem) -> bool {
+    matches!(
+        problem,
+        ReadProblem::Mesh(FramingError::NoTextureCoordinates { .. } | FramingError::NoTextureArea { .. })
+    )
+}
