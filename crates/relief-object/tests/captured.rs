@@ -43,8 +43,11 @@ fn each_texel(captured: &Captured, mut of: impl FnMut(&View, DVec3, DVec3, f64))
     }
 }
 
-/// How far a ray from outside goes until it is in a solid, by its distance; none where it misses.
-fn march(origin: DVec3, direction: DVec3, distance: impl Fn(DVec3) -> f64) -> Option<f64> {
+/// How far a point is from a solid, negative inside.
+type Distance = dyn Fn(DVec3) -> f64;
+
+/// How far a ray from outside goes until it is in a solid; none where it misses.
+fn march(origin: DVec3, direction: DVec3, distance: &Distance) -> Option<f64> {
     let mut t = 0.0;
     for _ in 0..400 {
         let left = distance(origin + direction * t);
@@ -71,7 +74,7 @@ fn heights_are_those_of_the_shapes() {
         let around = DVec2::new(at.x, at.z).length() - TORUS[0];
         DVec2::new(around, at.y).length() - TORUS[1]
     };
-    let shapes: [(Builtin, f64, &dyn Fn(DVec3) -> f64); 3] =
+    let shapes: [(Builtin, f64, &Distance); 3] =
         [(Builtin::Cube, 1e-6, &cube), (Builtin::Sphere, 2e-3, &ball), (Builtin::Torus, 2e-3, &torus)];
     for (builtin, most, distance) in shapes {
         for fov_degrees in [None, Some(40.0)] {

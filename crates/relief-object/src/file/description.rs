@@ -132,8 +132,16 @@ fn wrong(at: usize, problem: impl Into<ObjectFileProblem>) -> Mistake {
 /// there are no views or too many, when one cannot be, or when rectangles are empty or overlap. Errors say
 /// the line and the view.
 pub fn read_description(path: &Path) -> Result<Description, ObjectFileError> {
-    let text = read_text(path)?;
-    parse(&text).map_err(|mistake| mistake.of(path, &text))
+    parse_description(&read_text(path)?, path)
+}
+
+/// As [`read_description`], of the text of an object's file at that path, which need not be there.
+///
+/// # Errors
+///
+/// As [`read_description`], but for those of reading.
+pub fn parse_description(text: &str, path: &Path) -> Result<Description, ObjectFileError> {
+    parse(text).map_err(|mistake| mistake.of(path, text))
 }
 
 /// Reads from where the views of a file look, which may be an object's or have `kind` and `[[view]]` alone.

@@ -14,7 +14,7 @@ use relief_io::{
     read_stored_heights,
 };
 
-pub use self::description::{Description, ViewEntry, read_description, read_views};
+pub use self::description::{Description, ViewEntry, parse_description, read_description, read_views};
 pub use self::error::{ObjectFileError, ObjectFileProblem};
 pub use self::write::{OBJECT_FILE, ObjectWriter, WriteObjectError, check_sheet};
 
