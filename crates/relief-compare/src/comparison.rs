@@ -206,6 +206,9 @@ impl Comparison {
         }
         let levels = self.map_sides.len().max(1);
         for surface in self.scene.surfaces() {
+            if surface.object().is_some() {
+                return Err(CompareError::Object);
+            }
             self.levels(surface.height_map())?;
         }
         let (needed, limit) = (self.bytes(levels)?, self.max_memory);

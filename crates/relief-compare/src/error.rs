@@ -26,6 +26,9 @@ pub enum CompareError {
     /// There is nothing to compare.
     #[error("there are no {0} to compare")]
     Nothing(&'static str),
+    /// A surface is an object of images.
+    #[error("a surface is an object of images: methods are compared on height maps on meshes")]
+    Object,
     /// It is too much.
     #[error(
         "{} MiB are needed for rays and pictures, more than the {limit} allowed",

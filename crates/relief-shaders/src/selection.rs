@@ -352,6 +352,11 @@ impl Selection {
         if *shown != of_geometry && (*shown, of_geometry) != (Shown::Triangles, Shown::Relief) {
             return error(GEOMETRY, of_geometry.needs().to_owned());
         }
+        match (of_geometry == Shown::Object, self.choices[OBJECT].number != 0) {
+            (true, false) => return error(OBJECT, "choose what the object is of its images".to_owned()),
+            (false, true) => return error(OBJECT, "there are no images that it could be made of".to_owned()),
+            _ => {}
+        }
         for (place, (stage, choice)) in STAGES.iter().zip(&self.choices).enumerate() {
             let of_stage = refused.iter().filter(|refused| refused.stage == stage.key);
             if let Some(refused) = of_stage.into_iter().find(|it| it.names.contain(choice.entry.name)) {

@@ -308,6 +308,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let view = arguments.view_of(&spec, &scene);
     let surface = scene.surfaces()[0].clone();
+    if surface.object().is_some() {
+        return Err(Failure::usage("the surface is an object of images, which has no height map on a mesh"));
+    }
     drop(scene);
     let cancel = interrupt::catch()?;
     let files = parts::files(&arguments.output, arguments.tiles)?;

@@ -162,3 +162,29 @@ fn a_variant_that_is_impossible_for_its_stages_rays_is_refused() {
     let expected = SelectionError::Impossible { stage: "search", key: "search", entry: "none", rays: "view" };
     assert_eq!(selection.check(), Err(expected));
 }
+
+#[test]
+fn objects_are_of_images_and_reliefs_are_not() {
+    let solid = |method: &str, value: f64| {
+        let mut selection = Selection::method(method).expect("a method");
+        selection.set("object.solid", value).expect("a listed value");
+        selection.check()
+    };
+    for (method, none) in [("exact", Ok(())), ("vertex", Ok(())), ("slices-surface", Ok(()))] {
+        assert_eq!(solid(method, 0.0), none, "{method}");
+        assert!(matches!(solid(method, 1.0), Err(SelectionError::Surface { key: "object", .. })), "{method}");
+    }
+    for method in ["depth-object", "visual-hull"] {
+        assert!(matches!(solid(method, 0.0), Err(SelectionError::Surface { key: "object", .. })), "{method}");
+        assert_eq!((solid(method, 1.0), solid(method, 2.0)), (Ok(()), Ok(())));
+        let mut selection = Selection::method(method).expect("a method");
+        for (stage, name) in [("search", "linear"), ("detail", "footprint"), ("shadow", "ray")] {
+            let before = selection;
+            selection.choose(stage, name).expect("a listed name");
+            assert!(matches!(selection.check(), Err(SelectionError::Surface { .. })), "{method} {name}");
+            selection = before;
+        }
+        selection.choose("geometry", "none").expect("a listed name");
+        assert_eq!((selection.check(), selection.object_cells()), (Ok(()), None));
+    }
+}
