@@ -59,8 +59,9 @@ impl Default for CaptureSettings {
     }
 }
 
-/// Memory of a texel: heights in both covers and as an object, what it shows, colours and normals.
-const BYTES_PER_TEXEL: u64 = 160;
+/// Memory of a texel: what it shows while images are made, all at once where threads are many; heights,
+/// colours and normals in both covers, and heights as an object.
+const BYTES_PER_TEXEL: u64 = 256;
 
 /// A mesh that is ready to be captured.
 pub struct Capturer<'a> {
