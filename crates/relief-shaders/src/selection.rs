@@ -103,6 +103,9 @@ impl Selection {
             self.choices[SURFACE] = Choice::new(&STAGES[SURFACE], IMAGES);
             self.choices[OBJECT] = Choice::new(&STAGES[OBJECT], OF_DEPTH);
             self.choices[SHADOW] = Choice::new(&STAGES[SHADOW], LIGHT_MAP);
+            if let Some((place, _)) = self.choices[SHADOW].entry.param("size") {
+                self.choices[SHADOW].params[place] = OBJECT_SHADOW_SIZE;
+            }
             return self.with_search_for_shadows();
         }
         self.choices[OBJECT] = Choice::new(&STAGES[OBJECT], 0);
@@ -522,6 +525,10 @@ const FACETS: usize = entry_place(STAGES[SURFACE].entries, "facets");
 
 /// The number of the surface `slices`.
 const SLICED: usize = entry_place(STAGES[SURFACE].entries, "slices");
+
+/// Texels of a side of what lights see where an object is shown: about as fine as its images. More take long
+/// on CPUs, since each texel is a ray through all images.
+const OBJECT_SHADOW_SIZE: f32 = 512.0;
 
 /// The number of the surface `object`.
 const IMAGES: usize = entry_place(STAGES[SURFACE].entries, "object");
