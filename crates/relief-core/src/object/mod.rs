@@ -6,13 +6,13 @@
 //! [`ImageObject::first_hit`] asks the images in turn where a ray is next in their solids.
 
 mod atlas;
-mod cell;
 mod cells;
+mod patch;
 mod rounds;
 mod view;
 
 pub use atlas::AtlasLayout;
-pub use cell::{AGREEMENT, MAX_DISTANCE};
+pub use patch::{AGREEMENT, MAX_DISTANCE};
 pub use rounds::ObjectHit;
 pub use view::{View, ViewError, ViewRay};
 
@@ -56,6 +56,8 @@ pub struct ImageObject {
     heights: HeightMap,
     /// The highest of many cells at once.
     pyramid: MaxPyramid,
+    /// The highest texel of each image.
+    tops: Vec<f64>,
     cells: JumpCells,
     jump: f64,
 }
@@ -126,7 +128,9 @@ impl ImageObject {
         let texels = layout.pack(maps.iter().map(HeightMap::texels), 0.0);
         let heights = HeightMap::new(width, height, texels, Wrap::Clamp)?;
         let pyramid = MaxPyramid::new(&heights);
-        Ok(Self { views, layout, heights, pyramid, cells, jump: 0.0 }.with_jump(jump_texels))
+        let tops =
+            maps.iter().map(|map| f64::from(map.texels().iter().copied().fold(0.0, f32::max))).collect();
+        Ok(Self { views, layout, heights, pyramid, tops, cells, jump: 0.0 }.with_jump(jump_texels))
     }
 
     /// The same object with cells of another kind, which jump where they differ by more than so many texels.

@@ -6,7 +6,7 @@
 
 use glam::DVec3;
 
-use super::cell::{Patch, Solid};
+use super::patch::{Patch, Solid};
 use super::{EMPTY_HEIGHT, ImageObject, ViewRay};
 use crate::raycast::Ray;
 
@@ -15,8 +15,8 @@ use crate::raycast::Ray;
 pub struct ObjectHit {
     /// The parameter, in units of the ray's direction.
     pub t: f64,
-    /// The image whose solid the ray enters there, counted from 0: one of them where it enters several, 0 where
-    /// it begins inside of all.
+    /// The image whose solid the ray enters there, counted from 0: one of them where it enters several, 0
+    /// where it begins inside of all.
     pub view: usize,
     /// Texture coordinates and height in that image. The height is the ray's: below the map on the walls
     /// between cells of different heights, and where the ray begins inside.
@@ -32,8 +32,8 @@ impl ImageObject {
     /// lengths that rounding goes by: those from the world's origin to the ray's and the image's, and the
     /// image's radius. So thin sheets that images see from both sides are hit.
     ///
-    /// A ray misses that is not finite, has a direction that is shorter than 1e-90 m or longer than 1e90 m, or
-    /// begins more than [`MAX_DISTANCE`](super::MAX_DISTANCE) radii away from what an image shows.
+    /// A ray misses that is not finite, has a direction that is shorter than 1e-90 m or longer than 1e90 m,
+    /// or begins more than [`MAX_DISTANCE`](super::MAX_DISTANCE) radii away from what an image shows.
     ///
     /// Costs at most a step for each cell on the ray in each image: no image is walked twice.
     pub fn first_hit(&self, ray: &Ray) -> Option<ObjectHit> {
@@ -66,9 +66,11 @@ impl ImageObject {
                 return None;
             }
             let entry = walks[turn].entry(t)?;
-            if entry > t {
-                (t, entered, agreed) = (entry, turn, 0);
+            // Less is rounding where the ray goes from cell to cell: others need not be asked again.
+            if entry > t + walks[turn].slack {
+                (entered, agreed) = (turn, 0);
             }
+            t = entry;
             agreed += 1;
             turn = if turn + 1 == walks.len() { 0 } else { turn + 1 };
         }
@@ -97,6 +99,8 @@ struct Walk<'a> {
     cell: [i64; 2],
     from: f64,
     to: f64,
+    /// Where it was last sent to without walking there; once, as rounding may name the cell before.
+    sought: f64,
     /// The level of the pyramid that is asked next.
     level: usize,
     /// Where the ray is in the cell's solid, in its own parameter, and which of these was not yet passed.
@@ -124,7 +128,7 @@ impl<'a> Walk<'a> {
             clip(&mut range, start[axis], speed[axis], [-1.0, size[axis]])?;
         }
         let [lowest, highest] = match solid {
-            Solid::Depth => [EMPTY_HEIGHT, f64::from(object.pyramid.highest())],
+            Solid::Depth => [EMPTY_HEIGHT, object.tops[number]],
             Solid::Silhouette => [0.0, 1.0],
         };
         if lowest >= highest {
@@ -149,6 +153,7 @@ impl<'a> Walk<'a> {
             cell: [0; 2],
             from: range[0],
             to: range[0],
+            sought: range[0],
             level: object.pyramid.levels() / 2,
             pieces: [[0.0; 2]; 3],
             count: 0,
@@ -156,13 +161,14 @@ impl<'a> Walk<'a> {
             slack,
             reads: 0,
         };
-        walk.cell = [0, 1].map(|axis| walk.cell_at(axis, range[0], [-1, walk.size[axis] - 1]));
+        walk.cell = [0, 1].map(|axis| walk.cell_at(axis, range[0], [-1, i64::MAX]));
         Some(walk)
     }
 
-    /// The column (axis 0) or row (axis 1) of cells at `s`, as far as it is one of some.
+    /// The column (axis 0) or row (axis 1) of cells at `s`, as far as it is one of some and of the image's.
     fn cell_at(&self, axis: usize, s: f64, [first, last]: [i64; 2]) -> i64 {
-        ((self.start[axis] + self.speed[axis] * s).floor() as i64).clamp(first, last)
+        let cell = (self.start[axis] + self.speed[axis] * s).floor() as i64;
+        cell.max(first).min(last).clamp(-1, self.size[axis] - 1)
     }
 
     /// The first parameter from `t` on at which the ray is in the solid; none where there is none.
@@ -184,9 +190,12 @@ impl<'a> Walk<'a> {
     /// Goes on to the next cell in which the ray may be in the solid at `t` or later; false at the end.
     fn advance(&mut self, t: f64) -> bool {
         let wanted = self.seen.of_ray(t - self.slack).min(self.range[1]);
-        if wanted > self.to {
-            self.from = wanted;
-            self.cell = [0, 1].map(|axis| self.cell_at(axis, wanted, [-1, self.size[axis] - 1]));
+        if wanted > self.to && wanted > self.sought {
+            self.sought = wanted;
+            self.cell = [0, 1].map(|axis| self.cell_at(axis, wanted, [-1, i64::MAX]));
+            // From where the ray enters the cell, so that its roots are the same whenever it is come to.
+            let enters = [0, 1].map(|axis| self.crossing(axis, [self.cell[axis] + 1, self.cell[axis]]));
+            self.from = enters.into_iter().filter(|s| *s < wanted).fold(self.range[0], f64::max);
         }
         while self.from < self.range[1] && (0..2).all(|axis| (-1..self.size[axis]).contains(&self.cell[axis]))
         {
@@ -219,7 +228,8 @@ impl<'a> Walk<'a> {
         false
     }
 
-    /// Where the ray leaves what lies between two lines.
+    /// Where the ray leaves what lies between two lines, the first of which is that of the lesser number;
+    /// where it enters that, if they are given the other way round.
     fn crossing(&self, axis: usize, lines: [i64; 2]) -> f64 {
         let speed = self.speed[axis];
         if speed == 0.0 {

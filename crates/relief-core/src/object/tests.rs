@@ -65,8 +65,8 @@ fn maps_that_do_not_fit_are_refused() {
 }
 
 fn block() -> ImageObject {
-    // The middle half of each image is seen at three quarters of the way: a cube of 2 m, whose sides are walls
-    // of cells.
+    // The middle half of each image is seen at three quarters of the way: a cube of 2 m, whose sides are
+    // walls of cells.
     let map = HeightMap::from_fn(40, 40, Wrap::Clamp, |x, y| {
         let inside = |at: u32| (10..30).contains(&at);
         if inside(x) && inside(y) { 0.75 } else { 0.0 }

@@ -11,10 +11,10 @@ const VERTICAL: f64 = 1.0 - 1e-9;
 /// How an image of an object was made, and what its heights mean.
 ///
 /// The image looks at the ball of some radius around a centre. Texture coordinates `(u, v)` go from its upper
-/// left corner to its lower right one; texels are square, and the width shows the ball's diameter. Heights are
-/// what a relief's are: 1 on the plane that touches the ball on the side of the viewer, 0 on the one behind it.
-/// In a *perspective* image they go by the inverse of the distance along its axis, so that rays are straight
-/// in `(u, v, height)` in both kinds.
+/// left corner to its lower right one; texels are square, and the width shows the ball's diameter. Heights
+/// are what a relief's are: 1 on the plane that touches the ball on the side of the viewer, 0 on the one
+/// behind it. In a *perspective* image they go by the inverse of the distance along its axis, so that rays
+/// are straight in `(u, v, height)` in both kinds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct View {
     /// Texture coordinates and height of a point `(x, y, z, 1)`, each times the last row's product.
@@ -113,8 +113,8 @@ impl ViewRay {
 }
 
 impl View {
-    /// A view by parallel rays. `from` is the direction from the centre toward the viewer, of any length; `up`
-    /// points up in the image: by default `+y`, or `-z` where that is the direction of the view.
+    /// A view by parallel rays. `from` is the direction from the centre toward the viewer, of any length;
+    /// `up` points up in the image: by default `+y`, or `-z` where that is the direction of the view.
     ///
     /// # Errors
     ///
@@ -181,8 +181,8 @@ impl View {
         self.size
     }
 
-    /// The rows of the map from a point `(x, y, z, 1)` to `u`, `v` and the height, each times the product with
-    /// the last row, which is 1 in orthographic images.
+    /// The rows of the map from a point `(x, y, z, 1)` to `u`, `v` and the height, each times the product
+    /// with the last row, which is 1 in orthographic images.
     pub fn rows(&self) -> [DVec4; 4] {
         self.rows
     }
@@ -237,8 +237,8 @@ impl View {
         ray.at((at.z * w0 - h0) / (h1 - at.z * w1))
     }
 
-    /// The ray of the image through texture coordinates. It begins on the plane of height 1, or in the eye; its
-    /// direction has length 1 along the axis.
+    /// The ray of the image through texture coordinates. It begins on the plane of height 1, or in the eye;
+    /// its direction has length 1 along the axis.
     pub fn ray(&self, u: f64, v: f64) -> Ray {
         let aspect = f64::from(self.size[1]) / f64::from(self.size[0]);
         let width = self.texel_m * f64::from(self.size[0]);

@@ -5,9 +5,9 @@ use glam::DVec3;
 use super::{EMPTY_HEIGHT, ImageObject, JumpCells};
 use crate::raycast::Ray;
 
-/// How far, as a part of the way to them, solids count as reaching on along a ray: two images may see the same
-/// thin sheet from both sides, and what they say of it differs by roundings. Thousands of those of `f64`, and
-/// far less than a texel.
+/// How far, as a part of the way to them, solids count as reaching on along a ray: two images may see the
+/// same thin sheet from both sides, and what they say of it differs by roundings. Thousands of those of
+/// `f64`, and far less than a texel.
 pub const AGREEMENT: f64 = 1e-12;
 
 /// How many radii of the ball that an image shows a ray may begin away from it. There `f64` still resolves a
@@ -52,8 +52,8 @@ impl Patch {
 }
 
 impl ImageObject {
-    /// The map of an image over dual cell `(i, j)`, which lies between the texels `(i, j)` and `(i + 1, j + 1)`
-    /// and is one of `-1..columns`, `-1..rows`.
+    /// The map of an image over dual cell `(i, j)`, which lies between the texels `(i, j)` and `(i + 1, j +
+    /// 1)` and is one of `-1..columns`, `-1..rows`.
     #[inline]
     pub(super) fn patch(&self, number: usize, cell: [i64; 2], solid: Solid) -> Patch {
         let place = self.layout.places()[number];
