@@ -3,15 +3,21 @@
 //! Kautz and Seidel 2001, section 4: each image says of what it looks at that everything behind what it sees,
 //! down to its base plane, may be solid. An object is what all of its images say so of.
 //!
-//! [`ImageObject::first_hit`] asks the images in turn where a ray is next in their solids.
+//! Rays are followed in `f64` by two tracers that share neither traversal nor root finder:
+//! [`ImageObject::first_hit`] asks the images in turn where a ray is next in their solids, and
+//! [`ImageObject::intervals`] intersects lists of all parameters at which it is in them. Both have a sibling
+//! that knows silhouettes only, for the visual hull of section 5.
 
 mod atlas;
 mod cells;
+mod hull;
+mod intervals;
 mod patch;
 mod rounds;
 mod view;
 
 pub use atlas::AtlasLayout;
+pub use hull::SilhouetteError;
 pub use patch::{AGREEMENT, MAX_DISTANCE};
 pub use rounds::ObjectHit;
 pub use view::{View, ViewError, ViewRay};
@@ -58,6 +64,8 @@ pub struct ImageObject {
     pyramid: MaxPyramid,
     /// The highest texel of each image.
     tops: Vec<f64>,
+    /// The images whose silhouettes the visual hull needs.
+    silhouettes: Vec<usize>,
     cells: JumpCells,
     jump: f64,
 }
@@ -130,7 +138,11 @@ impl ImageObject {
         let pyramid = MaxPyramid::new(&heights);
         let tops =
             maps.iter().map(|map| f64::from(map.texels().iter().copied().fold(0.0, f32::max))).collect();
-        Ok(Self { views, layout, heights, pyramid, tops, cells, jump: 0.0 }.with_jump(jump_texels))
+        let silhouettes = Vec::new();
+        let mut object = Self { views, layout, heights, pyramid, tops, silhouettes, cells, jump: 0.0 };
+        object.silhouettes =
+            (0..object.views.len()).filter(|number| object.opposite_silhouette(*number).is_none()).collect();
+        Ok(object.with_jump(jump_texels))
     }
 
     /// The same object with cells of another kind, which jump where they differ by more than so many texels.

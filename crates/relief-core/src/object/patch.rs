@@ -62,7 +62,7 @@ impl ImageObject {
         let first = y * width + x;
         let corners = [first, first + 1, first + width, first + width + 1].map(|at| f64::from(texels[at]));
         if solid == Solid::Silhouette {
-            return Patch::Bilinear(corners.map(|height| f64::from(u8::from(height > 0.0))));
+            return Patch::Bilinear(corners.map(|height| f64::from(u8::from(height > EMPTY_HEIGHT))));
         }
         if self.cells == JumpCells::Nearest {
             return Patch::Quarters(corners);

@@ -127,14 +127,14 @@ impl<'a> Walk<'a> {
         for axis in 0..2 {
             clip(&mut range, start[axis], speed[axis], [-1.0, size[axis]])?;
         }
-        let [lowest, highest] = match solid {
-            Solid::Depth => [EMPTY_HEIGHT, object.tops[number]],
-            Solid::Silhouette => [0.0, 1.0],
+        let top = match solid {
+            Solid::Depth => object.tops[number],
+            Solid::Silhouette => 1.0,
         };
-        if lowest >= highest {
+        if top <= EMPTY_HEIGHT {
             return None;
         }
-        clip(&mut range, -seen.origin.z, -seen.change.z, [-highest, -lowest])?;
+        clip(&mut range, -seen.origin.z, -seen.change.z, [-top, -EMPTY_HEIGHT])?;
         let lift = match solid {
             Solid::Depth => [seen.origin.z, seen.change.z],
             Solid::Silhouette => [0.5, 0.0],
@@ -250,7 +250,7 @@ impl<'a> Walk<'a> {
         let highest = self.object.pyramid.nodes(self.level).get(at).copied().unwrap_or(1.0);
         match self.solid {
             Solid::Depth => lowest > f64::from(highest),
-            Solid::Silhouette => highest == 0.0,
+            Solid::Silhouette => f64::from(highest) <= EMPTY_HEIGHT,
         }
     }
 

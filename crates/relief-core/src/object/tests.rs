@@ -1,6 +1,6 @@
 use glam::DVec3;
 
-use super::{AtlasLayout, ImageObject, JumpCells, ObjectError, View};
+use super::{AtlasLayout, EMPTY_HEIGHT, ImageObject, JumpCells, ObjectError, View};
 use crate::mesh::Placement;
 use crate::raycast::Ray;
 use crate::{HeightMap, Wrap};
@@ -86,6 +86,9 @@ fn a_block_is_hit_on_its_faces() {
         assert!((hit.t - 2.0).abs() < 1e-12, "{hit:?}");
         assert!((object.views()[hit.view].point(hit.at) - ray.at(hit.t)).length() < 1e-12);
         assert!(hit.reads > 0 && (hit.view == number || hit.at.z < 0.75), "{hit:?}");
+        // 2 m, by 2 m a unit.
+        let [[from, to]] = object.intervals(&ray)[..] else { panic!("it is one piece") };
+        assert!((from - 2.0).abs() < 1e-11 && (to - 3.0).abs() < 1e-11, "{from} to {to}");
         assert_eq!(object.first_hit(&Ray { direction: axis, ..ray }), None);
         let inside = Ray { origin: aside, direction: axis };
         assert_eq!(object.first_hit(&inside).map(|hit| hit.t), Some(0.0));
@@ -137,4 +140,22 @@ fn rays_that_are_none_miss() {
         let hit = object.first_hit(&Ray { direction: DVec3::NEG_X * small, ..ray }).expect("a hit");
         assert!((hit.t * small - 4.0).abs() < 1e-12);
     }
+}
+
+#[test]
+fn hulls_are_cut_halfway_between_texels() {
+    let object = block();
+    let ray = Ray { origin: DVec3::new(5.0, 0.31, -0.22), direction: DVec3::NEG_X };
+    // The silhouettes' sides are halfway between the last texels that see something and the first that do
+    // not.
+    let hit = object.hull_first_hit(&ray).expect("it is on the way");
+    assert!((hit.t - 4.0).abs() < 1e-12, "{hit:?}");
+    let [[from, to]] = object.hull_intervals(&ray)[..] else { panic!("it is one piece") };
+    assert!((from - 4.0).abs() < 1e-11 && (to - 6.0).abs() < 1e-11, "{from} to {to}");
+    // One silhouette alone is bounded by its image's space.
+    let map = HeightMap::new(8, 8, vec![1e-3; 64], Wrap::Clamp).expect("a map");
+    let one = cube_of(&[map]).expect("an object");
+    let [[from, to]] = one.hull_intervals(&ray)[..] else { panic!("it is one piece") };
+    let end = 7.0 - 4.0 * EMPTY_HEIGHT;
+    assert!((from - 3.0).abs() < 1e-11 && (to - end).abs() < 1e-11, "{from} to {to}");
 }
