@@ -30,18 +30,24 @@ pub fn first_on_spheres(ray: &Ray) -> Option<f64> {
     hits.min_by(f64::total_cmp)
 }
 
+/// What a view sees of the spheres.
+pub fn map_of_spheres(view: &View) -> HeightMap {
+    let [columns, rows] = view.size();
+    let map = HeightMap::from_fn(columns, rows, Wrap::Clamp, |x, y| {
+        let [u, v] = [(x, columns), (y, rows)].map(|(at, side)| (f64::from(at) + 0.5) / f64::from(side));
+        let ray = view.ray(u, v);
+        let seen = first_on_spheres(&ray).and_then(|t| view.see(ray.at(t)));
+        seen.map_or(0.0, |seen| seen.z.clamp(0.0, 1.0) as f32)
+    });
+    map.expect("a map")
+}
+
 /// The object of images of so many texels a side, that look at the spheres from these directions.
 pub fn object_of_spheres(directions: &[DVec3], side: u32, cells: JumpCells) -> ImageObject {
     let (mut views, mut maps) = (Vec::new(), Vec::new());
     for from in directions {
         let view = View::orthographic(DVec3::ZERO, RADIUS, *from, None, [side, side]).expect("a view");
-        let map = HeightMap::from_fn(side, side, Wrap::Clamp, |x, y| {
-            let [u, v] = [x, y].map(|at| (f64::from(at) + 0.5) / f64::from(side));
-            let ray = view.ray(u, v);
-            let seen = first_on_spheres(&ray).and_then(|t| view.see(ray.at(t)));
-            seen.map_or(0.0, |seen| seen.z.clamp(0.0, 1.0) as f32)
-        });
-        maps.push(map.expect("a map"));
+        maps.push(map_of_spheres(&view));
         views.push(view);
     }
     ImageObject::new(views, &maps, cells, 4.0).expect("an object")
