@@ -36,3 +36,17 @@ impl FromStr for JumpCells {
         known.ok_or_else(|| UnknownName::new("kind of cells", name, Self::ALL.map(Self::name)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_stand_for_what_they_are_of() {
+        for cells in JumpCells::ALL {
+            assert_eq!(cells.to_string().parse(), Ok(cells));
+        }
+        let unknown = "hihgest".parse::<JumpCells>().expect_err("it is no name");
+        assert_eq!(unknown.nearest.as_deref(), Some("highest"));
+    }
+}

@@ -108,8 +108,8 @@ pub struct CapturedImage {
 impl<'a> Capturer<'a> {
     /// Makes a mesh ready, with its colours if it has any.
     ///
-    /// All images look at a ball around the middle of the mesh's box, which holds the mesh and a texel more on
-    /// each side.
+    /// All images look at a ball around the middle of the mesh's box, which holds the mesh and a texel more
+    /// on each side.
     ///
     /// # Errors
     ///

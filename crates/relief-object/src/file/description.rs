@@ -56,13 +56,6 @@ pub struct ViewEntry {
     pub(super) line: usize,
 }
 
-impl ViewEntry {
-    /// An image that looks from there and lies there: column, row, width and height.
-    pub fn new(spec: ViewSpec, rect: [u32; 4]) -> Self {
-        Self { spec, rect, line: 1 }
-    }
-}
-
 #[derive(Deserialize)]
 struct Table {
     kind: Spanned<String>,
