@@ -48,6 +48,12 @@
 #![cfg_attr(all(feature = "bake", feature = "io"), doc = include_str!("../examples/between.rs"))]
 //! ```
 //!
+//! # A mesh as images with depth
+//!
+//! ```
+#![cfg_attr(feature = "object", doc = include_str!("../examples/capture.rs"))]
+//! ```
+//!
 //! # Render into memory
 //!
 //! ```
