@@ -3,6 +3,7 @@
 mod common;
 
 use common::command::{Folder, json_of};
+use common::maps::Map;
 use common::meshes::obj;
 use common::refused::{assert_refused, entries, with_out};
 use relief_core::mesh::torus;
@@ -105,10 +106,28 @@ fn scenes_give_a_mesh_its_place_and_its_colours() {
 }
 
 #[test]
+fn relief_of_a_scene_is_captured_displaced() {
+    let folder = folder();
+    folder.write("hills.png", Map::many_hills().png());
+    let radius = |scale: f64| {
+        let scene = format!("height = 'hills.png'\nmesh = 'ring.obj'\nscale = {scale}\nbias = 0\n");
+        folder.write("hills.toml", scene);
+        let line = "capture hills.toml --size 64 --verify 2 --cover centre --json -o out/hills";
+        let about = json_of(&folder.relief(line).fine());
+        assert!(about["triangles"].as_u64().is_some_and(|count| count > 10_000), "{about}");
+        about["radius_m"].as_f64().expect("a number")
+    };
+    let [low, high] = [radius(0.01), radius(0.1)];
+    assert!((high - low - 0.09).abs() < 0.02, "{low} {high}");
+}
+
+#[test]
 fn what_cannot_be_captured_is_refused() {
     let folder = folder();
     folder.write("two.toml", "[[surfaces]]\nmesh = 'cube'\n[[surfaces]]\nmesh = 'sphere'\n");
     folder.write("relief.toml", "height = 'h.png'\nmesh = 'cube'\n");
+    folder.write("hills.png", Map::many_hills().png());
+    folder.write("hills.toml", "height = 'hills.png'\nmesh = 'ring.obj'\nscale = 0.05\nbias = 0\n");
     folder.write("none.toml", "kind = 'orthographic'\n");
     folder.write("zero.toml", "[[view]]\nfrom = [0, 0, 0]\n");
     folder.write("near.toml", "kind = 'perspective'\n[[view]]\neye = [0.1, 0, 0]\nfov = 40\n");
@@ -119,7 +138,8 @@ fn what_cannot_be_captured_is_refused() {
         ("kube -o out/a", 2, &["cube"]),
         ("missing.toml -o out/a", 1, &["missing.toml"]),
         ("two.toml -o out/a", 1, &["two.toml", "several"]),
-        ("relief.toml -o out/a", 1, &["relief.toml", "relief mesh"]),
+        ("relief.toml -o out/a", 1, &["h.png"]),
+        ("hills.toml -o out/a --max-memory 1MiB", 1, &["--max-memory"]),
         ("ring.obj -o file", 1, &["file"]),
         ("ring.obj -o out/a --views kube", 2, &["cube"]),
         ("ring.obj -o out/a --views missing.toml", 1, &["missing.toml"]),

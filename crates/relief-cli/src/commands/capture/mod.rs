@@ -33,7 +33,7 @@ use crate::{interrupt, say, values};
 #[command(after_help = AFTER_HELP)]
 pub struct Arguments {
     /// Mesh: a glTF, GLB, OBJ, PLY or STL file, or a built-in one (cube, cylinder, sphere, torus); or a scene
-    /// file with one surface without a height map, for its mesh, place and color
+    /// file with one surface, for its mesh in its place, displaced if it has a height map, and its color
     #[arg(value_name = "MESH|SCENE.toml")]
     input: PathBuf,
     /// Folder to write the object into; it is made if it is missing

@@ -59,7 +59,7 @@ impl About<'_> {
         if let Some((_, Measured { views, size, cells, jump_texels, .. })) = self.compared.first() {
             writeln!(
                 out,
-                "  compared    in {views} pictures of {size}x{size}, cells {cells} from {jump_texels} texels on"
+                "  compared    in {views} pictures of {size}x{size}, cells {cells} from {jump_texels} texels"
             )?;
             writeln!(out, "{}", self.table())?;
         }
@@ -118,8 +118,9 @@ impl About<'_> {
 
 fn row(cover: Cover, measured: &Measured) -> Value {
     json!({
-        "cover": cover.name(), "views": measured.views, "size": measured.size, "cells": measured.cells.name(),
-        "jump": measured.jump_texels, "iou": measured.iou, "depth_error_percent": measured.depth_error_percent,
+        "cover": cover.name(), "views": measured.views, "size": measured.size,
+        "cells": measured.cells.name(), "jump": measured.jump_texels, "iou": measured.iou,
+        "depth_error_percent": measured.depth_error_percent,
         "worst_from": measured.worst_from.to_array(), "worst_iou": measured.worst_iou,
         "worst_depth_error_percent": measured.worst_depth_error_percent,
     })

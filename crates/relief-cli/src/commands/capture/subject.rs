@@ -3,11 +3,13 @@
 use std::path::Path;
 
 use glam::Vec2;
-use relief_core::mesh::{FramingError, Mesh, Placement, UvProjection};
+use relief_core::ByteSize;
+use relief_core::mesh::{FramingError, Mesh, Placement, UvProjection, Vertex};
 use relief_io::{
     MeshColors, MeshFile, MeshOptions, Picture, ReadError, ReadProblem, read_mesh, read_picture,
 };
-use relief_render::scene::{MeshChoice, SurfaceSpec, read_scene};
+use relief_mesh::{MeshSettings, Mesher};
+use relief_render::scene::{MeshChoice, SceneSpec, SurfaceSpec, read_scene};
 
 use super::Arguments;
 use crate::commands::scene_arguments::of_scene;
@@ -25,10 +27,20 @@ pub struct Subject {
 const SQUARE: [f64; 2] = [1.0, 1.0];
 
 impl Subject {
-    /// Reads the mesh of a file, a built-in one, or that of a scene's surface.
+    /// Reads the mesh of a file, a built-in one, or that of a scene's surface, which is displaced if it has a
+    /// height map.
     pub fn read(arguments: &Arguments) -> Result<Self, Failure> {
         let is_scene = arguments.input.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
-        let surface = if is_scene { of_file(&arguments.input)? } else { of_mesh(&arguments.input)? };
+        let surface = if is_scene {
+            let spec = read_scene(&arguments.input).map_err(of_scene)?;
+            let surface = only_surface(&spec, &arguments.input)?;
+            if surface.height.is_some() {
+                return displaced(spec, &surface, arguments);
+            }
+            surface
+        } else {
+            of_mesh(&arguments.input)?
+        };
         let max_bytes = arguments.max_bytes();
         let mut notes = Vec::new();
         let (mesh, own) = match surface.mesh.clone().unwrap_or_default() {
@@ -66,19 +78,48 @@ fn of_mesh(path: &Path) -> Result<SurfaceSpec, Failure> {
     Ok(SurfaceSpec { mesh: Some(mesh), ..SurfaceSpec::default() })
 }
 
-/// The only surface of a scene file, which has no height map.
-fn of_file(path: &Path) -> Result<SurfaceSpec, Failure> {
-    let spec = read_scene(path).map_err(of_scene)?;
-    let refused = |what: &str| Err(Failure::Work(format!("{}: {what}", path.display())));
+/// The only surface of a scene file.
+fn only_surface(spec: &SceneSpec, path: &Path) -> Result<SurfaceSpec, Failure> {
     let mut surfaces = spec.each_surface();
     match (surfaces.pop(), surfaces.is_empty()) {
-        (Some(surface), true) if surface.height.is_none() => Ok(surface),
-        (Some(_), true) => refused(
-            "its surface is a height map on a mesh, of which there are no triangles to capture: `relief mesh` \
-             writes them into a file that is captured",
-        ),
-        _ => refused("it has several surfaces, and an object is of one mesh: give the mesh's file"),
+        (Some(surface), true) => Ok(surface),
+        _ => {
+            let path = path.display();
+            let what = "it has several surfaces, and an object is of one mesh: give the mesh's file";
+            Err(Failure::Work(format!("{path}: {what}")))
+        }
     }
+}
+
+/// The mesh of a scene's surface, displaced by its height map, with a vertex every texel along its edges.
+fn displaced(spec: SceneSpec, surface: &SurfaceSpec, arguments: &Arguments) -> Result<Subject, Failure> {
+    let max_memory = Some(ByteSize(arguments.max_bytes()));
+    // Nothing is rendered.
+    let spec = SceneSpec { max_memory, size: Some([1, 1]), samples: Some(1), ..spec };
+    let scene = spec.load().map_err(of_scene)?;
+    let [shown] = scene.surfaces() else { return Err(Failure::work("it has several surfaces")) };
+    let settings = MeshSettings { max_bytes: arguments.max_bytes(), ..MeshSettings::default() };
+    let at = |error: &dyn std::fmt::Display| {
+        let input = arguments.input.display();
+        Failure::Work(format!("{input}: its surface cannot be displaced: {error}"))
+    };
+    let mesher = Mesher::new(shown.mesh(), shown.height_map(), &settings).map_err(|error| at(&error))?;
+    let needed = mesher.bytes() + mesher.vertices() * size_of::<Vertex>() as u64 + mesher.triangles() * 12;
+    if needed > arguments.max_bytes() {
+        let (triangles, limit) = (mesher.triangles(), ByteSize(arguments.max_bytes()));
+        return Err(at(&format!(
+            "its {triangles} triangles take {} MiB, more than the {limit} allowed: --max-memory raises it, \
+             and `relief mesh` makes coarser ones for capture to read",
+            needed.div_ceil(1 << 20)
+        )));
+    }
+    let mesh = mesher.mesh().map_err(|error| at(&error))?;
+    let picture = match &arguments.color {
+        Some(path) => Some(read_picture(path, arguments.max_bytes()).map_err(Failure::of_picture)?),
+        None => shown.color().map(|color| Picture::clone(color)),
+    };
+    let colors = picture.map(|picture| with_picture(picture, surface));
+    Ok(Subject { mesh, colors, notes: Vec::new() })
 }
 
 /// The mesh of a file, and its colours if it has any.
