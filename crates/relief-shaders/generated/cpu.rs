@@ -519,8 +519,8 @@ impl Grid {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// An image: what a point's texture coordinates and its height in it are, by a product with (x, y, z, 1); where
-/// it lies among the others (its first corner and its extent, in texture coordinates of all); the unit
+/// An image: what a point's texture coordinates and its height in it are, by a product with (x, y, z, 1);
+/// where it lies among the others (its first corner and its extent, in texture coordinates of all); the unit
 /// direction toward its viewer.
 pub struct Image {
     pub u: rt::Vec4<f32>,

@@ -3900,8 +3900,8 @@ fn numbered_pixel(triangle: u32, side: f32, point: vec2f) -> PixelIn {
         name: "Image",
         sampling: None,
         uses: &[],
-        text: r#"// An image: what a point's texture coordinates and its height in it are, by a product with (x, y, z, 1); where
-// it lies among the others (its first corner and its extent, in texture coordinates of all); the unit
+        text: r#"// An image: what a point's texture coordinates and its height in it are, by a product with (x, y, z, 1);
+// where it lies among the others (its first corner and its extent, in texture coordinates of all); the unit
 // direction toward its viewer.
 struct Image {
     u: vec4f,

@@ -81,7 +81,7 @@ pub struct SceneArguments {
     /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
     height: Option<PathBuf>,
-    /// Object of images with depth, in place of height map and mesh: an object.toml, as `relief capture` makes
+    /// Object of images with depth, in place of height map and mesh: an object.toml of `relief capture`
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh", conflicts_with = "height")]
     object: Option<PathBuf>,
     /// Colour map, in sRGB [default: the material alone]

@@ -12,7 +12,7 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[],
-    argument: "A ray only goes on from a point that some image says is empty, to the first one beyond that it \
-        does not say so of. So it never passes a point of the intersection, and where all images agree is one, \
-        to two millionths of the distance; searches that may pass what they look for weaken that.",
+    argument: "A ray only goes on from a point that some image says is empty, to the first one beyond that \
+        it does not say so of. So it never passes a point of the intersection, and where all images agree is \
+        one, to two millionths of the distance; searches that may pass what they look for weaken that.",
 };

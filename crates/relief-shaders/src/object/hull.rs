@@ -12,7 +12,7 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[],
-    argument: "As with depths a ray only goes on from a point that some silhouette does not hold. Along it the \
-        mask of a cell is a quadratic, whose first place at a half is found without sampling. Silhouettes know \
-        no depth: the hull ends where the images' heights do.",
+    argument: "As with depths a ray only goes on from a point that some silhouette does not hold. Along it \
+        the mask of a cell is a quadratic, whose first place at a half is found without sampling. \
+        Silhouettes know no depth: the hull ends where the images' heights do.",
 };

@@ -33,8 +33,8 @@ const PARAMS: &[Param] = &[
         default: JumpCells::Highest as u32 as f32,
         ..Param::of_names(
             "cells",
-            "where heights jump from texel to texel: bilinear as elsewhere; as high as the nearest texel (step), \
-             or as the highest around (highest); nearest: the nearest texel everywhere",
+            "where heights jump from texel to texel: bilinear as elsewhere; as high as the nearest texel \
+             (step), or as the highest around (highest); nearest: the nearest texel everywhere",
             CELLS,
         )
     },

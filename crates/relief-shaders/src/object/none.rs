@@ -12,6 +12,6 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[],
-    argument: "The segments follow each other along the ray, so that the first hit on any is the first of all. \
-        In a shell that overlaps itself they do not, and the nearest of all hits is taken.",
+    argument: "The segments follow each other along the ray, so that the first hit on any is the first of \
+        all. In a shell that overlaps itself they do not, and the nearest of all hits is taken.",
 };

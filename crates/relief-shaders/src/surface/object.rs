@@ -14,8 +14,9 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[],
-    argument: "An image's texture coordinates and heights are linear in the place, so that rays are straight in \
-        each. They are cut off where an image ends and just above its lowest height, where it sees nothing.",
+    argument: "An image's texture coordinates and heights are linear in the place, so that rays are straight \
+        in each. They are cut off where an image ends and just above its lowest height, where it sees \
+        nothing.",
 };
 
 /// What it makes of rays.
