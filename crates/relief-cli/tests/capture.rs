@@ -128,6 +128,7 @@ fn what_cannot_be_captured_is_refused() {
     folder.write("relief.toml", "height = 'h.png'\nmesh = 'cube'\n");
     folder.write("hills.png", Map::many_hills().png());
     folder.write("hills.toml", "height = 'hills.png'\nmesh = 'ring.obj'\nscale = 0.05\nbias = 0\n");
+    folder.write("object.toml", "object = 'ring/object.toml'\n");
     folder.write("none.toml", "kind = 'orthographic'\n");
     folder.write("zero.toml", "[[view]]\nfrom = [0, 0, 0]\n");
     folder.write("near.toml", "kind = 'perspective'\n[[view]]\neye = [0.1, 0, 0]\nfov = 40\n");
@@ -140,6 +141,7 @@ fn what_cannot_be_captured_is_refused() {
         ("two.toml -o out/a", 1, &["two.toml", "several"]),
         ("relief.toml -o out/a", 1, &["h.png"]),
         ("hills.toml -o out/a --max-memory 1MiB", 1, &["--max-memory"]),
+        ("object.toml -o out/a", 1, &["object.toml", "already"]),
         ("ring.obj -o file", 1, &["file"]),
         ("ring.obj -o out/a --views kube", 2, &["cube"]),
         ("ring.obj -o out/a --views missing.toml", 1, &["missing.toml"]),

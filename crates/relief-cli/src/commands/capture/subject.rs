@@ -80,14 +80,14 @@ fn of_mesh(path: &Path) -> Result<SurfaceSpec, Failure> {
 
 /// The only surface of a scene file.
 fn only_surface(spec: &SceneSpec, path: &Path) -> Result<SurfaceSpec, Failure> {
+    let refused = |what: &str| Err(Failure::Work(format!("{}: {what}", path.display())));
     let mut surfaces = spec.each_surface();
     match (surfaces.pop(), surfaces.is_empty()) {
-        (Some(surface), true) => Ok(surface),
-        _ => {
-            let path = path.display();
-            let what = "it has several surfaces, and an object is of one mesh: give the mesh's file";
-            Err(Failure::Work(format!("{path}: {what}")))
+        (Some(surface), true) if surface.object.is_some() => {
+            refused("its surface is an object of images already, which has no triangles: give a mesh")
         }
+        (Some(surface), true) => Ok(surface),
+        _ => refused("it has several surfaces, and an object is of one mesh: give the mesh's file"),
     }
 }
 
