@@ -225,8 +225,7 @@ pub fn subjects(cells: JumpCells) -> Vec<Subject> {
     let named = |name: &str| maps::ALL.iter().find(|map| map.name == name).expect("it is in the list");
     let mut all = Vec::new();
     // A quarter of all maps, as it comes, besides some that each kind of cells has to bear.
-    let mut alone: Vec<&NamedMap> =
-        ["white noise 37x53", "needles in a pit 64x64"].map(|name| named(name)).to_vec();
+    let mut alone: Vec<&NamedMap> = ["white noise 37x53", "needles in a pit 64x64"].map(&named).to_vec();
     alone.extend(maps::ALL.iter().skip(cells as usize).step_by(4));
     for (turn, map) in alone.into_iter().enumerate() {
         let built = map.build(Wrap::Clamp);
