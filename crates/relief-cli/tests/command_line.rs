@@ -207,11 +207,20 @@ fn every_listed_name_renders() {
         let list = listed[stage].as_array().expect("a list");
         list.iter().map(|entry| entry["name"].as_str().expect("a name").to_owned()).collect()
     };
-    let render = |flags: &str| {
-        json_of(&folder.relief(&format!("render --height map.png {SMALL} --json {flags}")).fine())
+    folder.relief("capture cube --size 32 --verify 1 -q -o cube").fine();
+    let render_of = |of: &str, flags: &str| {
+        json_of(&folder.relief(&format!("render {of} {SMALL} --json {flags}")).fine())
     };
+    let render = |flags: &str| render_of("--height map.png", flags);
     for method in listed["methods"].as_array().expect("a list") {
-        let about = render(&format!("--method {}", method["name"].as_str().expect("a name")));
+        let name = method["name"].as_str().expect("a name");
+        let of = if method["family"] == "object" { "--object cube/object.toml" } else { "--height map.png" };
+        let about = render_of(of, &format!("--method {name}"));
+        // An object is no relief, nor a relief an object.
+        let other =
+            if method["family"] == "object" { "--height map.png" } else { "--object cube/object.toml" };
+        let refused = folder.relief(&format!("render {other} {SMALL} --method {name}"));
+        assert!(refused.code == Some(2) && refused.stderr.contains("method"), "{refused:?}");
         let surface = &about["surfaces"][0];
         assert_eq!((&surface["search"], &surface["refine"]), (&method["search"], &method["refine"]));
         assert!(about["covered"].as_u64() > Some(50), "{about}");

@@ -254,7 +254,8 @@ fn every_method_shows_points_of_the_surface() {
     let methods: serde_json::Value = serde_json::from_str(&methods).expect("JSON");
     let methods = methods["methods"].as_array().expect("a list of methods");
     assert!(methods.len() >= 11);
-    for method in methods {
+    // Objects of images have no height map.
+    for method in methods.iter().filter(|method| method["family"] != "object") {
         let name = method["name"].as_str().expect("a name");
         let aov = render(&folder, &view, &relief, &format!("--method {name}"));
         let hits: Vec<Pixel> = aov.pixels().map(|(_, _, p)| p).filter(|p| p.hit == 1.0).collect();

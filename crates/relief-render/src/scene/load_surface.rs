@@ -446,9 +446,9 @@ impl SurfaceSpec {
     /// What is run. Several samples ask for a picture without jagged edges, which it then has where maps are
     /// seen small, too.
     fn selection(&self, samples: u32, surrounded: bool) -> Result<Selection, ValueError> {
-        if samples > 1 && self.object.is_none() && !self.stages.contains_key(STAGES[DETAIL].key) {
+        if samples > 1 && !self.stages.contains_key(STAGES[DETAIL].key) {
             let selection = self.selection_in(Some(FOOTPRINT), surrounded)?;
-            if selection.check_levels().is_ok() {
+            if selection.check_levels().is_ok() && selection.object_cells().is_none() {
                 return Ok(selection);
             }
         }
