@@ -11,7 +11,7 @@ use relief_shaders::cpu::{
     BLOCK, EnteredBlock, Frame, HitBlock, Light, LightPoint, PathBlock, PixelIn, PixelOutBlock, Program, Row,
     SurfaceSettings, Triangle, TriangleRays, Vec4,
 };
-use relief_shaders::surface::Proposal;
+use relief_shaders::surface::{PATHS, Proposal, Shown};
 use relief_shaders::{AMBIENT, DETAIL, MAX_LIGHTS, MapSlot, SHADOW, SLICES, STAGES, SURFACE, Selection};
 use relief_tests::baked::maps_in;
 use relief_tests::one_source::cases::bare_surface;
@@ -174,10 +174,13 @@ fn points() -> [Row<f32>; 2] {
 
 #[test]
 fn pixels_have_the_bits_of_one_by_one() {
-    let surfaces = STAGES[SURFACE].entries.len();
+    // Objects of images are asked for one ray at a time.
+    let of_meshes = PATHS.iter().enumerate().filter(|(_, paths)| paths.shown != Shown::Object);
+    let of_meshes: Vec<usize> = of_meshes.map(|(place, _)| place).collect();
+    let surfaces = of_meshes.len();
     let details = STAGES[DETAIL].entries.len();
     let cases: Vec<[usize; 3]> = (0..surfaces * details * maps::ALL.len())
-        .map(|case| [case % surfaces, case / surfaces % details, case / surfaces / details])
+        .map(|case| [of_meshes[case % surfaces], case / surfaces % details, case / surfaces / details])
         .collect();
     let counts = cases.par_iter().enumerate().map(|(case, &[on, detail, map])| {
         let number = case * 5 + case / 7;
