@@ -13,10 +13,9 @@ pub use arrangement::{Arrangement, MAX_GRID};
 pub use capture::{
     CaptureError, CaptureSettings, Captured, CapturedImage, Capturer, Cover, MAX_IMAGE_SIDE, MIN_IMAGE_SIDE,
 };
-pub use file::{
-    DEFAULT_JUMP_TEXELS, ViewEntry, parse_description, read_description, read_object, read_views,
-};
 pub use file::{Description, Measured, ObjectFile, ObjectFileError, ObjectFileProblem, ObjectOptions};
 pub use file::{OBJECT_FILE, ObjectWriter, WriteObjectError};
+pub use file::{ViewEntry, parse_description, read_description, read_object, read_views};
+pub use relief_core::object::DEFAULT_JUMP_TEXELS;
 pub use verify::{MAX_PICTURES, Verification};
 pub use view_spec::{ViewKind, ViewSpec};

@@ -34,6 +34,10 @@ pub const MAX_VIEWS: usize = 1024;
 /// lost; smaller, and in `f32` rays along the base plane see solids where there are none.
 pub const EMPTY_HEIGHT: f64 = 1e-5;
 
+/// Where cells jump unless told otherwise, in texels: steeper surfaces than 76 degrees are seen better by
+/// another image.
+pub const DEFAULT_JUMP_TEXELS: f64 = 4.0;
+
 /// What an image is between the centres of four texels that differ by more than the object's jump.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum JumpCells {

@@ -317,8 +317,8 @@ fn clip(range: &mut [f64; 2], start: f64, speed: f64, [low, high]: [f64; 2]) -> 
     (range[0] <= range[1]).then_some(())
 }
 
-/// Where `c[0] + c[1] τ + c[2] τ²` is at most 0: up to two intervals, in ascending order; those that are not
-/// there end before they begin.
+/// Where `c[0] + c[1] τ + c[2] τ²` is at most 0: up to two intervals, in ascending order; those that are
+/// not there end before they begin.
 fn not_above([c0, c1, c2]: [f64; 3]) -> [[f64; 2]; 2] {
     const ALL: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
     const NONE: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];

@@ -8,7 +8,7 @@ use std::path::Path;
 
 use glam::DVec3;
 use relief_core::HeightMap;
-use relief_core::object::{AtlasLayout, ImageObject, JumpCells};
+use relief_core::object::{AtlasLayout, DEFAULT_JUMP_TEXELS, ImageObject, JumpCells};
 use relief_io::{
     DEFAULT_MAX_BYTES, GreenSign, NormalMap, Picture, beside_file, read_normal_map, read_picture,
     read_stored_heights,
@@ -28,10 +28,6 @@ pub struct ObjectOptions {
     /// The most memory that reading may take, in bytes.
     pub max_bytes: u64,
 }
-
-/// Where cells jump unless told otherwise, in texels: steeper surfaces than 76 degrees are seen better by
-/// another image.
-pub const DEFAULT_JUMP_TEXELS: f64 = 4.0;
 
 impl Default for ObjectOptions {
     fn default() -> Self {

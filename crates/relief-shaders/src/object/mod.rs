@@ -1,7 +1,7 @@
 //! Objects: what a ray meets in images that look at something from around it. A new kind is a `.wesl` and a
 //! `.rs` file here and its name in the list below.
 
-use relief_core::object::JumpCells;
+use relief_core::object::{DEFAULT_JUMP_TEXELS, JumpCells};
 use relief_core::registry::{Entry, Param};
 
 use crate::stages::entry_place;
@@ -44,7 +44,7 @@ const PARAMS: &[Param] = &[
         unit: "texels",
         min: 0.0,
         max: 1e9,
-        default: 4.0,
+        default: DEFAULT_JUMP_TEXELS as f32,
         integer: false,
         names: &[],
     },
@@ -70,12 +70,7 @@ pub struct ObjectCells {
 impl ObjectCells {
     /// Those of the settings, in the order of these.
     pub(crate) fn of(name: &str, [cells, jump_texels, ..]: [f32; 4]) -> Self {
-        let cells = match cells as u32 {
-            0 => JumpCells::Bilinear,
-            1 => JumpCells::Step,
-            2 => JumpCells::Highest,
-            _ => JumpCells::Nearest,
-        };
+        let cells = JumpCells::ALL.get(cells as usize).copied().unwrap_or_default();
         Self { cells, jump_texels, is_hull: name == hull::ENTRY.name }
     }
 }
