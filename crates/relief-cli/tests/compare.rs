@@ -179,8 +179,8 @@ fn what_cannot_be_compared_is_told_and_nothing_is_written() {
 #[test]
 fn a_method_is_chosen_for_an_error_or_a_time() {
     let folder = folder();
-    let line = format!("compare --height map.png --methods bump,steep,cone {SMALL}");
-    // A plain is found exactly by cones alone.
+    // Of these two only one finds the surface, so that the choice hangs on no measured time.
+    let line = format!("compare --height map.png --methods bump,cone {SMALL}");
     let ran = folder.relief(&format!("{line} --max-error 0.01")).fine();
     assert!(ran.stdout.contains("relief render --height map.png --method cone"), "{}", ran.stdout);
     let ran = folder.relief(&format!("{line} --budget-ms 60000")).fine();
