@@ -13,6 +13,7 @@ mod commands;
 mod failure;
 mod interrupt;
 mod lanes;
+mod pattern;
 mod progress;
 mod say;
 mod streams;
@@ -24,7 +25,8 @@ mod waiting;
 #[derive(Parser)]
 #[command(name = "relief", version, propagate_version = true, max_term_width = 100)]
 #[command(after_help = "Start with: relief render --height data/bricks.png -o bricks.png\n\n\
-    Exit codes: 0 done, 1 the work failed and no file was written, 2 the command line is wrong.")]
+    Exit codes: 0 done, 1 the work failed and no file was written (but for whole frames of render --frames), \
+    2 the command line is wrong.")]
 struct Arguments {
     #[command(flatten)]
     common: Common,

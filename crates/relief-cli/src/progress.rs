@@ -50,6 +50,11 @@ impl Progress {
             self.bar.set_position(step);
         }
     }
+
+    /// Lets something else be said, for which the bar makes room.
+    pub fn aside<T>(&self, say: impl FnOnce() -> T) -> T {
+        self.bar.suspend(say)
+    }
 }
 
 /// The bars of a renderer's tasks, one after the other.

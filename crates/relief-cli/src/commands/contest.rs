@@ -14,6 +14,7 @@ use relief_render::{RenderError, Renderer};
 use relief_shaders::{Choice, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SLICES, STAGES, Selection, geometry};
 use tempfile::TempDir;
 
+use super::numbered::{Numbering, ONE_FRAME};
 use super::scene_arguments::{SceneArguments, of_scene};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -66,6 +67,7 @@ impl ContestArguments {
     /// What is tried.
     pub fn contest(&self) -> Result<Contest, Failure> {
         let mut spec = self.scene.spec()?;
+        Numbering::of(self.scene.file()).refuse(&spec, ONE_FRAME)?;
         let families = self.families(&spec)?;
         let shadows = shadows(&mut spec)?;
         let settings = settings(&mut spec, &[GEOMETRY, SLICES, SEARCH, REFINE]);

@@ -12,6 +12,7 @@ pub mod man;
 pub mod maps;
 pub mod mesh;
 pub mod methods;
+pub mod numbered;
 pub mod placed;
 pub mod render;
 pub mod scene;

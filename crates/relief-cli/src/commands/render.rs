@@ -2,17 +2,24 @@
 //! cache.
 
 mod baked_maps;
+mod frames;
 mod output;
 mod report;
 
+use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use relief_render::{RenderError, Renderer};
+use relief_maps::Maps;
+use relief_render::scene::{BackendChoice, Sampling, Scene, SceneSpec};
+use relief_render::{Made, RenderError, Renderer};
 
 use self::baked_maps::CacheArguments;
-use self::output::{Bits, Outputs, StreamFormat};
+use self::frames::Frames;
+use self::output::{Bits, Counts, Outputs, StreamFormat};
+use self::report::Picture;
 use super::maps;
+use super::numbered::Numbering;
 use super::scene_arguments::{MachineArguments, SceneArguments, of_scene};
 use crate::failure::Failure;
 use crate::progress::{Progress, TaskProgress};
@@ -24,7 +31,8 @@ use crate::{advice, interrupt, lanes, say};
 #[command(after_help = "Examples:\n  relief render --height data/bricks.png -o bricks.png\n  \
     relief render scenes/jacksboro.toml --size 1600x1200 --samples 16 -o jacksboro.png\n  \
     relief render --height dem.tif --view top --projection orthographic -o map.png\n  \
-    relief render --height map.exr --method occlusion --set search.steps=64 --aov map-aov.exr -o map.png\n\n\
+    relief render --height map.exr --method occlusion --set search.steps=64 --aov map-aov.exr -o map.png\n  \
+    relief render --height wave_%04d.png --frames 0..47 --eye 0.6,0.9,1.1 -o out_%04d.png\n\n\
     `relief methods` lists methods, searches and refinements with their settings; `relief render --help` lists \
     every flag.")]
 pub struct Arguments {
@@ -44,6 +52,13 @@ pub struct Arguments {
     /// `exact`, reads and steps are nodes and cells of its tracer
     #[arg(long, value_name = "FILE.exr")]
     aov: Option<PathBuf>,
+    /// Render frames A to B, both among them, as in 0..47. Their numbers take the place of %d, or with zeros
+    /// before them of %04d, once in a name: of --output, of --aov, and of the files that scene and flags name
+    /// (height, object, color, normal, mesh, environment); %% is a percent sign then. All files are looked
+    /// for before the first frame is rendered. Each frame is the picture that its files make by themselves:
+    /// give --eye and --target where the camera is to stand still, and maps of floats a --range
+    #[arg(long, value_name = "A..B", allow_hyphen_values = true)]
+    frames: Option<Frames>,
     /// Draw the edges of the base meshes over the picture, faint where they are behind what is seen
     #[arg(long, hide_short_help = true)]
     wire: bool,
@@ -61,37 +76,88 @@ pub struct Arguments {
 
 /// Renders and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let spec = arguments.machine.over(arguments.scene.spec()?).with_keys_of_meshes().map_err(of_scene)?;
-    let outputs = Outputs::new(arguments, &spec)?;
+    let spec = arguments.machine.over(arguments.scene.spec()?);
+    let numbering = Numbering::of(arguments.scene.file());
+    if let Some(frames) = arguments.frames {
+        return frames::run(arguments, &spec, &numbering, frames);
+    }
+    arguments.refuse_frames(&spec, &numbering)?;
+    let spec = spec.with_keys_of_meshes().map_err(of_scene)?;
+    let outputs = Outputs::new(arguments, arguments.output.clone(), arguments.aov.clone(), &spec)?;
     let scene = {
         let _reading = Progress::spinner("reading", arguments.json);
         spec.load().map_err(of_scene)?
     };
-    let (mut kept, no_cache) = arguments.cache.maps();
-    let renderer = Renderer::new(scene.backend(), scene.sampling());
-    let mut renderer = renderer.map_err(|error| arguments.of_render(error))?;
-    renderer.set_lanes(lanes::from_environment()?);
-    // Until here nothing exists that an interrupted program would leave behind.
-    let cancel = interrupt::catch()?;
+    let mut studio = Studio::new(arguments);
     let progress = TaskProgress::new(arguments.json);
-    let told = |task, part| progress.show(task, part);
-    let written = outputs.write(&scene, cancel, arguments.json, &mut |numbers, sink| {
-        renderer.render_bands(&scene, &mut kept, numbers, &told, cancel, sink)
-    });
-    let (counts, made) = written.map_err(|error| match error {
-        output::Error::Render(error) => arguments.of_render(error),
-        output::Error::Failed(failure) => failure,
-    })?;
+    let (counts, made) = studio.draw(&scene, &outputs, &|task, part| progress.show(task, part))?;
     drop(progress);
-    // Where no map was baked nobody misses a place to keep it.
-    let no_cache = no_cache.filter(|_| !made.maps.is_empty());
     if !arguments.json {
-        let notes = maps::of_reading(&spec, &scene).into_iter().chain(no_cache);
-        for note in notes.chain(made.maps.iter().filter_map(baked_maps::note)) {
-            say::note(note);
-        }
+        studio.notes(&spec, &scene, &made).iter().for_each(say::note);
     }
-    answer(|out| report::tell(arguments, &spec, &scene, &counts, &made, out))
+    let picture = Picture { spec: &spec, scene: &scene, outputs: &outputs, counts, made: &made };
+    answer(|out| match arguments.json {
+        true => Ok(writeln!(out, "{:#}", picture.as_json())?),
+        false => Ok(picture.tell(out)?),
+    })
+}
+
+/// Renders one scene after the other.
+struct Studio<'a> {
+    arguments: &'a Arguments,
+    /// The baked maps.
+    kept: Maps,
+    /// Why these are not kept in a folder.
+    no_cache: Option<String>,
+    /// The renderer of the scene before, by what it was made for.
+    renderer: Option<(BackendChoice, Sampling, Renderer)>,
+}
+
+impl<'a> Studio<'a> {
+    fn new(arguments: &'a Arguments) -> Self {
+        let (kept, no_cache) = arguments.cache.maps();
+        Self { arguments, kept, no_cache, renderer: None }
+    }
+
+    /// Renders into files, which get their names when they are whole.
+    fn draw(
+        &mut self,
+        scene: &Scene,
+        outputs: &Outputs,
+        told: &relief_render::Progress,
+    ) -> Result<(Counts, Made), Failure> {
+        let Self { arguments, kept, renderer, .. } = self;
+        let (backend, sampling) = (scene.backend(), scene.sampling());
+        // A GPU's renderer has its programs; what one on the CPU has kept is of other maps.
+        let before = renderer.take().filter(|(for_backend, for_sampling, renderer)| {
+            (*for_backend, *for_sampling) == (backend, sampling) && renderer.backend() == "gpu"
+        });
+        let (.., renderer) = renderer.insert(match before {
+            Some(before) => before,
+            None => {
+                let made = Renderer::new(backend, sampling).map_err(|error| arguments.of_render(error))?;
+                (backend, sampling, made)
+            }
+        });
+        renderer.set_lanes(lanes::from_environment()?);
+        // Until here nothing exists that an interrupted program would leave behind.
+        let cancel = interrupt::catch()?;
+        let written = outputs.write(scene, cancel, arguments.json, &mut |numbers, sink| {
+            renderer.render_bands(scene, kept, numbers, told, cancel, sink)
+        });
+        written.map_err(|error| match error {
+            output::Error::Render(error) => arguments.of_render(error),
+            output::Error::Failed(failure) => failure,
+        })
+    }
+
+    /// What a user may not expect of a picture.
+    fn notes(&self, spec: &SceneSpec, scene: &Scene, made: &Made) -> Vec<String> {
+        // Where no map was baked nobody misses a place to keep it.
+        let no_cache = self.no_cache.clone().filter(|_| !made.maps.is_empty());
+        let notes = maps::of_reading(spec, scene).into_iter().chain(no_cache);
+        notes.chain(made.maps.iter().filter_map(baked_maps::note)).collect()
+    }
 }
 
 impl Arguments {
@@ -99,7 +165,24 @@ impl Arguments {
     pub fn files(&mut self) -> Files<'_> {
         let format = self.format.map(StreamFormat::ending);
         let picture = Written { flag: "--output", path: &mut self.output, format };
-        Files { read: self.scene.files(), written: vec![picture], ..Files::default() }
+        let split = self.frames.map(|_| "--frames");
+        Files { read: self.scene.files(), written: vec![picture], split }
+    }
+
+    /// Refuses names with a place for a frame's number where no frames are asked for.
+    fn refuse_frames(&self, spec: &SceneSpec, numbering: &Numbering) -> Result<(), Failure> {
+        let advice = "say which with --frames, as in --frames 0..47";
+        numbering.refuse(spec, advice)?;
+        let outputs = [("--output", Some(&self.output)), ("--aov", self.aov.as_ref())];
+        let of_flags = Numbering::of(None);
+        match outputs.into_iter().find(|(_, path)| path.is_some_and(|path| of_flags.is_pattern(path))) {
+            Some((flag, Some(path))) => {
+                let path = path.display();
+                let what = "its name has a place for a frame's number";
+                Err(Failure::Usage(format!("{flag} {path}: {what}: {advice}")))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// A sampling that the backend does not have is the command line's fault when the command line named one

@@ -12,6 +12,7 @@ use relief_mesh::{MeshSettings, Mesher};
 use relief_render::scene::{MeshChoice, SceneSpec, SurfaceSpec, read_scene};
 
 use super::Arguments;
+use crate::commands::numbered::{Numbering, ONE_FRAME};
 use crate::commands::scene_arguments::of_scene;
 use crate::failure::Failure;
 
@@ -33,6 +34,7 @@ impl Subject {
         let is_scene = arguments.input.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
         let surface = if is_scene {
             let spec = read_scene(&arguments.input).map_err(of_scene)?;
+            Numbering::of(Some(&arguments.input)).refuse(&spec, ONE_FRAME)?;
             let surface = only_surface(&spec, &arguments.input)?;
             if surface.height.is_some() {
                 return displaced(spec, &surface, arguments);

@@ -3,7 +3,7 @@
 
 use std::io;
 use std::ops::ControlFlow;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -18,6 +18,7 @@ use relief_render::{Bands, Made, RenderError, Wire};
 use relief_shaders::cpu::PixelOut;
 
 use super::Arguments;
+use crate::commands::numbered::files;
 use crate::commands::staged::{Staged, format_of};
 use crate::failure::Failure;
 use crate::interrupt::cancelled;
@@ -70,10 +71,11 @@ const PICTURES: [(&str, PictureFormat); 4] = [
 ];
 
 /// The files to be written.
-pub struct Outputs<'a> {
-    picture: &'a Path,
+pub struct Outputs {
+    pub picture: PathBuf,
     format: PictureFormat,
-    aov: Option<&'a Path>,
+    /// Where the numbers of pixels go.
+    pub aov: Option<PathBuf>,
     wire: bool,
 }
 
@@ -103,15 +105,18 @@ pub struct Counts {
 /// Renders into a sink, with numbers of every pixel or without.
 pub type Render<'a> = dyn FnMut(bool, &mut Bands) -> Result<Made, RenderError> + 'a;
 
-impl<'a> Outputs<'a> {
-    /// Outputs that cannot be written, and those that would replace what is read, are found before the work,
-    /// not after it.
-    pub fn new(arguments: &'a Arguments, spec: &SceneSpec) -> Result<Self, Failure> {
-        let surfaces = spec.each_surface();
-        let files = surfaces.iter().flat_map(|surface| surface.files());
-        let inputs: Vec<&Path> = files.map(AsRef::as_ref).chain(arguments.scene.file()).collect();
-        let picture = arguments.output.as_path();
-        let mut format = format_of("--output", picture, &PICTURES, &inputs)?;
+impl Outputs {
+    /// Outputs of those names, for a scene. Those that cannot be written, and those that would replace what
+    /// is read, are found before the work, not after it.
+    pub fn new(
+        arguments: &Arguments,
+        picture: PathBuf,
+        aov: Option<PathBuf>,
+        spec: &SceneSpec,
+    ) -> Result<Self, Failure> {
+        let read = files(spec);
+        let inputs: Vec<&Path> = read.iter().map(AsRef::as_ref).chain(arguments.scene.file()).collect();
+        let mut format = format_of("--output", &picture, &PICTURES, &inputs)?;
         match (arguments.bits, format) {
             (None | Some(Bits::Eight), PictureFormat::Png8) | (None, _) => {}
             (Some(Bits::Sixteen), PictureFormat::Png8) => format = PictureFormat::Png16,
@@ -120,10 +125,9 @@ impl<'a> Outputs<'a> {
         if format.is_linear() && spec.tone.is_some_and(|tone| tone != Tone::None) {
             return Err(Failure::usage("an EXR holds linear light, without a tone curve: leave --tone out"));
         }
-        let aov = arguments.aov.as_deref();
-        if let Some(path) = aov {
+        if let Some(path) = &aov {
             format_of("--aov", path, &[("exr", ())], &inputs)?;
-            if relief_io::file_set::is_same_file(path, picture) || path == picture {
+            if relief_io::file_set::is_same_file(path, &picture) || *path == picture {
                 return Err(Failure::usage("--aov and --output name the same file"));
             }
         }
@@ -138,10 +142,11 @@ impl<'a> Outputs<'a> {
         quiet: bool,
         render: &mut Render,
     ) -> Result<(Counts, Made), Error> {
-        let paths: Vec<&Path> = [Some(self.picture), self.aov].into_iter().flatten().collect();
+        let paths: Vec<&Path> =
+            [Some(&self.picture), self.aov.as_ref()].into_iter().flatten().map(AsRef::as_ref).collect();
         let mut staged = Staged::open(&paths, quiet, cancel)?;
-        let picture = staged.aside(self.picture)?;
-        let aov = self.aov.map(|path| staged.aside(path)).transpose()?;
+        let picture = staged.aside(&self.picture)?;
+        let aov = self.aov.as_ref().map(|path| staged.aside(path)).transpose()?;
         let mut ended = Err(Error::Render(RenderError::Stopped));
         // Writers know what fails inside of them as failures of the system only.
         let mut draw = |picture: &mut PictureSink, numbers: Option<&mut LineSink>| -> io::Result<()> {
@@ -157,7 +162,7 @@ impl<'a> Outputs<'a> {
                     draw(picture, Some(numbers))
                 });
                 written.map_err(|error| {
-                    of_aov = self.aov.map(|path| failed(path, error.problem));
+                    of_aov = self.aov.as_ref().map(|path| failed(path, error.problem));
                     io::Error::other("stopped")
                 })
             }
@@ -169,7 +174,7 @@ impl<'a> Outputs<'a> {
         let ended = match (ended, written) {
             (Ok(ended), Ok(())) => ended,
             (Ok(_), Err(error)) => {
-                return Err(of_aov.unwrap_or_else(|| failed(self.picture, error.problem)).into());
+                return Err(of_aov.unwrap_or_else(|| failed(&self.picture, error.problem)).into());
             }
             (Err(error), _) => return Err(error),
         };
@@ -205,8 +210,8 @@ impl<'a> Outputs<'a> {
             if !is_linear {
                 colours.iter_mut().for_each(|colour| *colour = srgb(*colour));
             }
-            picture(&colours).map_err(|error| failed(self.picture, WriteProblem::Io(error)))?;
-            if let (Some(sink), Some(path)) = (&mut numbers, self.aov) {
+            picture(&colours).map_err(|error| failed(&self.picture, WriteProblem::Io(error)))?;
+            if let (Some(sink), Some(path)) = (&mut numbers, &self.aov) {
                 planes.iter_mut().for_each(Vec::clear);
                 for pixel in pixels {
                     for (plane, number) in planes.iter_mut().zip(aov_of(pixel)) {

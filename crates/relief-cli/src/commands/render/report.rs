@@ -1,15 +1,14 @@
 //! What is said of a rendering.
 
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::Path;
 
 use relief_render::Made;
 use relief_render::scene::{Scene, SceneSpec, Surface};
-use serde_json::json;
+use serde_json::{Value, json};
 
-use super::output::Counts;
-use super::{Arguments, baked_maps};
-use crate::failure::Failure;
+use super::baked_maps;
+use super::output::{Counts, Outputs};
 use crate::{advice, values};
 
 /// What is counted as reads: those of the method's own shader, or where the CPU answers `exact` by the exact
@@ -23,23 +22,30 @@ fn what_reads_are(scene: &Scene, backend: &str) -> &'static str {
     }
 }
 
-/// Says what was rendered and how.
-pub fn tell(
-    arguments: &Arguments,
-    spec: &SceneSpec,
-    scene: &Scene,
-    counts: &Counts,
-    made: &Made,
-    out: &mut dyn Write,
-) -> Result<(), Failure> {
-    let Made { backend, device, reason, elapsed, .. } = made;
-    let reason = reason.as_ref().map(|reason| advice::with(reason, advice::of_reason(reason)));
-    let Counts { covered, exhausted, .. } = *counts;
-    let mean = if covered == 0 { 0.0 } else { counts.reads as f64 / covered as f64 };
-    let counted = what_reads_are(scene, backend);
-    let seconds = elapsed.as_secs_f64();
-    let [width, height] = scene.size();
-    if arguments.json {
+/// A picture that was written.
+pub struct Picture<'a> {
+    pub spec: &'a SceneSpec,
+    pub scene: &'a Scene,
+    pub outputs: &'a Outputs,
+    pub counts: Counts,
+    pub made: &'a Made,
+}
+
+impl Picture<'_> {
+    fn reason(&self) -> Option<String> {
+        self.made.reason.as_ref().map(|reason| advice::with(reason, advice::of_reason(reason)))
+    }
+
+    fn mean_reads(&self) -> f64 {
+        let Counts { covered, reads, .. } = self.counts;
+        if covered == 0 { 0.0 } else { reads as f64 / covered as f64 }
+    }
+
+    /// Says for machines what was rendered and how.
+    pub fn as_json(&self) -> Value {
+        let Self { scene, outputs, made, .. } = self;
+        let Counts { covered, exhausted, .. } = self.counts;
+        let [width, height] = scene.size();
         // Names that are no Unicode have no exact form in JSON.
         let name = |path: &Path| path.display().to_string();
         let surface = |surface: &Surface| {
@@ -50,76 +56,89 @@ pub fn tell(
                 "filled_texels": map.filled_texels(),
             })
         };
-        let about = json!({
-            "output": name(&arguments.output), "aov": arguments.aov.as_deref().map(name),
+        json!({
+            "output": name(&outputs.picture), "aov": outputs.aov.as_deref().map(name),
             "width": width, "height": height, "samples": scene.samples(),
-            "backend": backend, "device": device, "reason": reason, "seconds": seconds,
+            "backend": made.backend, "device": made.device, "reason": self.reason(),
+            "seconds": made.elapsed.as_secs_f64(),
             "surfaces": scene.surfaces().iter().map(surface).collect::<Vec<_>>(),
             "covered": covered, "exhausted": exhausted,
-            "mean_reads": mean, "reads_are": counted,
+            "mean_reads": self.mean_reads(), "reads_are": what_reads_are(scene, made.backend),
             "maps": made.maps.iter().map(baked_maps::as_json).collect::<Vec<_>>(),
-        });
-        writeln!(out, "{about:#}")?;
-        return Ok(());
+        })
     }
-    let run = match scene.surfaces() {
-        [surface] => format!("{} + {}", surface.selection().search().name, surface.selection().refine().name),
-        surfaces => format!("{} surfaces", surfaces.len()),
-    };
-    let samples = match scene.samples() {
-        1 => "1 sample".to_owned(),
-        count => format!("{count} samples"),
-    };
-    writeln!(
-        out,
-        "{}: {width}x{height}, {run}, {samples} on the {backend} ({device}) in {seconds:.2} s, {mean:.1} \
-         {counted} a pixel",
-        arguments.output.display()
-    )?;
-    for (described, surface) in spec.each_surface().iter().zip(scene.surfaces()) {
-        let (None, Some(exact)) = (described.scale, surface.true_scale_m()) else { continue };
-        let map = surface.height_map();
-        let shown = map.scale_m();
-        let is_shown = |[low, high]: [f64; 2]| [low, high - low] == [map.bias_m(), shown];
-        if map.stated_displacement_m().is_some_and(is_shown) {
-            let [scale_m, bias_m] = [shown, map.bias_m()].map(values::six_digits);
-            writeln!(
-                out,
-                "scale {scale_m} m, bias {bias_m} m: the displacement that the height map's file states"
-            )?;
-            continue;
-        }
-        let [scale_m, exact_m] = [shown, exact].map(values::six_digits);
-        if shown == exact {
-            writeln!(
-                out,
-                "scale {scale_m} m: true to the metres that the height map's file states; --scale exaggerates"
-            )?;
-        } else {
-            writeln!(
-                out,
-                "scale {scale_m} m: by the metres that the height map's file states it is deeper than any \
-                 ground, perhaps for a wrong unit; --scale {exact_m} is true to them"
-            )?;
-        }
-    }
-    for account in &made.maps {
-        writeln!(out, "{}", baked_maps::line(account))?;
-    }
-    if let Some(reason) = reason {
-        writeln!(out, "backend auto chose the {backend}: {reason}")?;
-    }
-    if covered == 0 {
+
+    /// The same for people, the picture's own line first.
+    pub fn tell(&self, out: &mut dyn Write) -> io::Result<()> {
+        let Self { spec, scene, outputs, made, .. } = self;
+        let Counts { covered, exhausted, .. } = self.counts;
+        let Made { backend, device, elapsed, .. } = made;
+        let (mean, counted) = (self.mean_reads(), what_reads_are(scene, backend));
+        let seconds = elapsed.as_secs_f64();
+        let [width, height] = scene.size();
+        let run = match scene.surfaces() {
+            [surface] => {
+                format!("{} + {}", surface.selection().search().name, surface.selection().refine().name)
+            }
+            surfaces => format!("{} surfaces", surfaces.len()),
+        };
+        let samples = match scene.samples() {
+            1 => "1 sample".to_owned(),
+            count => format!("{count} samples"),
+        };
         writeln!(
             out,
-            "no pixel shows the surface: check --eye, --target and --fov; backs show with --two-sided only"
+            "{}: {width}x{height}, {run}, {samples} on the {backend} ({device}) in {seconds:.2} s, {mean:.1} \
+             {counted} a pixel",
+            outputs.picture.display()
         )?;
+        for (described, surface) in spec.each_surface().iter().zip(scene.surfaces()) {
+            let (None, Some(exact)) = (described.scale, surface.true_scale_m()) else { continue };
+            let map = surface.height_map();
+            let shown = map.scale_m();
+            let is_shown = |[low, high]: [f64; 2]| [low, high - low] == [map.bias_m(), shown];
+            if map.stated_displacement_m().is_some_and(is_shown) {
+                let [scale_m, bias_m] = [shown, map.bias_m()].map(values::six_digits);
+                writeln!(
+                    out,
+                    "scale {scale_m} m, bias {bias_m} m: the displacement that the height map's file states"
+                )?;
+                continue;
+            }
+            let [scale_m, exact_m] = [shown, exact].map(values::six_digits);
+            if shown == exact {
+                writeln!(
+                    out,
+                    "scale {scale_m} m: true to the metres that the height map's file states; \
+                     --scale exaggerates"
+                )?;
+            } else {
+                writeln!(
+                    out,
+                    "scale {scale_m} m: by the metres that the height map's file states it is deeper than any \
+                     ground, perhaps for a wrong unit; --scale {exact_m} is true to them"
+                )?;
+            }
+        }
+        for account in &made.maps {
+            writeln!(out, "{}", baked_maps::line(account))?;
+        }
+        if let Some(reason) = self.reason() {
+            writeln!(out, "backend auto chose the {backend}: {reason}")?;
+        }
+        if covered == 0 {
+            writeln!(
+                out,
+                "no pixel shows the surface: check --eye, --target and --fov; backs \
+                 show with --two-sided only"
+            )?;
+        }
+        if exhausted > 0 {
+            writeln!(
+                out,
+                "{exhausted} of {covered} pixels ran out of steps: raise search.limit or search.steps with --set"
+            )?;
+        }
+        Ok(())
     }
-    if exhausted > 0 {
-        writeln!(
-            out,
-            "{exhausted} of {covered} pixels ran out of steps: raise search.limit or search.steps with --set"
-        )?;
-    }
-    Ok(())
 }

@@ -1,0 +1,388 @@
+//! `relief render --frames`: a picture for each number of a range.
+
+use std::collections::{BTreeSet, HashMap};
+use std::ffi::OsString;
+use std::io::Write;
+use std::ops::RangeInclusive;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use relief_io::beside_file;
+use relief_object::read_description;
+use relief_render::Task;
+use relief_render::scene::SceneSpec;
+use serde_json::json;
+
+use super::output::Outputs;
+use super::report::Picture;
+use super::{Arguments, Studio};
+use crate::commands::numbered::{Numbering, files};
+use crate::commands::scene_arguments::of_scene;
+use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::streams::answer;
+use crate::{interrupt, say};
+
+/// The most frames of a run.
+const MOST_FRAMES: u64 = 1_000_000;
+
+/// How a range is written.
+const FORM: &str = "write it as A..B, both among them, as in 0..47";
+
+/// The frames from one number to another, both among them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Frames {
+    first: u32,
+    last: u32,
+}
+
+impl FromStr for Frames {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (first, last) = text.split_once("..").ok_or(FORM)?;
+        let number = |text: &str| -> Result<u32, String> {
+            let text = text.trim();
+            let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+            match text.strip_prefix('-') {
+                Some(digits) if is_digits(digits) => Err("frames are counted from 0 on".to_owned()),
+                _ if is_digits(text) => {
+                    text.parse().map_err(|_| format!("frames have numbers of at most {}", u32::MAX))
+                }
+                _ => Err(FORM.to_owned()),
+            }
+        };
+        let frames = Self { first: number(first)?, last: number(last)? };
+        let Self { first, last } = frames;
+        if first > last {
+            return Err(format!("{first} comes after {last}: {FORM}"));
+        }
+        match frames.count() {
+            count if count > MOST_FRAMES => {
+                Err(format!("{count} frames are too many: at most {MOST_FRAMES} go at once"))
+            }
+            _ => Ok(frames),
+        }
+    }
+}
+
+impl Frames {
+    fn numbers(self) -> RangeInclusive<u32> {
+        self.first..=self.last
+    }
+
+    fn count(self) -> u64 {
+        u64::from(self.last).saturating_sub(u64::from(self.first)) + 1
+    }
+}
+
+/// Renders and writes all frames, each as by itself.
+pub fn run(
+    arguments: &Arguments,
+    spec: &SceneSpec,
+    numbering: &Numbering,
+    frames: Frames,
+) -> Result<(), Failure> {
+    let sequence = Sequence { arguments, spec, numbering };
+    {
+        let _looking = Progress::spinner("looking for files", arguments.json);
+        sequence.check(frames)?;
+    }
+    let mut studio = Studio::new(arguments);
+    let cancel = interrupt::catch()?;
+    let bar = Progress::bar("rendering", arguments.json);
+    let mut told = Told { json: arguments.json, all: Vec::new(), said: BTreeSet::new(), is_heard: true };
+    let count = frames.count();
+    for (done, number) in (0u64..).zip(frames.numbers()) {
+        let report = |task, part: f32| {
+            if task == Task::Rendering {
+                bar.show((done as f32 + part) / count as f32);
+            }
+        };
+        let rendered = sequence.frame(number, &mut studio, &bar, &report, &mut told, cancel);
+        rendered.map_err(|failure| match (cancel.load(Ordering::Relaxed), done) {
+            (false, _) => of_frame(failure, number, done),
+            (true, 0) => interrupt::cancelled(),
+            (true, _) => {
+                Failure::Work(format!("cancelled: {done} of {count} frames were written, each whole"))
+            }
+        })?;
+    }
+    drop(bar);
+    match arguments.json {
+        true => answer(|out| Ok(writeln!(out, "{:#}", json!({ "frames": told.all }))?)),
+        false => Ok(()),
+    }
+}
+
+/// Why there is no such frame, when so many were written.
+fn of_frame(failure: Failure, number: u32, done: u64) -> Failure {
+    let text = |message: String| match done {
+        0 => format!("frame {number}: {message}"),
+        1 => format!("frame {number}: {message} (the frame before was written)"),
+        _ => format!("frame {number}: {message} (the {done} frames before were written)"),
+    };
+    match failure {
+        Failure::Usage(message) => Failure::Usage(text(message)),
+        Failure::Work(message) => Failure::Work(text(message)),
+        Failure::ReaderGone => Failure::ReaderGone,
+    }
+}
+
+/// What was said of frames.
+struct Told {
+    json: bool,
+    /// For machines, of all frames.
+    all: Vec<serde_json::Value>,
+    /// Lines and notes that were said, and hold on.
+    said: BTreeSet<String>,
+    /// Whether somebody reads the answers still.
+    is_heard: bool,
+}
+
+/// A scene whose files are others in each frame.
+struct Sequence<'a> {
+    arguments: &'a Arguments,
+    spec: &'a SceneSpec,
+    numbering: &'a Numbering<'a>,
+}
+
+impl Sequence<'_> {
+    /// Whether all frames can be rendered, as far as names and files tell: those that are read are there, and
+    /// none of them is written, nor is a file written twice.
+    fn check(&self, frames: Frames) -> Result<(), Failure> {
+        let of_flags = Numbering::of(None);
+        for (flag, path) in
+            [("--output", Some(&self.arguments.output)), ("--aov", self.arguments.aov.as_ref())]
+        {
+            let Some(path) = path else { continue };
+            // What is no pattern is told as that, before it is told to be none.
+            of_flags.path(path, frames.first)?;
+            if !of_flags.is_pattern(path) {
+                let path = path.display();
+                return Err(Failure::Usage(format!(
+                    "{flag} {path}: all frames would have this name: give it a place for their numbers, \
+                     as in out_%04d.png"
+                )));
+            }
+        }
+        self.numbering.spec(self.spec, frames.first)?;
+        if !self.numbering.has_frames(self.spec) {
+            return Err(Failure::usage(
+                "--frames: nothing in the scene is another in each frame: give the number a place in the \
+                 name of a file, as in --height height_%04d.png or the key object = \"walk/%04d/object.toml\"",
+            ));
+        }
+        let in_files_of_meshes = self.numbering.has_frames_of_meshes(self.spec);
+        let in_all = files(self.spec);
+        let mut places = Places::default();
+        for number in frames.numbers() {
+            let at = |failure| of_frame(failure, number, 0);
+            let spec = self.numbering.spec(self.spec, number)?;
+            let is_first = number == frames.first;
+            // What is the same in all frames is looked for once.
+            let is_new = |file: &&PathBuf| is_first || !in_all.contains(*file);
+            let are_there = |read: &[PathBuf]| {
+                read.iter().filter(is_new).try_for_each(|file| must_be_there(file)).map_err(at)
+            };
+            are_there(&files(&spec))?;
+            let whole = match is_first || in_files_of_meshes {
+                true => spec.with_keys_of_meshes().map_err(|error| at(of_scene(error)))?,
+                false => spec,
+            };
+            let read = files(&whole);
+            are_there(&read)?;
+            for surface in whole.each_surface() {
+                if let Some(object) = surface.object.filter(|file| is_new(&file)) {
+                    pictures_must_be_there(&object).map_err(at)?;
+                }
+            }
+            let outputs = self.outputs(number, &whole)?;
+            places.reads(number, &read, self.arguments.scene.file());
+            places.writes(number, &outputs)?;
+        }
+        places.check()
+    }
+
+    /// The files of a frame.
+    fn outputs(&self, number: u32, spec: &SceneSpec) -> Result<Outputs, Failure> {
+        let of_flags = Numbering::of(None);
+        let picture = of_flags.path(&self.arguments.output, number)?;
+        let aov = self.arguments.aov.as_ref().map(|path| of_flags.path(path, number)).transpose()?;
+        Outputs::new(self.arguments, picture, aov, spec)
+    }
+
+    /// Renders a frame and says so.
+    fn frame(
+        &self,
+        number: u32,
+        studio: &mut Studio,
+        bar: &Progress,
+        report: &relief_render::Progress,
+        told: &mut Told,
+        cancel: &AtomicBool,
+    ) -> Result<(), Failure> {
+        let spec = self.numbering.spec(self.spec, number)?.with_keys_of_meshes().map_err(of_scene)?;
+        let outputs = self.outputs(number, &spec)?;
+        let scene = spec.load().map_err(of_scene)?;
+        if cancel.load(Ordering::Relaxed) {
+            return Err(interrupt::cancelled());
+        }
+        let (counts, made) = studio.draw(&scene, &outputs, report)?;
+        let picture = Picture { spec: &spec, scene: &scene, outputs: &outputs, counts, made: &made };
+        if told.json {
+            let mut about = picture.as_json();
+            about["frame"] = number.into();
+            told.all.push(about);
+            return Ok(());
+        }
+        let notes = studio.notes(&spec, &scene, &made);
+        bar.aside(|| {
+            for note in notes {
+                if told.said.insert(note.clone()) {
+                    say::note(note);
+                }
+            }
+            told.tell(&picture)
+        })
+    }
+}
+
+impl Told {
+    /// Says what was rendered, without what was said of a frame before in the same words.
+    fn tell(&mut self, picture: &Picture) -> Result<(), Failure> {
+        if !self.is_heard {
+            return Ok(());
+        }
+        let mut text = Vec::new();
+        picture.tell(&mut text)?;
+        let text = String::from_utf8_lossy(&text).into_owned();
+        let heard = answer(|out| {
+            for line in text.lines().filter(|line| self.said.insert((*line).to_owned())) {
+                out.extend_from_slice(line.as_bytes());
+                out.push(b'\n');
+            }
+            Ok(())
+        });
+        match heard {
+            // Who wanted the first lines alone still wants all pictures.
+            Err(Failure::ReaderGone) => self.is_heard = false,
+            other => other?,
+        }
+        Ok(())
+    }
+}
+
+fn must_be_there(file: &Path) -> Result<(), Failure> {
+    let failed = |what: &dyn std::fmt::Display| {
+        Err(Failure::Work(format!("{}: cannot be read: {what}", file.display())))
+    };
+    match std::fs::metadata(file) {
+        Ok(about) if about.is_dir() => failed(&"it is a folder"),
+        Ok(_) => Ok(()),
+        Err(error) => failed(&error),
+    }
+}
+
+/// Whether an object's pictures are there.
+fn pictures_must_be_there(object: &Path) -> Result<(), Failure> {
+    let description = read_description(object).map_err(Failure::work)?;
+    for name in [Some(description.depth), description.color, description.normal].into_iter().flatten() {
+        must_be_there(&beside_file(object, &name).map_err(Failure::of_picture)?)?;
+    }
+    Ok(())
+}
+
+/// The files of all frames, by their folders without links and their names.
+#[derive(Default)]
+struct Places {
+    folders: HashMap<PathBuf, PathBuf>,
+    /// With the frame that reads it.
+    read: HashMap<PathBuf, u32>,
+    /// With the frame that writes it, and its name.
+    written: HashMap<PathBuf, (u32, PathBuf)>,
+}
+
+impl Places {
+    fn of(&mut self, path: &Path) -> PathBuf {
+        if path.is_symlink()
+            && let Ok(place) = path.canonicalize()
+        {
+            return place;
+        }
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let known = self.folders.entry(folder.to_owned());
+        let folder = known.or_insert_with(|| folder.canonicalize().unwrap_or_else(|_| folder.to_owned()));
+        folder.join(path.file_name().map_or_else(OsString::new, ToOwned::to_owned))
+    }
+
+    fn reads(&mut self, frame: u32, files: &[PathBuf], scene: Option<&Path>) {
+        for file in files.iter().map(AsRef::as_ref).chain(scene) {
+            let place = self.of(file);
+            self.read.entry(place).or_insert(frame);
+        }
+    }
+
+    fn writes(&mut self, frame: u32, outputs: &Outputs) -> Result<(), Failure> {
+        for path in [Some(&outputs.picture), outputs.aov.as_ref()].into_iter().flatten() {
+            let place = self.of(path);
+            if let Some((other, _)) = self.written.insert(place, (frame, path.clone())) {
+                let path = path.display();
+                return Err(Failure::Usage(format!(
+                    "{path} is named for frame {other} and for frame {frame}"
+                )));
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether no frame writes what another one reads.
+    fn check(&self) -> Result<(), Failure> {
+        // The first of them, whatever their order in here.
+        let replaced = self
+            .written
+            .iter()
+            .filter_map(|(place, (frame, path))| self.read.get(place).map(|reader| (frame, path, reader)));
+        match replaced.min() {
+            Some((frame, path, reader)) => Err(Failure::Usage(format!(
+                "{}: frame {frame} would replace it, which frame {reader} reads",
+                path.display()
+            ))),
+            None => Ok(()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_are_read_or_refused() {
+        let range = |text: &str| text.parse::<Frames>().map(|frames| (frames.numbers(), frames.count()));
+        assert_eq!(range("0..47"), Ok((0..=47, 48)));
+        assert_eq!(range("7..7"), Ok((7..=7, 1)));
+        assert_eq!(range("1..1000000").map(|(_, count)| count), Ok(MOST_FRAMES));
+        assert_eq!(range("4294967295..4294967295").map(|(_, count)| count), Ok(1));
+        for (text, word) in [
+            ("", "A..B"),
+            ("7", "A..B"),
+            ("0..=47", "A..B"),
+            ("0..47..2", "A..B"),
+            ("..4", "A..B"),
+            ("4..", "A..B"),
+            ("a..b", "A..B"),
+            ("+1..2", "A..B"),
+            ("-1..3", "from 0"),
+            ("-3..-1", "from 0"),
+            ("5..4", "5 comes after 4"),
+            ("0..1000000", "1000001"),
+            ("0..4294967295", "4294967296"),
+            ("0..4294967296", "4294967295"),
+        ] {
+            let refused = range(text).expect_err("no range");
+            assert!(refused.contains(word), "{text}: {refused}");
+        }
+    }
+}
