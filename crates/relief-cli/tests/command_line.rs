@@ -207,7 +207,8 @@ fn every_listed_name_renders() {
         let list = listed[stage].as_array().expect("a list");
         list.iter().map(|entry| entry["name"].as_str().expect("a name").to_owned()).collect()
     };
-    folder.relief("capture cube --size 32 --verify 1 -q -o cube").fine();
+    // A grid of images serves all methods of objects.
+    folder.relief("capture cube --views octahedral --grid 6 --size 32 --verify 1 -q -o cube").fine();
     let render_of = |of: &str, flags: &str| {
         json_of(&folder.relief(&format!("render {of} {SMALL} --json {flags}")).fine())
     };

@@ -1,6 +1,7 @@
 //! From where a mesh is captured.
 
 use glam::DVec3;
+use relief_core::object::GridMapping;
 
 use crate::ViewSpec;
 
@@ -57,12 +58,10 @@ impl Arrangement {
                 .flat_map(|axis| [orthographic(axis), orthographic(-axis)])
                 .collect(),
             Arrangement::Octahedral(side) => {
-                let from = |[a, b]: [f64; 2]| octahedral(2.0 * a - 1.0, 2.0 * b - 1.0);
-                grid(*side).map(from).map(orthographic).collect()
+                grid(*side).map(|at| orthographic(GridMapping::Octahedral.direction(at))).collect()
             }
             Arrangement::HemiOctahedral(side) => {
-                let from = |[a, b]: [f64; 2]| octahedral(a - b, a + b - 1.0);
-                grid(*side).map(from).map(orthographic).collect()
+                grid(*side).map(|at| orthographic(GridMapping::HemiOctahedral.direction(at))).collect()
             }
             Arrangement::Horizontal(count) => (0..*count)
                 .map(|number| {
@@ -79,16 +78,6 @@ impl Arrangement {
 fn grid(side: u32) -> impl Iterator<Item = [f64; 2]> {
     let part = move |at: u32| f64::from(at) / f64::from(side.saturating_sub(1).max(1));
     (0..side).flat_map(move |row| (0..side).map(move |column| [part(column), part(row)]))
-}
-
-/// The unit direction of a place on the square from -1 to 1, folded to an octahedron.
-fn octahedral(x: f64, z: f64) -> DVec3 {
-    let y = 1.0 - x.abs() - z.abs();
-    let below = (-y).max(0.0);
-    let fold = |at: f64| if at >= 0.0 { at - below } else { at + below };
-    let from = DVec3::new(fold(x), y, fold(z)).normalize();
-    // Rounding leaves what is meant to be level or upright a little beside it.
-    DVec3::from(from.to_array().map(|part| if part.abs() < 1e-15 { 0.0 } else { part }))
 }
 
 #[cfg(test)]

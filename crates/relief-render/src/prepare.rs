@@ -9,7 +9,7 @@ use relief_core::object::JumpCells;
 use relief_io::Picture;
 use relief_maps::{Account, Maps, MapsError, Watch};
 use relief_shaders::cpu::{Frame, Light as ShaderLight, SurfaceSettings};
-use relief_shaders::object::{MASK_CELLS, ObjectCells};
+use relief_shaders::object::{MASK_CELLS, ObjectCells, Solid};
 use relief_shaders::surface::Shown;
 use relief_shaders::{MapNeed, MapSlot, SlotMaps};
 
@@ -250,9 +250,9 @@ fn surface_settings(
 /// where they jump.
 fn images(surface: &Surface) -> (u32, u32, f32) {
     match (surface.object(), surface.selection().object_cells()) {
-        (Some(shown), Some(ObjectCells { cells, jump_texels, is_hull })) => {
+        (Some(shown), Some(ObjectCells { cells, jump_texels, solid, .. })) => {
             let object = shown.object();
-            let cells = if is_hull { MASK_CELLS } else { cells as u32 };
+            let cells = if solid == Solid::Hull { MASK_CELLS } else { cells as u32 };
             (object.views().len() as u32, cells, object.jump_of(jump_texels.into()) as f32)
         }
         _ => (0, JumpCells::Bilinear as u32, 0.0),

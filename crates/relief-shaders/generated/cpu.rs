@@ -504,6 +504,21 @@ impl Frame {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// Their numbers, and the weight of each: barycentric coordinates of the direction between them.
+pub struct Frames {
+    pub numbers: rt::Vec3<u32>,
+    pub weights: rt::Vec3<f32>,
+}
+impl Frames {
+    pub fn new(
+        numbers: impl rt::Into<rt::Vec3<u32>>,
+        weights: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Self {
+        Self { numbers: rt::into(numbers), weights: rt::into(weights) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// The path in cell units: position at t = 0 and change per unit of t.
 pub struct Grid {
     pub origin: rt::Vec2<f32>,
@@ -1216,6 +1231,8 @@ pub const FOUND_STARTED_BELOW: rt::Scalar<u32> = rt::Scalar(5u32);
 #[allow(non_upper_case_globals)]
 pub const FOUND_UNBRACKETED: rt::Scalar<u32> = rt::Scalar(6u32);
 #[allow(non_upper_case_globals)]
+pub const FRAMES: rt::Scalar<u32> = rt::Scalar(3u32);
+#[allow(non_upper_case_globals)]
 pub const HEIGHTS_READ: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), rt::Scalar(16u32));
 #[allow(non_upper_case_globals)]
 pub const HEIGHT_READ: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), rt::Scalar(4u32));
@@ -1225,6 +1242,10 @@ pub const LIGHT_RAY_DARK: rt::Scalar<u32> = rt::Scalar(1u32);
 pub const LIGHT_RAY_LIT: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
 pub const LIGHT_RAY_OPEN: rt::Scalar<u32> = rt::Scalar(2u32);
+#[allow(non_upper_case_globals)]
+pub const STEP: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(0u32), rt::Scalar(1u32), rt::Scalar(0u32));
+#[allow(non_upper_case_globals)]
+pub const LOOK: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(1u32), rt::Scalar(16u32));
 #[allow(non_upper_case_globals)]
 pub const MAP_SLOTS: rt::Scalar<u32> = rt::Scalar(8u32);
 #[allow(non_upper_case_globals)]
@@ -1277,8 +1298,6 @@ pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(2u32);
 pub const STAGES: rt::Scalar<u32> = rt::Scalar(11u32);
 #[allow(non_upper_case_globals)]
 pub const STAGE_OBJECT: rt::Scalar<u32> = rt::Scalar(3u32);
-#[allow(non_upper_case_globals)]
-pub const STEP: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(0u32), rt::Scalar(1u32), rt::Scalar(0u32));
 #[allow(non_upper_case_globals)]
 pub const TURN_STEPS: rt::Scalar<u32> = rt::Scalar(12u32);
 #[allow(non_upper_case_globals)]
@@ -1617,9 +1636,9 @@ impl<'g> Resources<'g> {
             b = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
             let _e49 = a;
             let _e50 = b;
-            let first_6 = _e49.min(_e50);
-            if rt::Scalar::into_branch_condition(first_6.elementwise_le(span)) {
-                return first_6;
+            let first_7 = _e49.min(_e50);
+            if rt::Scalar::into_branch_condition(first_7.elementwise_le(span)) {
+                return first_7;
             }
         }
         let _e53 = self.v_quadratic(c_1, span);
@@ -1675,14 +1694,14 @@ impl<'g> Resources<'g> {
 
         let nowhere = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
         let _e6 = self.v_traced_scale_m();
-        let height_8 = at_2.of_surface.w();
-        let over = ((height_8 - rt::Scalar(1f32)) * _e6);
+        let height_9 = at_2.of_surface.w();
+        let over = ((height_9 - rt::Scalar(1f32)) * _e6);
         let _e12 = self.v_down_across(ray_7, over);
         let _e13 = self.v_down_along(ray_7, over);
         let _e15 = self.v_jumps_below(ray_7, over);
         let begin_2 = _e12.min(_e13).min(_e15);
         if rt::Scalar::into_branch_condition((!(!begin_2.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))))) {
-            if rt::Scalar::into_branch_condition(height_8.elementwise_ge(rt::Scalar(1f32))) {
+            if rt::Scalar::into_branch_condition(height_9.elementwise_ge(rt::Scalar(1f32))) {
                 local_3 = begin_2.elementwise_lt(rt::Scalar(0f32));
             } else {
                 local_3 = rt::Scalar(false);
@@ -1697,7 +1716,7 @@ impl<'g> Resources<'g> {
             return nowhere;
         }
         let enter_2 = begin_2.max(eye);
-        let floor = (height_8 * _e6);
+        let floor = (height_9 * _e6);
         let _e35 = self.v_down_across(ray_7, floor);
         let _e36 = self.v_down_along(ray_7, floor);
         let _e37 = self.v_jumps_below(ray_7, floor);
@@ -1930,11 +1949,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_3);
         let _e3 = self.v_texels_around(uv_1, _e2);
-        let k_31 = level_3.to_i32();
-        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_31);
-        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_31);
-        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_31);
-        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_31);
+        let k_38 = level_3.to_i32();
+        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_38);
+        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_38);
+        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_38);
+        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_38);
         let _e34 = self.v_bilinear(_e11, _e18, _e25, _e32, _e3.part);
         return _e34;
     }
@@ -2143,14 +2162,14 @@ impl<'g> Resources<'g> {
         let _e5 = rt::Scalar(self.surface_settings.environment_side);
         let last_2 = ((_e5 >> level_6).to_i32().max(rt::Scalar(1i32)) - rt::Scalar(1i32));
         let point_14 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
-        let most_2 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).to_f32();
-        let corner_3 = point_14.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
+        let most_3 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).to_f32();
+        let corner_3 = point_14.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_3, most_3));
         let texel_5 = corner_3.to_i32();
-        let k_32 = level_6.to_i32();
-        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_32);
-        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_32);
-        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_32);
-        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_32);
+        let k_39 = level_6.to_i32();
+        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_39);
+        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_39);
+        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_39);
+        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_39);
         let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_14 - corner_3));
         return _e55.xyz();
     }
@@ -2219,8 +2238,8 @@ impl<'g> Resources<'g> {
         let eta = (rt::Scalar(1f32) / ior);
         let inside_4 = (rt::Scalar(1f32) - ((eta * eta) * (rt::Scalar(1f32) - (cosine_3 * cosine_3)))).max(rt::Scalar(0f32)).sqrt();
         let across_1 = ((cosine_3 - (ior * inside_4)) / (cosine_3 + (ior * inside_4)).max(rt::Scalar(0.000001f32)));
-        let along_18 = (((ior * cosine_3) - inside_4) / ((ior * cosine_3) + inside_4).max(rt::Scalar(0.000001f32)));
-        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_18);
+        let along_19 = (((ior * cosine_3) - inside_4) / ((ior * cosine_3) + inside_4).max(rt::Scalar(0.000001f32)));
+        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_19);
         let reflected = (rt::Scalar(0.5f32) * waves.dot(waves));
         let _e47 = rt::Scalar(self.surface_settings.shininess);
         let lean = ((rt::Scalar(2f32) / (_e47.to_f32() + rt::Scalar(2f32))) + (rt::Scalar(2f32) * (rt::Scalar(1f32) - mean_2).max(rt::Scalar(0f32)))).sqrt();
@@ -2331,14 +2350,14 @@ impl<'g> Resources<'g> {
     fn v_turn_of(&self, v: rt::Vec2<f32>) -> rt::Scalar<f32> {
         let mut turn: rt::Scalar<f32>;
 
-        let x_2 = v.x().abs();
+        let x_3 = v.x().abs();
         let y = v.y().abs();
-        if rt::Scalar::into_branch_condition((!(x_2 + y).elementwise_gt(rt::Scalar(0f32)))) {
+        if rt::Scalar::into_branch_condition((!(x_3 + y).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let _e13 = self.v_eighth_turn((x_2.min(y) / x_2.max(y)));
+        let _e13 = self.v_eighth_turn((x_3.min(y) / x_3.max(y)));
         turn = _e13;
-        if rt::Scalar::into_branch_condition(y.elementwise_gt(x_2)) {
+        if rt::Scalar::into_branch_condition(y.elementwise_gt(x_3)) {
             let _e16 = turn;
             turn = (rt::Scalar(0.25f32) - _e16);
         }
@@ -2397,15 +2416,15 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_33 = level_8.to_i32();
+        let k_40 = level_8.to_i32();
         let _e6 = self.v_wrap_index(cell.x(), _e2.x());
         let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
         let _e14 = self.v_wrap_index(cell.y(), _e2.y());
         let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_33));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_33));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_33));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_33));
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_40));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_40));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_40));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_40));
         return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
     }
     pub(crate) fn height_at(
@@ -2449,9 +2468,9 @@ impl<'g> Resources<'g> {
         view_6: rt::Vec3<f32>,
         asked: rt::Scalar<bool>,
     ) -> rt::Scalar<f32> {
-        let toward_5 = image_1.toward;
-        let beside_3 = toward_5.cross(view_6);
-        let _e10 = self.v_turn_of(<rt::Vec2<f32>>::from_scalars(toward_5.dot(view_6), beside_3.dot(beside_3).sqrt()));
+        let toward_6 = image_1.toward;
+        let beside_3 = toward_6.cross(view_6);
+        let _e10 = self.v_turn_of(<rt::Vec2<f32>>::from_scalars(toward_6.dot(view_6), beside_3.dot(beside_3).sqrt()));
         if rt::Scalar::into_branch_condition((!asked)) {
             return _e10;
         }
@@ -2537,8 +2556,8 @@ impl<'g> Resources<'g> {
         let third = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
         let volume = (second_1.cross(third).dot(normal_20) * rt::Scalar(way.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
-        let height_9 = (((offset - low_1) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        return <WayPoint>::new(<ShellPoint>::new(w_3, height_9), t_34, (place_19 - (along * t_34)).length(), volume);
+        let height_10 = (((offset - low_1) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        return <WayPoint>::new(<ShellPoint>::new(w_3, height_10), t_34, (place_19 - (along * t_34)).length(), volume);
     }
     pub(crate) fn before_turn(
         &self,
@@ -2770,8 +2789,8 @@ impl<'g> Resources<'g> {
         let apart = (_e19 * _e21).abs();
         let bend_3 = (rt::Scalar(2f32) * ((rt::Scalar(a_1.height) + rt::Scalar(b_1.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
         let slope_5 = ((rt::Scalar(b_1.height) - rt::Scalar(a_1.height)) - bend_3);
-        let height_10 = (rt::Scalar(a_1.height) + (part_1 * (slope_5 + (part_1 * bend_3))));
-        return apart.x().max(apart.y()).max(((rt::Scalar(at_10.height) - height_10).abs() / rt::Scalar(0.0625f32)));
+        let height_11 = (rt::Scalar(a_1.height) + (part_1 * (slope_5 + (part_1 * bend_3))));
+        return apart.x().max(apart.y()).max(((rt::Scalar(at_10.height) - height_11).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn beside_way(
         &self,
@@ -2799,8 +2818,8 @@ impl<'g> Resources<'g> {
         let _e31 = self.v_height_size(rt::Scalar(0u32));
         let apart_1 = (_e29 * _e31).abs();
         let slope_6 = ((rt::Scalar(b_2.point.height) - rt::Scalar(a_2.point.height)) - bend_1);
-        let height_11 = (rt::Scalar(a_2.point.height) + (part_8 * (slope_6 + (part_8 * bend_1))));
-        return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_11.point.height) - height_11).abs() / rt::Scalar(0.0625f32)));
+        let height_12 = (rt::Scalar(a_2.point.height) + (part_8 * (slope_6 + (part_8 * bend_1))));
+        return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_11.point.height) - height_12).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn between(&self, a_3: ShellPoint, b_3: ShellPoint) -> ShellPoint {
         rt::into(self.v_between(a_3, b_3))
@@ -2809,6 +2828,14 @@ impl<'g> Resources<'g> {
     #[inline(always)]
     fn v_between(&self, a_3: ShellPoint, b_3: ShellPoint) -> ShellPoint {
         return <ShellPoint>::new((rt::Scalar(0.5f32) * (a_3.weights + b_3.weights)), (rt::Scalar(0.5f32) * (rt::Scalar(a_3.height) + rt::Scalar(b_3.height))));
+    }
+    pub(crate) fn bitangent_of_image(&self, image_2: Image) -> rt::Vec3<f32> {
+        rt::into(self.v_bitangent_of_image(image_2))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_bitangent_of_image(&self, image_2: Image) -> rt::Vec3<f32> {
+        return (image_2.v.xyz() / rt::Vec3::splat_from_scalar((image_2.v.xyz().dot(image_2.v.xyz()) * image_2.extent.y())));
     }
     pub(crate) fn both_roots(&self, c_2: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_both_roots(rt::into(c_2)))
@@ -2931,10 +2958,10 @@ impl<'g> Resources<'g> {
         let bx = (h_1.y() - h_1.x());
         let by_1 = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_119 = ((grid_1.origin - cell_2) + (grid_1.step * t_10));
-        let z = (path_6.h.x() + (t_10 * (path_6.h.y() + (t_10 * path_6.h.z()))));
+        let at_127 = ((grid_1.origin - cell_2) + (grid_1.step * t_10));
+        let z_1 = (path_6.h.x() + (t_10 * (path_6.h.y() + (t_10 * path_6.h.z()))));
         let dz = (path_6.h.y() + ((rt::Scalar(2f32) * t_10) * path_6.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_119.x())) + (by_1 * at_119.y())) + ((twist * at_119.x()) * at_119.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_119.x() * grid_1.step.y()) + (at_119.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_1.x() + (bx * at_127.x())) + (by_1 * at_127.y())) + ((twist * at_127.x()) * at_127.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_127.x() * grid_1.step.y()) + (at_127.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn grid_cell(
         &self,
@@ -2959,11 +2986,11 @@ impl<'g> Resources<'g> {
         let _e10 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(CELLS_HIGHEST)) {
             let _e13 = self.v_height_cell(cell_3, level_10);
-            let most_3 = _e13.x().max(_e13.y()).max(_e13.z().max(_e13.w()));
+            let most_4 = _e13.x().max(_e13.y()).max(_e13.z().max(_e13.w()));
             let least = _e13.x().min(_e13.y()).min(_e13.z().min(_e13.w()));
             let _e31 = rt::Scalar(self.surface_settings.jump);
-            if rt::Scalar::into_branch_condition((most_3 - least).elementwise_gt(_e31)) {
-                return <rt::Vec4<f32>>::from_scalars(most_3, most_3, most_3, most_3);
+            if rt::Scalar::into_branch_condition((most_4 - least).elementwise_gt(_e31)) {
+                return <rt::Vec4<f32>>::from_scalars(most_4, most_4, most_4, most_4);
             }
             return _e13;
         }
@@ -2974,14 +3001,14 @@ impl<'g> Resources<'g> {
         }
         let dual = <rt::Vec2<i32>>::from_scalars((cell_3.x() >> rt::Scalar(1u32)), (cell_3.y() >> rt::Scalar(1u32)));
         let _e72 = self.v_height_cell(dual, level_10);
-        let most_4 = _e72.x().max(_e72.y()).max(_e72.z().max(_e72.w()));
+        let most_5 = _e72.x().max(_e72.y()).max(_e72.z().max(_e72.w()));
         let least_1 = _e72.x().min(_e72.y()).min(_e72.z().min(_e72.w()));
         let right = ((cell_3.x() - dual.x()) - dual.x()).elementwise_eq(rt::Scalar(1i32));
         let lower = ((cell_3.y() - dual.y()) - dual.y()).elementwise_eq(rt::Scalar(1i32));
         let _e103 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition((!_e103.elementwise_eq(CELLS_NEAREST))) {
             let _e112 = rt::Scalar(self.surface_settings.jump);
-            local_9 = (most_4 - least_1).elementwise_gt(_e112);
+            local_9 = (most_5 - least_1).elementwise_gt(_e112);
         } else {
             local_9 = rt::Scalar(true);
         }
@@ -3387,7 +3414,7 @@ impl<'g> Resources<'g> {
         let mut path_12: Path;
 
         let heights_1 = pixel_5.shell.heights;
-        let first_7 = ends.x();
+        let first_8 = ends.x();
         let long = (ends.y() - ends.x());
         let _e16 = self.v_uv_of(pixel_5, a_4.weights);
         let _e18 = self.v_uv_of(pixel_5, b_4.weights);
@@ -3395,7 +3422,7 @@ impl<'g> Resources<'g> {
         let slope_7 = ((rt::Scalar(b_4.height) - rt::Scalar(a_4.height)) - bend_2);
         let _e26 = self.v_shell_slack(pixel_5, middle_1);
         let change_2 = ((b_4.weights - a_4.weights) / rt::Vec3::splat_from_scalar(long));
-        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_7)), long);
+        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_8)), long);
         let _e39 = inside;
         let _e44 = self.v_where_positive(_e39, a_4.weights.x(), change_2.x(), beyond.x());
         inside = _e44;
@@ -3415,7 +3442,7 @@ impl<'g> Resources<'g> {
             inside = _e69;
         }
         let _e76 = inside.y();
-        path_12 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_4.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_13.metric, RAY_VIEW, rt::Scalar(at_13.level), (middle_1 + first_7), (rt::Scalar(1f32) / rt::Scalar(at_13.segments).to_f32()));
+        path_12 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_4.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_13.metric, RAY_VIEW, rt::Scalar(at_13.level), (middle_1 + first_8), (rt::Scalar(1f32) / rt::Scalar(at_13.segments).to_f32()));
         let _e89 = inside.y();
         let _e91 = inside.x();
         if rt::Scalar::into_branch_condition((!_e89.elementwise_gt(_e91))) {
@@ -3590,8 +3617,8 @@ impl<'g> Resources<'g> {
         let _e100 = self.v_beside_way(pixel_7, _e12, _e29, _e98, _e27);
         let quarters = _e99.max(_e100);
         let _e102 = self.v_beside_way(pixel_7, _e12, _e29, _e98, _e22);
-        let most_5 = _e102.max(quarters);
-        return (most_5 / tolerance).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(16f32)).to_u32();
+        let most_6 = _e102.max(quarters);
+        return (most_6 / tolerance).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(16f32)).to_u32();
     }
     pub(crate) fn color_at(
         &self,
@@ -3610,13 +3637,160 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_11);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_34 = level_11.to_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_34));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_34));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_34));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_34));
+        let k_41 = level_11.to_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_41));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_41));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_41));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_41));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
+    }
+    pub(crate) fn object_texel(&self, place_4: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
+        rt::into(self.v_object_texel(rt::into(place_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_object_texel(&self, place_4: rt::Vec2<i32>) -> rt::Vec4<f32> {
+        let _e4 = rt::texture::Read::read_texel((&self.object_map), place_4, rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        return _e4;
+    }
+    pub(crate) fn frames_around(&self, toward: impl rt::Into<rt::Vec3<f32>>) -> Frames {
+        rt::into(self.v_frames_around(rt::into(toward)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_frames_around(&self, toward: rt::Vec3<f32>) -> Frames {
+        let mut x: rt::Scalar<f32>;
+        let mut z: rt::Scalar<f32>;
+
+        let _e3 = rt::Scalar(self.surface_settings.images);
+        let row_8 = _e3.to_i32();
+        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_8));
+        let _e10 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_8));
+        let _e13 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_8));
+        let last_3 = (_e7.w() - rt::Scalar(1f32)).max(rt::Scalar(1f32));
+        let is_hemi = _e10.w().elementwise_gt(rt::Scalar(0f32));
+        let up_2 = _e10.xyz().dot(toward);
+        let y_1 = up_2.select(up_2.max(rt::Scalar(0f32)), is_hemi);
+        let right_1 = _e7.xyz().dot(toward);
+        let front = _e13.xyz().dot(toward);
+        let sum_4 = ((right_1.abs() + y_1.abs()) + front.abs()).max(rt::Scalar(0.000001f32));
+        x = (right_1 / sum_4);
+        z = (front / sum_4);
+        if rt::Scalar::into_branch_condition(y_1.elementwise_lt(rt::Scalar(0f32))) {
+            let _e44 = z;
+            let _e48 = x;
+            let folded_x = ((rt::Scalar(1f32) - _e44.abs()) * rt::Scalar(-1f32).select(rt::Scalar(1f32), _e48.elementwise_ge(rt::Scalar(0f32))));
+            let _e55 = x;
+            let _e59 = z;
+            let folded_z = ((rt::Scalar(1f32) - _e55.abs()) * rt::Scalar(-1f32).select(rt::Scalar(1f32), _e59.elementwise_ge(rt::Scalar(0f32))));
+            x = folded_x;
+            z = folded_z;
+        }
+        let _e66 = x;
+        let _e69 = x;
+        let _e70 = z;
+        let across_2 = ((_e66 + rt::Scalar(1f32)).select(((_e69 + _e70) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_3));
+        let _e78 = z;
+        let _e81 = z;
+        let _e82 = x;
+        let along_20 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_3));
+        let place_20 = <rt::Vec2<f32>>::from_scalars(across_2, along_20).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_3, last_3));
+        let cell_21 = place_20.floor().min(<rt::Vec2<f32>>::from_scalars((last_3 - rt::Scalar(1f32)), (last_3 - rt::Scalar(1f32))));
+        let part_9 = (place_20 - cell_21);
+        let side_5 = (last_3.to_u32() + rt::Scalar(1u32));
+        let first_9 = ((cell_21.y().to_u32() * side_5) + cell_21.x().to_u32());
+        let beside_4 = (first_9 + side_5).select((first_9 + rt::Scalar(1u32)), part_9.x().elementwise_gt(part_9.y()));
+        let least_2 = part_9.x().min(part_9.y());
+        let most_7 = part_9.x().max(part_9.y());
+        return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_9, beside_4, ((first_9 + side_5) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_7), (most_7 - least_2), least_2));
+    }
+    pub(crate) fn image_of_object(&self, number: impl rt::Into<rt::Scalar<u32>>) -> Image {
+        rt::into(self.v_image_of_object(rt::into(number)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_image_of_object(&self, number: rt::Scalar<u32>) -> Image {
+        let row_9 = number.to_i32();
+        let _e4 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(3i32), row_9));
+        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_9));
+        let _e10 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_9));
+        let _e13 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_9));
+        let _e20 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(4i32), row_9));
+        return <Image>::new(_e7, _e10, _e13, _e4.xy(), <rt::Vec2<f32>>::from_scalars(_e4.z(), _e4.w()), _e20.xyz());
+    }
+    pub(crate) fn frame_number(
+        &self,
+        frames: Frames,
+        k_1: impl rt::Into<rt::Scalar<u32>>,
+    ) -> u32 {
+        rt::into(self.v_frame_number(frames, rt::into(k_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_frame_number(
+        &self,
+        frames: Frames,
+        k_1: rt::Scalar<u32>,
+    ) -> rt::Scalar<u32> {
+        return frames.numbers.z().select(frames.numbers.y(), k_1.elementwise_eq(rt::Scalar(1u32))).select(frames.numbers.x(), k_1.elementwise_eq(rt::Scalar(0u32)));
+    }
+    pub(crate) fn frame_weight(
+        &self,
+        frames_1: Frames,
+        k_2: impl rt::Into<rt::Scalar<u32>>,
+    ) -> f32 {
+        rt::into(self.v_frame_weight(frames_1, rt::into(k_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_frame_weight(
+        &self,
+        frames_1: Frames,
+        k_2: rt::Scalar<u32>,
+    ) -> rt::Scalar<f32> {
+        return frames_1.weights.z().select(frames_1.weights.y(), k_2.elementwise_eq(rt::Scalar(1u32))).select(frames_1.weights.x(), k_2.elementwise_eq(rt::Scalar(0u32)));
+    }
+    pub(crate) fn color_of_frames(
+        &self,
+        at_15: Entered,
+        view_7: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_color_of_frames(at_15, rt::into(view_7)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_color_of_frames(
+        &self,
+        at_15: Entered,
+        view_7: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let mut sum_1: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let mut k_3: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        let _e2 = self.v_frames_around(view_7);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e10 = k_3;
+                if rt::Scalar::into_branch_condition(_e10.elementwise_lt(FRAMES)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e13 = k_3;
+                    let _e14 = self.v_frame_number(_e2, _e13);
+                    let _e15 = self.v_image_of_object(_e14);
+                    let _e16 = sum_1;
+                    let _e18 = self.v_place_in_image(_e15, at_15.point);
+                    let _e21 = self.v_color_at(_e18.xy(), rt::Scalar(0u32));
+                    let _e23 = k_3;
+                    let _e24 = self.v_frame_weight(_e2, _e23);
+                    sum_1 = (_e16 + (_e21.xyz() * _e24));
+                    let _e27 = k_3;
+                    k_3 = (_e27 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e30 = sum_1;
+        return _e30;
     }
     pub(crate) fn color_or_white(
         &self,
@@ -3678,28 +3852,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_texel(
         &self,
         path_13: Path,
-        place_4: impl rt::Into<rt::Vec2<i32>>,
+        place_5: impl rt::Into<rt::Vec2<i32>>,
         layer_1: impl rt::Into<rt::Scalar<i32>>,
         level_12: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel(path_13, rt::into(place_4), rt::into(layer_1), rt::into(level_12)))
+        rt::into(self.v_search_texel(path_13, rt::into(place_5), rt::into(layer_1), rt::into(level_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_search_texel(
         &self,
         path_13: Path,
-        place_4: rt::Vec2<i32>,
+        place_5: rt::Vec2<i32>,
         layer_1: rt::Scalar<i32>,
         level_12: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(path_13.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_4, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_12));
+            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_5, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_12));
             let _e12 = self.surface_settings.maps[2usize];
             let _e13 = self.v_decoded(texel_7, _e12);
             return _e13;
         }
-        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_4, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_12));
+        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_5, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_12));
         let _e19 = self.surface_settings.maps[1usize];
         let _e20 = self.v_decoded(_e15, _e19);
         return _e20;
@@ -3719,9 +3893,9 @@ impl<'g> Resources<'g> {
         texel_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let _e3 = self.v_height_texels(rt::Scalar(path_14.level));
-        let place_20 = texel_1.to_i32();
-        let _e7 = self.v_wrap_index(place_20.x(), _e3.x());
-        let _e10 = self.v_wrap_index(place_20.y(), _e3.y());
+        let place_21 = texel_1.to_i32();
+        let _e7 = self.v_wrap_index(place_21.x(), _e3.x());
+        let _e10 = self.v_wrap_index(place_21.y(), _e3.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e7, _e10);
         let _e15 = self.v_search_texel(path_14, wrapped, rt::Scalar(0i32), rt::Scalar(path_14.level).to_i32());
         let _e17 = self.v_slope_of(_e15.x());
@@ -3761,13 +3935,13 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return (normal_7.dot((pixel_8.a.position - pixel_8.origin)) / normal_7.dot(pixel_8.direction));
     }
-    pub(crate) fn depth_in_samples(&self, pixel_9: PixelIn, at_15: Entered) -> f32 {
-        rt::into(self.v_depth_in_samples(pixel_9, at_15))
+    pub(crate) fn depth_in_samples(&self, pixel_9: PixelIn, at_16: Entered) -> f32 {
+        rt::into(self.v_depth_in_samples(pixel_9, at_16))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_depth_in_samples(&self, pixel_9: PixelIn, at_15: Entered) -> rt::Scalar<f32> {
-        let _e3 = self.v_plane_distance(pixel_9, at_15.facing);
+    fn v_depth_in_samples(&self, pixel_9: PixelIn, at_16: Entered) -> rt::Scalar<f32> {
+        let _e3 = self.v_plane_distance(pixel_9, at_16.facing);
         let _e6 = self.frame.eye_right;
         let _e10 = self.frame.right;
         let _e17 = rt::Scalar(self.frame.sample_width);
@@ -3786,59 +3960,59 @@ impl<'g> Resources<'g> {
     pub(crate) fn footprint_axis(
         &self,
         pixel_11: PixelIn,
-        at_16: Entered,
+        at_17: Entered,
         normal_8: impl rt::Into<rt::Vec3<f32>>,
         t_14: impl rt::Into<rt::Scalar<f32>>,
         origin: impl rt::Into<rt::Vec3<f32>>,
         direction_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_footprint_axis(pixel_11, at_16, rt::into(normal_8), rt::into(t_14), rt::into(origin), rt::into(direction_4)))
+        rt::into(self.v_footprint_axis(pixel_11, at_17, rt::into(normal_8), rt::into(t_14), rt::into(origin), rt::into(direction_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_footprint_axis(
         &self,
         pixel_11: PixelIn,
-        at_16: Entered,
+        at_17: Entered,
         normal_8: rt::Vec3<f32>,
         t_14: rt::Scalar<f32>,
         origin: rt::Vec3<f32>,
         direction_4: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
         let aside_3 = (origin + (direction_4 * t_14));
-        let along_19 = (normal_8.dot(aside_3) / normal_8.dot(pixel_11.direction));
-        let _e15 = self.v_climb(at_16, (aside_3 - (pixel_11.direction * along_19)));
+        let along_21 = (normal_8.dot(aside_3) / normal_8.dot(pixel_11.direction));
+        let _e15 = self.v_climb(at_17, (aside_3 - (pixel_11.direction * along_21)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.to_f32());
     }
     pub(crate) fn footprint_of(
         &self,
         pixel_12: PixelIn,
-        at_17: Entered,
+        at_18: Entered,
         anisotropy: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_footprint_of(pixel_12, at_17, rt::into(anisotropy)))
+        rt::into(self.v_footprint_of(pixel_12, at_18, rt::into(anisotropy)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_footprint_of(
         &self,
         pixel_12: PixelIn,
-        at_17: Entered,
+        at_18: Entered,
         anisotropy: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let normal_21 = at_17.facing;
+        let normal_21 = at_18.facing;
         let _e4 = self.v_plane_distance(pixel_12, normal_21);
         let _e7 = self.frame.eye_right;
         let _e11 = self.frame.right;
-        let _e13 = self.v_footprint_axis(pixel_12, at_17, normal_21, _e4, _e7.xyz(), _e11.xyz());
+        let _e13 = self.v_footprint_axis(pixel_12, at_18, normal_21, _e4, _e7.xyz(), _e11.xyz());
         let _e16 = self.frame.eye_down;
         let _e20 = self.frame.down;
-        let _e22 = self.v_footprint_axis(pixel_12, at_17, normal_21, _e4, _e16.xyz(), _e20.xyz());
+        let _e22 = self.v_footprint_axis(pixel_12, at_18, normal_21, _e4, _e16.xyz(), _e20.xyz());
         let both = <rt::Vec4<f32>>::new_22(_e13, _e22);
-        let sum_2 = both.dot(both);
+        let sum_5 = both.dot(both);
         let area_1 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
-        let apart_2 = ((sum_2 - (rt::Scalar(2f32) * area_1)) * (sum_2 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
-        let longer = (rt::Scalar(0.5f32) * (sum_2 + apart_2));
+        let apart_2 = ((sum_5 - (rt::Scalar(2f32) * area_1)) * (sum_5 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
+        let longer = (rt::Scalar(0.5f32) * (sum_5 + apart_2));
         let shorter = ((area_1 * area_1) / longer);
         let squared_1 = shorter.max((longer / (anisotropy * anisotropy)));
         let _e53 = rt::Scalar(self.frame.sample_width);
@@ -3847,45 +4021,45 @@ impl<'g> Resources<'g> {
     pub(crate) fn detail_fade(
         &self,
         pixel_13: PixelIn,
-        at_18: Entered,
+        at_19: Entered,
         params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_fade(pixel_13, at_18, rt::into(params_7)))
+        rt::into(self.v_detail_fade(pixel_13, at_19, rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_fade(
         &self,
         pixel_13: PixelIn,
-        at_18: Entered,
+        at_19: Entered,
         params_7: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_13, at_18, params_7.x());
+        let _e4 = self.v_footprint_of(pixel_13, at_19, params_7.x());
         let begin_3 = (params_7.z() * params_7.w());
-        let _e8 = self.v_depth_in_samples(pixel_13, at_18);
-        let part_9 = ((begin_3 - _e8) / (begin_3 - params_7.z()).max(rt::Scalar(0.000001f32)));
+        let _e8 = self.v_depth_in_samples(pixel_13, at_19);
+        let part_10 = ((begin_3 - _e8) / (begin_3 - params_7.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
         let _e20 = self.v_levels_of((_e4 / params_7.y()), _e19);
         let level_28 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_28, _e4, part_9.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        return <Detail>::new(level_28, _e4, part_10.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
     }
     pub(crate) fn detail_footprint(
         &self,
         pixel_14: PixelIn,
-        at_19: Entered,
+        at_20: Entered,
         params_8: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_footprint(pixel_14, at_19, rt::into(params_8)))
+        rt::into(self.v_detail_footprint(pixel_14, at_20, rt::into(params_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_footprint(
         &self,
         pixel_14: PixelIn,
-        at_19: Entered,
+        at_20: Entered,
         params_8: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_14, at_19, params_8.x());
+        let _e4 = self.v_footprint_of(pixel_14, at_20, params_8.x());
         let _e9 = rt::Scalar(self.surface_settings.height_levels);
         let _e10 = self.v_levels_of((_e4 / params_8.y()), _e9);
         return <Detail>::new(rt::Scalar(_e10.fine), _e4, rt::Scalar(0f32));
@@ -3893,62 +4067,62 @@ impl<'g> Resources<'g> {
     pub(crate) fn detail_none(
         &self,
         pixel_15: PixelIn,
-        at_20: Entered,
+        at_21: Entered,
         params_9: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_none(pixel_15, at_20, rt::into(params_9)))
+        rt::into(self.v_detail_none(pixel_15, at_21, rt::into(params_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_none(
         &self,
         pixel_15: PixelIn,
-        at_20: Entered,
+        at_21: Entered,
         params_9: rt::Vec4<f32>,
     ) -> Detail {
         return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub(crate) fn detail_stage(&self, pixel_16: PixelIn, at_21: Entered) -> Detail {
-        rt::into(self.v_detail_stage(pixel_16, at_21))
+    pub(crate) fn detail_stage(&self, pixel_16: PixelIn, at_22: Entered) -> Detail {
+        rt::into(self.v_detail_stage(pixel_16, at_22))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_detail_stage(&self, pixel_16: PixelIn, at_21: Entered) -> Detail {
+    fn v_detail_stage(&self, pixel_16: PixelIn, at_22: Entered) -> Detail {
         let _e6 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[4usize].params;
-                let _e12 = self.v_detail_none(pixel_16, at_21, _e11);
+                let _e12 = self.v_detail_none(pixel_16, at_22, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[4usize].params;
-                let _e18 = self.v_detail_footprint(pixel_16, at_21, _e17);
+                let _e18 = self.v_detail_footprint(pixel_16, at_22, _e17);
                 return _e18;
             }
             _ => {
                 let _e23 = self.surface_settings.choices[4usize].params;
-                let _e24 = self.v_detail_fade(pixel_16, at_21, _e23);
+                let _e24 = self.v_detail_fade(pixel_16, at_22, _e23);
                 return _e24;
             }
         }
     }
     pub(crate) fn detail_texel(
         &self,
-        place_5: impl rt::Into<rt::Vec2<i32>>,
+        place_6: impl rt::Into<rt::Vec2<i32>>,
         layer_2: impl rt::Into<rt::Scalar<i32>>,
         level_13: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel(rt::into(place_5), rt::into(layer_2), rt::into(level_13)))
+        rt::into(self.v_detail_texel(rt::into(place_6), rt::into(layer_2), rt::into(level_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_texel(
         &self,
-        place_5: rt::Vec2<i32>,
+        place_6: rt::Vec2<i32>,
         layer_2: rt::Scalar<i32>,
         level_13: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_5, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_13));
+        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_6, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_13));
         let _e8 = self.surface_settings.maps[0usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -3971,37 +4145,37 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_14);
         let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_35 = (level_14 - SEEN_FIRST_LEVEL).to_i32();
-        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_35);
-        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_35);
-        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_35);
-        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_35);
+        let k_42 = (level_14 - SEEN_FIRST_LEVEL).to_i32();
+        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_42);
+        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_42);
+        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_42);
+        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_42);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e4.part);
         return _e33;
     }
     pub(crate) fn one_of(
         &self,
         numbers: impl rt::Into<rt::Vec3<u32>>,
-        place_6: impl rt::Into<rt::Scalar<u32>>,
+        place_7: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_one_of(rt::into(numbers), rt::into(place_6)))
+        rt::into(self.v_one_of(rt::into(numbers), rt::into(place_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_one_of(
         &self,
         numbers: rt::Vec3<u32>,
-        place_6: rt::Scalar<u32>,
+        place_7: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        return numbers.z().select(numbers.y(), place_6.elementwise_eq(rt::Scalar(1u32))).select(numbers.x(), place_6.elementwise_eq(rt::Scalar(0u32)));
+        return numbers.z().select(numbers.y(), place_7.elementwise_eq(rt::Scalar(1u32))).select(numbers.x(), place_7.elementwise_eq(rt::Scalar(0u32)));
     }
     pub(crate) fn dice_border(
         &self,
         rows: DiceRows,
         side: impl rt::Into<rt::Scalar<u32>>,
-        at_22: impl rt::Into<rt::Scalar<u32>>,
+        at_23: impl rt::Into<rt::Scalar<u32>>,
     ) -> DicePoint {
-        rt::into(self.v_dice_border(rows, rt::into(side), rt::into(at_22)))
+        rt::into(self.v_dice_border(rows, rt::into(side), rt::into(at_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4009,11 +4183,11 @@ impl<'g> Resources<'g> {
         &self,
         rows: DiceRows,
         side: rt::Scalar<u32>,
-        at_22: rt::Scalar<u32>,
+        at_23: rt::Scalar<u32>,
     ) -> DicePoint {
         let _e4 = self.v_one_of(rows.sides, side);
         let _e6 = self.v_one_of(rows.parts, side);
-        let on_side = at_22.select((_e6 - at_22), side.elementwise_eq(rt::Scalar(2u32)));
+        let on_side = at_23.select((_e6 - at_23), side.elementwise_eq(rt::Scalar(2u32)));
         let no_weights = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(on_side.elementwise_eq(_e6)) {
             let _e17 = self.v_around_three(_e4, rt::Scalar(1u32));
@@ -4037,8 +4211,8 @@ impl<'g> Resources<'g> {
         before: rt::Scalar<u32>,
         all: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let part_10 = ((before.to_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).to_f32()).sqrt();
-        return (part_10 * rt::Scalar(rows_1.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_1.count) - rt::Scalar(1u32)));
+        let part_11 = ((before.to_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).to_f32()).sqrt();
+        return (part_11 * rt::Scalar(rows_1.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_1.count) - rt::Scalar(1u32)));
     }
     pub(crate) fn sum_of_quotients(
         &self,
@@ -4061,7 +4235,7 @@ impl<'g> Resources<'g> {
         let mut m_2: rt::Scalar<u32>;
         let mut a_7: rt::Scalar<u32>;
         let mut b_7: rt::Scalar<u32>;
-        let mut sum_1: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut sum_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
         n_3 = count_1;
         m_2 = by;
@@ -4075,7 +4249,7 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e13 = sum_1;
+                    let _e13 = sum_2;
                     let _e14 = n_3;
                     let _e15 = n_3;
                     let _e21 = a_7;
@@ -4083,7 +4257,7 @@ impl<'g> Resources<'g> {
                     let _e26 = n_3;
                     let _e27 = b_7;
                     let _e28 = m_2;
-                    sum_1 = ((_e13 + (((_e14 * (_e15 - rt::Scalar(1u32))) / rt::Scalar(2u32)) * (_e21 / _e22))) + (_e26 * (_e27 / _e28)));
+                    sum_2 = ((_e13 + (((_e14 * (_e15 - rt::Scalar(1u32))) / rt::Scalar(2u32)) * (_e21 / _e22))) + (_e26 * (_e27 / _e28)));
                     let _e32 = a_7;
                     let _e33 = m_2;
                     a_7 = (_e32 % _e33);
@@ -4093,11 +4267,11 @@ impl<'g> Resources<'g> {
                     let _e38 = a_7;
                     let _e39 = n_3;
                     let _e41 = b_7;
-                    let last_3 = ((_e38 * _e39) + _e41);
+                    let last_4 = ((_e38 * _e39) + _e41);
                     let _e43 = m_2;
-                    n_3 = (last_3 / _e43);
+                    n_3 = (last_4 / _e43);
                     let _e45 = m_2;
-                    b_7 = (last_3 % _e45);
+                    b_7 = (last_4 % _e45);
                     let swapped = m_2;
                     let _e48 = a_7;
                     m_2 = _e48.max(rt::Scalar(1u32));
@@ -4105,7 +4279,7 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e51 = sum_1;
+        let _e51 = sum_2;
         return _e51;
     }
     pub(crate) fn dice_parts_before(
@@ -4154,26 +4328,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_row_of_point(
         &self,
         rows_5: DiceRows,
-        number: impl rt::Into<rt::Scalar<u32>>,
+        number_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_row_of_point(rows_5, rt::into(number)))
+        rt::into(self.v_dice_row_of_point(rows_5, rt::into(number_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_dice_row_of_point(
         &self,
         rows_5: DiceRows,
-        number: rt::Scalar<u32>,
+        number_1: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let mut row_1: rt::Scalar<u32>;
 
         let _e2 = self.v_dice_points(rows_5);
-        let _e3 = self.v_dice_guess(rows_5, number, _e2);
+        let _e3 = self.v_dice_guess(rows_5, number_1, _e2);
         row_1 = _e3.max(rt::Scalar(1u32));
         'naga_break: loop {
             'naga_continue: {
                 let _e7 = row_1;
                 let _e8 = self.v_dice_points_before(rows_5, _e7);
-                if rt::Scalar::into_branch_condition(_e8.elementwise_gt(number)) {
+                if rt::Scalar::into_branch_condition(_e8.elementwise_gt(number_1)) {
                 } else {
                     break 'naga_break;
                 }
@@ -4187,7 +4361,7 @@ impl<'g> Resources<'g> {
             'naga_continue: {
                 let _e13 = row_1;
                 let _e16 = self.v_dice_points_before(rows_5, (_e13 + rt::Scalar(1u32)));
-                if rt::Scalar::into_branch_condition(_e16.elementwise_le(number)) {
+                if rt::Scalar::into_branch_condition(_e16.elementwise_le(number_1)) {
                 } else {
                     break 'naga_break;
                 }
@@ -4203,20 +4377,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_place(
         &self,
         rows_6: DiceRows,
-        number_1: impl rt::Into<rt::Scalar<u32>>,
+        number_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> DicePlace {
-        rt::into(self.v_dice_place(rows_6, rt::into(number_1)))
+        rt::into(self.v_dice_place(rows_6, rt::into(number_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_place(
         &self,
         rows_6: DiceRows,
-        number_1: rt::Scalar<u32>,
+        number_2: rt::Scalar<u32>,
     ) -> DicePlace {
-        let _e2 = self.v_dice_row_of_point(rows_6, number_1);
+        let _e2 = self.v_dice_row_of_point(rows_6, number_2);
         let _e3 = self.v_dice_points_before(rows_6, _e2);
-        return <DicePlace>::new(_e2, ((number_1 - _e3) + rt::Scalar(1u32)));
+        return <DicePlace>::new(_e2, ((number_2 - _e3) + rt::Scalar(1u32)));
     }
     pub(crate) fn dice_share(
         &self,
@@ -4253,39 +4427,39 @@ impl<'g> Resources<'g> {
         let _e4 = self.v_dice_share(rows_8, row_3, rows_8.parts.y());
         return _e4;
     }
-    pub(crate) fn dice_point(&self, rows_9: DiceRows, place_7: DicePlace) -> DicePoint {
-        rt::into(self.v_dice_point(rows_9, place_7))
+    pub(crate) fn dice_point(&self, rows_9: DiceRows, place_8: DicePlace) -> DicePoint {
+        rt::into(self.v_dice_point(rows_9, place_8))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_dice_point(&self, rows_9: DiceRows, place_7: DicePlace) -> DicePoint {
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_7.row).elementwise_eq(rt::Scalar(0u32))) {
+    fn v_dice_point(&self, rows_9: DiceRows, place_8: DicePlace) -> DicePoint {
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_8.row).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = self.v_dice_border(rows_9, rt::Scalar(0u32), rt::Scalar(0u32));
             return _e7;
         }
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_7.row).elementwise_eq(rt::Scalar(rows_9.count))) {
-            let _e13 = self.v_dice_border(rows_9, rt::Scalar(1u32), rt::Scalar(place_7.at));
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_8.row).elementwise_eq(rt::Scalar(rows_9.count))) {
+            let _e13 = self.v_dice_border(rows_9, rt::Scalar(1u32), rt::Scalar(place_8.at));
             return _e13;
         }
-        let _e15 = self.v_dice_row_parts(rows_9, rt::Scalar(place_7.row));
-        let _e19 = self.v_dice_share(rows_9, rt::Scalar(place_7.row), rows_9.parts.x());
-        let _e23 = self.v_dice_share(rows_9, rt::Scalar(place_7.row), rows_9.parts.z());
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_7.at).elementwise_eq(rt::Scalar(0u32))) {
+        let _e15 = self.v_dice_row_parts(rows_9, rt::Scalar(place_8.row));
+        let _e19 = self.v_dice_share(rows_9, rt::Scalar(place_8.row), rows_9.parts.x());
+        let _e23 = self.v_dice_share(rows_9, rt::Scalar(place_8.row), rows_9.parts.z());
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_8.at).elementwise_eq(rt::Scalar(0u32))) {
             let _e28 = self.v_dice_border(rows_9, rt::Scalar(0u32), _e19);
             return _e28;
         }
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_7.at).elementwise_eq(_e15)) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_8.at).elementwise_eq(_e15)) {
             let _e32 = self.v_dice_border(rows_9, rt::Scalar(2u32), _e23);
             return _e32;
         }
-        let on_short = (((_e15 - rt::Scalar(place_7.at)).to_f32() / _e15.to_f32()) * (_e19.to_f32() / rows_9.parts.x().to_f32()));
-        let on_other = ((rt::Scalar(place_7.at).to_f32() / _e15.to_f32()) * (_e23.to_f32() / rows_9.parts.z().to_f32()));
+        let on_short = (((_e15 - rt::Scalar(place_8.at)).to_f32() / _e15.to_f32()) * (_e19.to_f32() / rows_9.parts.x().to_f32()));
+        let on_other = ((rt::Scalar(place_8.at).to_f32() / _e15.to_f32()) * (_e23.to_f32() / rows_9.parts.z().to_f32()));
         let on_corner = ((rt::Scalar(1f32) - on_short) - on_other);
-        let x_3 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(0u32)));
-        let y_1 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(1u32)));
-        let z_1 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(2u32)));
-        let _e88 = self.v_dice_points_before(rows_9, rt::Scalar(place_7.row));
-        let number_16 = ((_e88 + rt::Scalar(place_7.at)) - rt::Scalar(1u32));
-        return <DicePoint>::new(DICE_INSIDE, number_16, <rt::Vec3<f32>>::from_scalars(x_3, y_1, z_1));
+        let x_4 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(0u32)));
+        let y_2 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(1u32)));
+        let z_2 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(2u32)));
+        let _e88 = self.v_dice_points_before(rows_9, rt::Scalar(place_8.row));
+        let number_16 = ((_e88 + rt::Scalar(place_8.at)) - rt::Scalar(1u32));
+        return <DicePoint>::new(DICE_INSIDE, number_16, <rt::Vec3<f32>>::from_scalars(x_4, y_2, z_2));
     }
     pub(crate) fn dice_triangles_before(
         &self,
@@ -4320,26 +4494,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_row_of_triangle(
         &self,
         rows_12: DiceRows,
-        number_2: impl rt::Into<rt::Scalar<u32>>,
+        number_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_row_of_triangle(rows_12, rt::into(number_2)))
+        rt::into(self.v_dice_row_of_triangle(rows_12, rt::into(number_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_dice_row_of_triangle(
         &self,
         rows_12: DiceRows,
-        number_2: rt::Scalar<u32>,
+        number_3: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let mut row_5: rt::Scalar<u32>;
 
         let _e2 = self.v_dice_triangles(rows_12);
-        let _e3 = self.v_dice_guess(rows_12, number_2, _e2);
+        let _e3 = self.v_dice_guess(rows_12, number_3, _e2);
         row_5 = _e3;
         'naga_break: loop {
             'naga_continue: {
                 let _e5 = row_5;
                 let _e6 = self.v_dice_triangles_before(rows_12, _e5);
-                if rt::Scalar::into_branch_condition(_e6.elementwise_gt(number_2)) {
+                if rt::Scalar::into_branch_condition(_e6.elementwise_gt(number_3)) {
                 } else {
                     break 'naga_break;
                 }
@@ -4353,7 +4527,7 @@ impl<'g> Resources<'g> {
             'naga_continue: {
                 let _e11 = row_5;
                 let _e14 = self.v_dice_triangles_before(rows_12, (_e11 + rt::Scalar(1u32)));
-                if rt::Scalar::into_branch_condition(_e14.elementwise_le(number_2)) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_le(number_3)) {
                 } else {
                     break 'naga_break;
                 }
@@ -4409,13 +4583,13 @@ impl<'g> Resources<'g> {
         let mut local_24: rt::Scalar<bool>;
         let mut local_25: rt::Scalar<bool>;
 
-        let least_2 = rt::Scalar(0u32).select((steps - above), steps.elementwise_gt(above));
-        let most_6 = below.min(steps);
-        j = (((((rt::Scalar(2u32) * steps) * below) + above) + below) / (rt::Scalar(2u32) * (above + below))).clamp(least_2, most_6);
+        let least_3 = rt::Scalar(0u32).select((steps - above), steps.elementwise_gt(above));
+        let most_8 = below.min(steps);
+        j = (((((rt::Scalar(2u32) * steps) * below) + above) + below) / (rt::Scalar(2u32) * (above + below))).clamp(least_3, most_8);
         'naga_break: loop {
             'naga_continue: {
                 let _e19 = j;
-                if rt::Scalar::into_branch_condition(_e19.elementwise_gt(least_2)) {
+                if rt::Scalar::into_branch_condition(_e19.elementwise_gt(least_3)) {
                     let _e24 = j;
                     let _e30 = j;
                     local_24 = (((rt::Scalar(2u32) * _e24) - rt::Scalar(1u32)) * above).elementwise_gt((((rt::Scalar(2u32) * (steps - _e30)) + rt::Scalar(1u32)) * below));
@@ -4436,7 +4610,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e42 = j;
-                if rt::Scalar::into_branch_condition(_e42.elementwise_lt(most_6)) {
+                if rt::Scalar::into_branch_condition(_e42.elementwise_lt(most_8)) {
                     let _e47 = j;
                     let _e53 = j;
                     local_25 = (((rt::Scalar(2u32) * _e47) + rt::Scalar(1u32)) * above).elementwise_le((((rt::Scalar(2u32) * (steps - _e53)) - rt::Scalar(1u32)) * below));
@@ -4460,19 +4634,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_triangle(
         &self,
         rows_13: DiceRows,
-        number_3: impl rt::Into<rt::Scalar<u32>>,
+        number_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> DiceTriangle {
-        rt::into(self.v_dice_triangle(rows_13, rt::into(number_3)))
+        rt::into(self.v_dice_triangle(rows_13, rt::into(number_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_dice_triangle(
         &self,
         rows_13: DiceRows,
-        number_3: rt::Scalar<u32>,
+        number_4: rt::Scalar<u32>,
     ) -> DiceTriangle {
         let mut local_26: rt::Scalar<bool>;
 
-        let _e2 = self.v_dice_row_of_triangle(rows_13, number_3);
+        let _e2 = self.v_dice_row_of_triangle(rows_13, number_4);
         let _e5 = self.v_dice_row_parts(rows_13, (_e2 - rt::Scalar(1u32)));
         let _e6 = self.v_dice_row_parts(rows_13, _e2);
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(1u32))) {
@@ -4484,10 +4658,10 @@ impl<'g> Resources<'g> {
         }
         let is_shared = local_26;
         let _e24 = self.v_dice_triangles_before(rows_13, (_e2 - rt::Scalar(1u32)));
-        let step_4 = ((number_3 - _e24) + rt::Scalar(0u32).select(rt::Scalar(1u32), is_shared));
-        let _e30 = self.v_dice_steps_below(_e5, _e6, step_4);
-        let i_2 = (step_4 - _e30);
-        let _e34 = self.v_dice_steps_below(_e5, _e6, (step_4 + rt::Scalar(1u32)));
+        let step_5 = ((number_4 - _e24) + rt::Scalar(0u32).select(rt::Scalar(1u32), is_shared));
+        let _e30 = self.v_dice_steps_below(_e5, _e6, step_5);
+        let i_2 = (step_5 - _e30);
+        let _e34 = self.v_dice_steps_below(_e5, _e6, (step_5 + rt::Scalar(1u32)));
         let goes_below = _e34.elementwise_gt(_e30);
         let next_7 = <DicePlace>::new((_e2 - rt::Scalar(1u32)).select(_e2, goes_below), (i_2 + rt::Scalar(1u32)).select((_e30 + rt::Scalar(1u32)), goes_below));
         return <DiceTriangle>::new(<DicePlace>::new((_e2 - rt::Scalar(1u32)), i_2), <DicePlace>::new(_e2, _e30), next_7);
@@ -4512,15 +4686,15 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec3<f32> {
         return (((along_3 - (up * up.dot(along_3))) + rise) + turned);
     }
-    pub(crate) fn log2_of(&self, number_4: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_log2_of(rt::into(number_4)))
+    pub(crate) fn log2_of(&self, number_5: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_log2_of(rt::into(number_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_log2_of(&self, number_4: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    fn v_log2_of(&self, number_5: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let mut rest_1: rt::Scalar<f32>;
         let mut exponent: rt::Scalar<f32> = rt::Scalar(0f32);
 
-        rest_1 = number_4;
+        rest_1 = number_5;
         'naga_break: loop {
             'naga_continue: {
                 let _e4 = rest_1;
@@ -4553,11 +4727,11 @@ impl<'g> Resources<'g> {
         }
         let _e24 = rest_1;
         let _e27 = rest_1;
-        let part_11 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
-        let square_1 = (part_11 * part_11);
-        let sum_3 = (rt::Scalar(1f32) + (square_1 * (rt::Scalar(0.33333334f32) + (square_1 * (rt::Scalar(0.2f32) + (square_1 * (rt::Scalar(0.14285715f32) + (square_1 * rt::Scalar(0.11111111f32)))))))));
+        let part_12 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
+        let square_1 = (part_12 * part_12);
+        let sum_6 = (rt::Scalar(1f32) + (square_1 * (rt::Scalar(0.33333334f32) + (square_1 * (rt::Scalar(0.2f32) + (square_1 * (rt::Scalar(0.14285715f32) + (square_1 * rt::Scalar(0.11111111f32)))))))));
         let _e45 = exponent;
-        return (_e45 + ((rt::Scalar(2.88539f32) * part_11) * sum_3));
+        return (_e45 + ((rt::Scalar(2.88539f32) * part_12) * sum_6));
     }
     pub(crate) fn level_at(&self, grid_5: Tessellation, site: BaseSite) -> f32 {
         rt::into(self.v_level_at(grid_5, site))
@@ -4594,8 +4768,8 @@ impl<'g> Resources<'g> {
         let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_3 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
         let left_3 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
-        let right_1 = (_e11.y() + ((_e11.w() - _e11.y()) * f_1.y()));
-        return <rt::Vec3<f32>>::from_scalars((top_5 + ((bottom_3 - top_5) * f_1.y())), ((right_1 - left_3) * _e2.x()), ((bottom_3 - top_5) * _e2.y()));
+        let right_2 = (_e11.y() + ((_e11.w() - _e11.y()) * f_1.y()));
+        return <rt::Vec3<f32>>::from_scalars((top_5 + ((bottom_3 - top_5) * f_1.y())), ((right_2 - left_3) * _e2.x()), ((bottom_3 - top_5) * _e2.y()));
     }
     pub(crate) fn relief_between_levels(
         &self,
@@ -4612,13 +4786,13 @@ impl<'g> Resources<'g> {
         level_16: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let finer = level_16.to_u32();
-        let part_12 = (level_16 - finer.to_f32());
+        let part_13 = (level_16 - finer.to_f32());
         let _e5 = self.v_height_and_slope(uv_7, finer);
-        if rt::Scalar::into_branch_condition(part_12.elementwise_eq(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(part_13.elementwise_eq(rt::Scalar(0f32))) {
             return _e5;
         }
         let _e10 = self.v_height_and_slope(uv_7, (finer + rt::Scalar(1u32)));
-        return (_e5 + ((_e10 - _e5) * part_12));
+        return (_e5 + ((_e10 - _e5) * part_13));
     }
     pub(crate) fn displaced_site(&self, grid_6: Tessellation, site_1: BaseSite) -> Corner {
         rt::into(self.v_displaced_site(grid_6, site_1))
@@ -4708,13 +4882,13 @@ impl<'g> Resources<'g> {
         height: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_21 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_5 = place_21.floor();
+        let place_22 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_5 = place_22.floor();
         let _e13 = self.v_search_texel_between(path_17, uv_9, below_5.to_i32());
         let lower_1 = _e13.x();
         let _e21 = self.v_search_texel_between(path_17, uv_9, (below_5 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
         let upper = _e21.x();
-        return (lower_1 + ((upper - lower_1) * (place_21 - below_5)));
+        return (lower_1 + ((upper - lower_1) * (place_22 - below_5)));
     }
     pub(crate) fn plane_normal(&self, pixel_17: PixelIn) -> rt::Vec3<f32> {
         rt::into(self.v_plane_normal(pixel_17))
@@ -4792,7 +4966,7 @@ impl<'g> Resources<'g> {
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_29 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
+        let uv_30 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
         let tangent_1 = (((pixel_19.a.tangent * wa) + (pixel_19.b.tangent * wb_1)) + (pixel_19.c.tangent * wc_1));
         let bitangent = (((pixel_19.a.bitangent * wa) + (pixel_19.b.bitangent * wb_1)) + (pixel_19.c.bitangent * wc_1));
         let normal_22 = ((((pixel_19.a.normal * wa) + (pixel_19.b.normal * wb_1)) + (pixel_19.c.normal * wc_1)).normalize() * rt::Scalar(pixel_19.side));
@@ -4810,7 +4984,7 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_27;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_17, uv_29, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_17, uv_30, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -4917,17 +5091,17 @@ impl<'g> Resources<'g> {
         pixel_24: PixelIn,
         along_7: rt::Vec3<f32>,
     ) -> Entered {
-        let mut at_23: Entered;
+        let mut at_24: Entered;
 
         let third_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_30 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
+        let uv_31 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_24, along_7);
         let point_18 = (pixel_24.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_24, along_7);
-        let _e21 = self.v_frame_at(pixel_24, third_1, point_18, uv_30, _e20);
-        at_23 = _e21;
-        rt::Scalar(at_23.segments) = rt::Scalar(0u32);
-        let _e25 = at_23;
+        let _e21 = self.v_frame_at(pixel_24, third_1, point_18, uv_31, _e20);
+        at_24 = _e21;
+        rt::Scalar(at_24.segments) = rt::Scalar(0u32);
+        let _e25 = at_24;
         return _e25;
     }
     pub(crate) fn way_weight(
@@ -4950,9 +5124,9 @@ impl<'g> Resources<'g> {
         q: rt::Vec3<f32>,
         m_3: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let most_7 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let middle_11 = (p.cross(m_3).min(most_7) + n_4.cross(q).min(most_7));
-        return <rt::Vec3<f32>>::from_scalars(along_8.dot(p.cross(q)), along_8.dot(middle_11), along_8.dot(n_4.cross(m_3))).min(most_7);
+        let most_9 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let middle_11 = (p.cross(m_3).min(most_9) + n_4.cross(q).min(most_9));
+        return <rt::Vec3<f32>>::from_scalars(along_8.dot(p.cross(q)), along_8.dot(middle_11), along_8.dot(n_4.cross(m_3))).min(most_9);
     }
     pub(crate) fn way_of(
         &self,
@@ -4970,9 +5144,9 @@ impl<'g> Resources<'g> {
         prism_3: Prism,
         along_9: rt::Vec3<f32>,
     ) -> Way {
-        let first_8 = (rt::Scalar(pixel_25.shell.order) & rt::Scalar(3u32));
+        let first_10 = (rt::Scalar(pixel_25.shell.order) & rt::Scalar(3u32));
         let second_2 = ((rt::Scalar(pixel_25.shell.order) >> rt::Scalar(2u32)) & rt::Scalar(3u32));
-        let is_turned = (((second_2 + rt::Scalar(3u32)) - first_8) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
+        let is_turned = (((second_2 + rt::Scalar(3u32)) - first_10) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
         let _e24 = self.v_way_weight(along_9, prism_3.p1_, prism_3.n1_, prism_3.p2_, prism_3.n2_);
         let _e29 = self.v_way_weight(along_9, prism_3.p2_, prism_3.n2_, prism_3.p0_, prism_3.n0_);
         let _e34 = self.v_way_weight(along_9, prism_3.p0_, prism_3.n0_, prism_3.p1_, prism_3.n1_);
@@ -5074,34 +5248,34 @@ impl<'g> Resources<'g> {
         way_3: Way,
         beyond_1: rt::Vec3<f32>,
     ) -> Way {
-        let sum_4 = ((way_3.first + way_3.second) + way_3.third);
-        return <Way>::new((way_3.first + (sum_4 * beyond_1.x())), (way_3.second + (sum_4 * beyond_1.y())), (way_3.third + (sum_4 * beyond_1.z())), rt::Scalar(way_3.turn));
+        let sum_7 = ((way_3.first + way_3.second) + way_3.third);
+        return <Way>::new((way_3.first + (sum_7 * beyond_1.x())), (way_3.second + (sum_7 * beyond_1.y())), (way_3.third + (sum_7 * beyond_1.z())), rt::Scalar(way_3.turn));
     }
     pub(crate) fn root_behind(
         &self,
         c_4: impl rt::Into<rt::Vec3<f32>>,
-        place_8: impl rt::Into<rt::Scalar<f32>>,
+        place_9: impl rt::Into<rt::Scalar<f32>>,
         end: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_root_behind(rt::into(c_4), rt::into(place_8), rt::into(end)))
+        rt::into(self.v_root_behind(rt::into(c_4), rt::into(place_9), rt::into(end)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_root_behind(
         &self,
         c_4: rt::Vec3<f32>,
-        place_8: rt::Scalar<f32>,
+        place_9: rt::Scalar<f32>,
         end: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut first: rt::Scalar<f32>;
 
         let _e3 = self.v_both_roots(c_4);
         first = end;
-        if rt::Scalar::into_branch_condition(_e3.x().elementwise_gt(place_8)) {
+        if rt::Scalar::into_branch_condition(_e3.x().elementwise_gt(place_9)) {
             let _e7 = first;
             first = _e7.min(_e3.x());
         }
-        if rt::Scalar::into_branch_condition(_e3.y().elementwise_gt(place_8)) {
+        if rt::Scalar::into_branch_condition(_e3.y().elementwise_gt(place_9)) {
             let _e12 = first;
             first = _e12.min(_e3.y());
         }
@@ -5144,9 +5318,9 @@ impl<'g> Resources<'g> {
         offsets_1: impl rt::Into<rt::Vec2<f32>>,
         beyond_2: impl rt::Into<rt::Vec3<f32>>,
         tolerance_1: impl rt::Into<rt::Scalar<f32>>,
-        number_5: impl rt::Into<rt::Scalar<u32>>,
+        number_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> WayChord {
-        rt::into(self.v_way_chord(pixel_27, prism_7, rt::into(along_10), way_5, rt::into(offsets_1), rt::into(beyond_2), rt::into(tolerance_1), rt::into(number_5)))
+        rt::into(self.v_way_chord(pixel_27, prism_7, rt::into(along_10), way_5, rt::into(offsets_1), rt::into(beyond_2), rt::into(tolerance_1), rt::into(number_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_way_chord(
@@ -5158,7 +5332,7 @@ impl<'g> Resources<'g> {
         offsets_1: rt::Vec2<f32>,
         beyond_2: rt::Vec3<f32>,
         tolerance_1: rt::Scalar<f32>,
-        number_5: rt::Scalar<u32>,
+        number_6: rt::Scalar<u32>,
     ) -> WayChord {
         let mut chosen: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let mut count_3: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -5199,9 +5373,9 @@ impl<'g> Resources<'g> {
                         let _e51 = begin;
                         let _e53 = self.v_chords_of_piece(pixel_27, prism_7, along_10, way_5, <rt::Vec2<f32>>::from_scalars(_e51, end_3), tolerance_1);
                         let _e54 = count_3;
-                        if rt::Scalar::into_branch_condition(number_5.elementwise_ge(_e54)) {
+                        if rt::Scalar::into_branch_condition(number_6.elementwise_ge(_e54)) {
                             let _e58 = count_3;
-                            local_30 = number_5.elementwise_lt((_e58 + _e53));
+                            local_30 = number_6.elementwise_lt((_e58 + _e53));
                         } else {
                             local_30 = rt::Scalar(false);
                         }
@@ -5210,12 +5384,12 @@ impl<'g> Resources<'g> {
                             let _e63 = begin;
                             let long_2 = (end_3 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
                             let _e67 = count_3;
-                            let part_13 = ((number_5 - _e67).to_f32() / _e53.to_f32());
+                            let part_14 = ((number_6 - _e67).to_f32() / _e53.to_f32());
                             let _e72 = count_3;
-                            let next_8 = (((number_5 - _e72) + rt::Scalar(1u32)).to_f32() / _e53.to_f32());
+                            let next_8 = (((number_6 - _e72) + rt::Scalar(1u32)).to_f32() / _e53.to_f32());
                             let _e79 = begin;
                             let _e82 = begin;
-                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_13)), (_e82 + (long_2 * next_8)));
+                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_14)), (_e82 + (long_2 * next_8)));
                         }
                         let _e86 = count_3;
                         count_3 = (_e86 + _e53);
@@ -5241,22 +5415,22 @@ impl<'g> Resources<'g> {
         pixel_28: PixelIn,
         params_12: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_24: Entered;
+        let mut at_25: Entered;
 
-        let along_20 = pixel_28.direction.normalize();
-        let _e4 = self.v_middle_of(pixel_28, along_20);
-        let _e5 = self.v_prism_of(pixel_28, along_20, _e4, params_12);
-        let _e6 = self.v_shell_middle(pixel_28, along_20);
-        at_24 = _e6;
-        let _e8 = self.v_way_of(pixel_28, _e5, along_20);
+        let along_22 = pixel_28.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_28, along_22);
+        let _e5 = self.v_prism_of(pixel_28, along_22, _e4, params_12);
+        let _e6 = self.v_shell_middle(pixel_28, along_22);
+        at_25 = _e6;
+        let _e8 = self.v_way_of(pixel_28, _e5, along_22);
         let _e9 = self.v_shell_slack(pixel_28, _e4);
         let _e10 = self.v_way_offsets(pixel_28, _e5, _e9);
-        let _e11 = at_24;
+        let _e11 = at_25;
         let _e12 = self.v_chord_reach(pixel_28, _e11, _e4, params_12);
         let _e13 = self.v_way_beyond(_e5, _e10, _e12);
-        let _e17 = self.v_way_chord(pixel_28, _e5, along_20, _e8, _e10, _e13, params_12.x(), rt::Scalar(0u32));
-        rt::Scalar(at_24.segments) = rt::Scalar(_e17.count);
-        let _e19 = at_24;
+        let _e17 = self.v_way_chord(pixel_28, _e5, along_22, _e8, _e10, _e13, params_12.x(), rt::Scalar(0u32));
+        rt::Scalar(at_25.segments) = rt::Scalar(_e17.count);
+        let _e19 = at_25;
         return _e19;
     }
     pub(crate) fn in_slab(
@@ -5286,12 +5460,12 @@ impl<'g> Resources<'g> {
         slack_4: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
         let far_6 = <rt::Vec4<f32>>::from_scalars(normal_12.dot(a_9), normal_12.dot(b_9), normal_12.dot(c_5), normal_12.dot(d_1));
-        let least_3 = far_6.x().min(far_6.y()).min(far_6.z().min(far_6.w()));
-        let most_8 = far_6.x().max(far_6.y()).max(far_6.z().max(far_6.w()));
+        let least_4 = far_6.x().min(far_6.y()).min(far_6.z().min(far_6.w()));
+        let most_10 = far_6.x().max(far_6.y()).max(far_6.z().max(far_6.w()));
         let beyond_3 = (slack_4 * normal_12.length());
         let change_3 = normal_12.dot(along_11);
-        let _e32 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least_3), change_3, beyond_3);
-        let _e35 = self.v_where_positive(_e32, most_8, (rt::Scalar(0f32) - change_3), beyond_3);
+        let _e32 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least_4), change_3, beyond_3);
+        let _e35 = self.v_where_positive(_e32, most_10, (rt::Scalar(0f32) - change_3), beyond_3);
         return _e35;
     }
     pub(crate) fn span_of(
@@ -5367,22 +5541,22 @@ impl<'g> Resources<'g> {
     fn v_passed_by(&self) -> Entered {
         let zero_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let zeros = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let uv_31 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_31, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_31, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let uv_32 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_32, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_32, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shell_point_from(
         &self,
         prism_9: Prism,
-        place_9: impl rt::Into<rt::Vec3<f32>>,
+        place_10: impl rt::Into<rt::Vec3<f32>>,
         from_point: ShellPoint,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_from(prism_9, rt::into(place_9), from_point))
+        rt::into(self.v_shell_point_from(prism_9, rt::into(place_10), from_point))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shell_point_from(
         &self,
         prism_9: Prism,
-        place_9: rt::Vec3<f32>,
+        place_10: rt::Vec3<f32>,
         from_point: ShellPoint,
     ) -> ShellPoint {
         let mut w_1: rt::Vec3<f32>;
@@ -5417,7 +5591,7 @@ impl<'g> Resources<'g> {
                     let _e53 = w_1.y();
                     let _e58 = w_1.z();
                     let base_1 = (((prism_9.p0_ * _e49) + (prism_9.p1_ * _e53)) + (prism_9.p2_ * _e58));
-                    let rest_3 = ((place_9 - base_1) - (normal_24 * offset_7));
+                    let rest_3 = ((place_10 - base_1) - (normal_24 * offset_7));
                     let _e66 = w_1.x();
                     let _e68 = w_1.y();
                     let _e72 = w_1.z();
@@ -5429,9 +5603,9 @@ impl<'g> Resources<'g> {
                     let a_21 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_24 * second_3));
                     let b_21 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_7)) + (normal_24 * third_2));
                     let c_14 = (normal_24 * width_5);
-                    let across_2 = b_21.cross(c_14);
-                    let one_over = (rt::Scalar(1f32) / a_21.dot(across_2));
-                    let db = (rest_3.dot(across_2) * one_over);
+                    let across_3 = b_21.cross(c_14);
+                    let one_over = (rt::Scalar(1f32) / a_21.dot(across_3));
+                    let db = (rest_3.dot(across_3) * one_over);
                     let dc = (rest_3.dot(c_14.cross(a_21)) * one_over);
                     let dh = (rest_3.dot(a_21.cross(b_21)) * one_over);
                     let _e126 = w_1.x();
@@ -5453,20 +5627,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn shell_point(
         &self,
         prism_10: Prism,
-        place_10: impl rt::Into<rt::Vec3<f32>>,
+        place_11: impl rt::Into<rt::Vec3<f32>>,
         height_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point(prism_10, rt::into(place_10), rt::into(height_1)))
+        rt::into(self.v_shell_point(prism_10, rt::into(place_11), rt::into(height_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shell_point(
         &self,
         prism_10: Prism,
-        place_10: rt::Vec3<f32>,
+        place_11: rt::Vec3<f32>,
         height_1: rt::Scalar<f32>,
     ) -> ShellPoint {
-        let _e8 = self.v_shell_point_from(prism_10, place_10, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_1));
+        let _e8 = self.v_shell_point_from(prism_10, place_11, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_1));
         return _e8;
     }
     pub(crate) fn surface_prism_enter(
@@ -5483,16 +5657,16 @@ impl<'g> Resources<'g> {
         params_14: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_31: rt::Scalar<bool>;
-        let mut at_25: Entered;
+        let mut at_26: Entered;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_30.shell.order).elementwise_ge(SHELL_FOLDED)) {
             let _e6 = self.v_folded_enter(pixel_30, params_14);
             return _e6;
         }
-        let along_21 = pixel_30.direction.normalize();
-        let _e9 = self.v_middle_of(pixel_30, along_21);
-        let _e10 = self.v_prism_of(pixel_30, along_21, _e9, params_14);
-        let _e11 = self.v_span_of(pixel_30, _e10, along_21, _e9, params_14);
+        let along_23 = pixel_30.direction.normalize();
+        let _e9 = self.v_middle_of(pixel_30, along_23);
+        let _e10 = self.v_prism_of(pixel_30, along_23, _e9, params_14);
+        let _e11 = self.v_span_of(pixel_30, _e10, along_23, _e9, params_14);
         let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
             local_31 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
@@ -5504,30 +5678,30 @@ impl<'g> Resources<'g> {
             let _e28 = self.v_passed_by();
             return _e28;
         }
-        let _e29 = self.v_shell_middle(pixel_30, along_21);
-        at_25 = _e29;
-        at_25.span = _e11;
-        let height_12 = (rt::Scalar(0.5f32) * (pixel_30.shell.heights.x() + pixel_30.shell.heights.y()));
-        let _e43 = at_25.span.x();
-        let _e45 = self.v_shell_point(_e10, (along_21 * _e43), height_12);
-        let _e48 = at_25.span.y();
-        let _e50 = self.v_shell_point(_e10, (along_21 * _e48), height_12);
-        let _e53 = at_25.span.x();
+        let _e29 = self.v_shell_middle(pixel_30, along_23);
+        at_26 = _e29;
+        at_26.span = _e11;
+        let height_13 = (rt::Scalar(0.5f32) * (pixel_30.shell.heights.x() + pixel_30.shell.heights.y()));
+        let _e43 = at_26.span.x();
+        let _e45 = self.v_shell_point(_e10, (along_23 * _e43), height_13);
+        let _e48 = at_26.span.y();
+        let _e50 = self.v_shell_point(_e10, (along_23 * _e48), height_13);
+        let _e53 = at_26.span.x();
         let _e58 = self.v_between(_e45, _e50);
-        let _e59 = self.v_shell_point_from(_e10, (along_21 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
-        let _e62 = at_25.span.x();
+        let _e59 = self.v_shell_point_from(_e10, (along_23 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
+        let _e62 = at_26.span.x();
         let _e67 = self.v_between(_e45, _e59);
-        let _e68 = self.v_shell_point_from(_e10, (along_21 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
-        let _e71 = at_25.span.x();
+        let _e68 = self.v_shell_point_from(_e10, (along_23 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
+        let _e71 = at_26.span.x();
         let _e76 = self.v_between(_e59, _e50);
-        let _e77 = self.v_shell_point_from(_e10, (along_21 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
+        let _e77 = self.v_shell_point_from(_e10, (along_23 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
         let _e79 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e68, rt::Scalar(0.25f32));
         let _e81 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e77, rt::Scalar(0.75f32));
         let quarters_1 = _e79.max(_e81);
         let _e84 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e59, rt::Scalar(0.5f32));
-        let most_9 = _e84.max(quarters_1);
-        rt::Scalar(at_25.segments) = (most_9 / params_14.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
-        let _e95 = at_25;
+        let most_11 = _e84.max(quarters_1);
+        rt::Scalar(at_26.segments) = (most_11 / params_14.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
+        let _e95 = at_26;
         return _e95;
     }
     pub(crate) fn weight_at(
@@ -5614,20 +5788,20 @@ impl<'g> Resources<'g> {
         pixel_32: PixelIn,
         params_15: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_26: Entered;
+        let mut at_27: Entered;
 
         let _e2 = self.v_surface_plane_enter(pixel_32, params_15);
-        at_26 = _e2;
-        let _e6 = at_26.point;
+        at_27 = _e2;
+        let _e6 = at_27.point;
         let _e8 = self.v_quadric_of(pixel_32, _e6, params_15.y());
-        at_26.of_surface = _e8;
-        let _e11 = at_26.metric.x();
-        let _e14 = at_26.metric.z();
-        let _e18 = at_26.metric.y();
-        let _e21 = at_26.metric.y();
+        at_27.of_surface = _e8;
+        let _e11 = at_27.metric.x();
+        let _e14 = at_27.metric.z();
+        let _e18 = at_27.metric.y();
+        let _e21 = at_27.metric.y();
         let area_3 = ((_e11 * _e14) - (_e18 * _e21));
-        rt::Scalar(at_26.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_3.elementwise_gt(rt::Scalar(0f32)));
-        let _e30 = at_26;
+        rt::Scalar(at_27.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_3.elementwise_gt(rt::Scalar(0f32)));
+        let _e30 = at_27;
         return _e30;
     }
     pub(crate) fn surface_quadric_perpendicular_enter(
@@ -5643,24 +5817,24 @@ impl<'g> Resources<'g> {
         pixel_33: PixelIn,
         params_16: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_27: Entered;
+        let mut at_28: Entered;
 
         let _e2 = self.v_surface_quadric_vertical_enter(pixel_33, params_16);
-        at_27 = _e2;
-        let along_22 = pixel_33.direction.length();
-        let _e6 = at_27;
-        let _e10 = self.v_across_of(_e6, (pixel_33.direction / rt::Vec3::splat_from_scalar(along_22)));
+        at_28 = _e2;
+        let along_24 = pixel_33.direction.length();
+        let _e6 = at_28;
+        let _e10 = self.v_across_of(_e6, (pixel_33.direction / rt::Vec3::splat_from_scalar(along_24)));
         let _e11 = self.v_plane_normal(pixel_33);
         let _e12 = self.v_plane_distance(pixel_33, _e11);
-        let eye_1 = (rt::Scalar(0f32) - (_e12 * along_22));
-        let _e17 = at_27;
+        let eye_1 = (rt::Scalar(0f32) - (_e12 * along_24));
+        let _e17 = at_28;
         let _e18 = self.v_across_span(_e17, _e10, eye_1);
-        at_27.span = _e18;
-        let _e22 = rt::Scalar(at_27.segments);
-        let _e28 = at_27.span.y();
-        let _e31 = at_27.span.x();
-        rt::Scalar(at_27.segments) = rt::Scalar(0u32).select((_e22 * params_16.z().to_u32()), _e28.elementwise_gt(_e31));
-        let _e34 = at_27;
+        at_28.span = _e18;
+        let _e22 = rt::Scalar(at_28.segments);
+        let _e28 = at_28.span.y();
+        let _e31 = at_28.span.x();
+        rt::Scalar(at_28.segments) = rt::Scalar(0u32).select((_e22 * params_16.z().to_u32()), _e28.elementwise_gt(_e31));
+        let _e34 = at_28;
         return _e34;
     }
     pub(crate) fn moved_out(
@@ -5706,9 +5880,9 @@ impl<'g> Resources<'g> {
         pixel_34: PixelIn,
         along_13: impl rt::Into<rt::Vec3<f32>>,
         middle_5: impl rt::Into<rt::Scalar<f32>>,
-        number_6: impl rt::Into<rt::Scalar<u32>>,
+        number_7: impl rt::Into<rt::Scalar<u32>>,
     ) -> Tetrahedron {
-        rt::into(self.v_tetrahedron(pixel_34, rt::into(along_13), rt::into(middle_5), rt::into(number_6)))
+        rt::into(self.v_tetrahedron(pixel_34, rt::into(along_13), rt::into(middle_5), rt::into(number_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_tetrahedron(
@@ -5716,14 +5890,14 @@ impl<'g> Resources<'g> {
         pixel_34: PixelIn,
         along_13: rt::Vec3<f32>,
         middle_5: rt::Scalar<f32>,
-        number_6: rt::Scalar<u32>,
+        number_7: rt::Scalar<u32>,
     ) -> Tetrahedron {
         let mut inside_1: rt::Vec2<f32>;
         let mut local_32: rt::Scalar<bool>;
 
         let origin_5 = (pixel_34.origin + (along_13 * middle_5));
-        let is_first_1 = number_6.elementwise_eq(rt::Scalar(0u32));
-        let is_last_1 = number_6.elementwise_eq(rt::Scalar(2u32));
+        let is_first_1 = number_7.elementwise_eq(rt::Scalar(0u32));
+        let is_last_1 = number_7.elementwise_eq(rt::Scalar(2u32));
         let _e12 = self.v_ordered(pixel_34, rt::Scalar(0u32));
         let _e15 = self.v_raised(_e12, rt::Scalar(pixel_34.side), rt::Scalar(0f32));
         let q0_ = (_e15 - origin_5);
@@ -5794,9 +5968,9 @@ impl<'g> Resources<'g> {
         pixel_35: PixelIn,
         along_14: impl rt::Into<rt::Vec3<f32>>,
         middle_6: impl rt::Into<rt::Scalar<f32>>,
-        number_7: impl rt::Into<rt::Scalar<u32>>,
+        number_8: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_met(pixel_35, rt::into(along_14), rt::into(middle_6), rt::into(number_7)))
+        rt::into(self.v_is_met(pixel_35, rt::into(along_14), rt::into(middle_6), rt::into(number_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5805,9 +5979,9 @@ impl<'g> Resources<'g> {
         pixel_35: PixelIn,
         along_14: rt::Vec3<f32>,
         middle_6: rt::Scalar<f32>,
-        number_7: rt::Scalar<u32>,
+        number_8: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
-        let _e4 = self.v_tetrahedron(pixel_35, along_14, middle_6, number_7);
+        let _e4 = self.v_tetrahedron(pixel_35, along_14, middle_6, number_8);
         let inside_5 = _e4.inside;
         return inside_5.y().elementwise_gt(inside_5.x());
     }
@@ -5826,20 +6000,20 @@ impl<'g> Resources<'g> {
     ) -> Entered {
         let mut local_33: rt::Scalar<bool>;
         let mut local_34: rt::Scalar<bool>;
-        let mut at_28: Entered;
+        let mut at_29: Entered;
 
-        let along_23 = pixel_36.direction.normalize();
-        let _e4 = self.v_middle_of(pixel_36, along_23);
-        let _e6 = self.v_is_met(pixel_36, along_23, _e4, rt::Scalar(0u32));
+        let along_25 = pixel_36.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_36, along_25);
+        let _e6 = self.v_is_met(pixel_36, along_25, _e4, rt::Scalar(0u32));
         if rt::Scalar::into_branch_condition((!_e6)) {
-            let _e11 = self.v_is_met(pixel_36, along_23, _e4, rt::Scalar(1u32));
+            let _e11 = self.v_is_met(pixel_36, along_25, _e4, rt::Scalar(1u32));
             local_33 = (!_e11);
         } else {
             local_33 = rt::Scalar(false);
         }
         let _e14 = local_33;
         if rt::Scalar::into_branch_condition(_e14) {
-            let _e18 = self.v_is_met(pixel_36, along_23, _e4, rt::Scalar(2u32));
+            let _e18 = self.v_is_met(pixel_36, along_25, _e4, rt::Scalar(2u32));
             local_34 = (!_e18);
         } else {
             local_34 = rt::Scalar(false);
@@ -5849,10 +6023,10 @@ impl<'g> Resources<'g> {
             let _e22 = self.v_passed_by();
             return _e22;
         }
-        let _e23 = self.v_shell_middle(pixel_36, along_23);
-        at_28 = _e23;
-        rt::Scalar(at_28.segments) = rt::Scalar(3u32);
-        let _e27 = at_28;
+        let _e23 = self.v_shell_middle(pixel_36, along_25);
+        at_29 = _e23;
+        rt::Scalar(at_29.segments) = rt::Scalar(3u32);
+        let _e27 = at_29;
         return _e27;
     }
     pub(crate) fn triangle_distance(
@@ -5872,15 +6046,15 @@ impl<'g> Resources<'g> {
         let a_22 = (pixel_37.a.position - pixel_37.origin);
         let b_22 = (pixel_37.b.position - pixel_37.origin);
         let c_15 = (pixel_37.c.position - pixel_37.origin);
-        let along_24 = (pixel_37.direction / rt::Vec3::splat_from_scalar(pixel_37.direction.dot(pixel_37.direction)));
-        let places_1 = <rt::Vec3<f32>>::from_scalars(a_22.dot(along_24), b_22.dot(along_24), c_15.dot(along_24));
-        let least_4 = places_1.x().min(places_1.y()).min(places_1.z());
-        let most_10 = places_1.x().max(places_1.y()).max(places_1.z());
-        let across_3 = normal_13.dot(pixel_37.direction);
-        if rt::Scalar::into_branch_condition(across_3.elementwise_eq(rt::Scalar(0f32))) {
-            return least_4;
+        let along_26 = (pixel_37.direction / rt::Vec3::splat_from_scalar(pixel_37.direction.dot(pixel_37.direction)));
+        let places_1 = <rt::Vec3<f32>>::from_scalars(a_22.dot(along_26), b_22.dot(along_26), c_15.dot(along_26));
+        let least_5 = places_1.x().min(places_1.y()).min(places_1.z());
+        let most_12 = places_1.x().max(places_1.y()).max(places_1.z());
+        let across_4 = normal_13.dot(pixel_37.direction);
+        if rt::Scalar::into_branch_condition(across_4.elementwise_eq(rt::Scalar(0f32))) {
+            return least_5;
         }
-        return (normal_13.dot(a_22) / across_3).clamp(least_4, most_10);
+        return (normal_13.dot(a_22) / across_4).clamp(least_5, most_12);
     }
     pub(crate) fn triangle_weights(
         &self,
@@ -5939,22 +6113,22 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_triangle_distance(pixel_39, _e2);
         let point_19 = (pixel_39.origin + (pixel_39.direction * _e5));
         let _e8 = self.v_triangle_weights(pixel_39, _e2, point_19);
-        let uv_32 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
+        let uv_33 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
         let tangent_3 = (((pixel_39.a.tangent * _e8.x()) + (pixel_39.b.tangent * _e8.y())) + (pixel_39.c.tangent * _e8.z()));
         let bitangent_2 = (((pixel_39.a.bitangent * _e8.x()) + (pixel_39.b.bitangent * _e8.y())) + (pixel_39.c.bitangent * _e8.z()));
-        let sum_5 = ((((pixel_39.a.normal * _e8.x()) + (pixel_39.b.normal * _e8.y())) + (pixel_39.c.normal * _e8.z())) * rt::Scalar(pixel_39.side));
+        let sum_8 = ((((pixel_39.a.normal * _e8.x()) + (pixel_39.b.normal * _e8.y())) + (pixel_39.c.normal * _e8.z())) * rt::Scalar(pixel_39.side));
         let tt_1 = tangent_3.dot(tangent_3);
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            let _e77 = self.v_is_on_map(uv_32);
+            let _e77 = self.v_is_on_map(uv_33);
             local_36 = _e77;
         } else {
             local_36 = rt::Scalar(false);
         }
         let _e79 = local_36;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_19, uv_32, tangent_3, bitangent_2, sum_5.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_19, uv_33, tangent_3, bitangent_2, sum_8.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
@@ -5976,7 +6150,7 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
         let point_20 = (pixel_40.origin + (pixel_40.direction * _e5));
         let _e8 = self.v_triangle_weights(pixel_40, _e2, point_20);
-        let uv_33 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
+        let uv_34 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
         let tangent_4 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
         let bitangent_3 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
         let raw_ = (((pixel_40.a.normal * _e8.x()) + (pixel_40.b.normal * _e8.y())) + (pixel_40.c.normal * _e8.z()));
@@ -5996,14 +6170,14 @@ impl<'g> Resources<'g> {
         }
         let _e105 = local_37;
         if rt::Scalar::into_branch_condition(_e105) {
-            let _e108 = self.v_is_on_map(uv_33);
+            let _e108 = self.v_is_on_map(uv_34);
             local_38 = _e108;
         } else {
             local_38 = rt::Scalar(false);
         }
         let _e110 = local_38;
         let _e116 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e110), (point_20 - (raw_ * height_m)), uv_33, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e116), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_4, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e110), (point_20 - (raw_ * height_m)), uv_34, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e116), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_4, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_object_enter(
         &self,
@@ -6019,85 +6193,113 @@ impl<'g> Resources<'g> {
         pixel_41: PixelIn,
         params_20: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_29: Entered;
+        let mut at_30: Entered;
 
         let _e2 = self.v_passed_by();
-        at_29 = _e2;
+        at_30 = _e2;
         let _e7 = rt::Scalar(self.surface_settings.images);
-        rt::Scalar(at_29.segments) = _e7;
-        at_29.point = pixel_41.origin;
-        let _e10 = at_29;
+        rt::Scalar(at_30.segments) = _e7;
+        at_30.point = pixel_41.origin;
+        let _e10 = at_30;
         return _e10;
     }
-    pub(crate) fn surface_enter_stage(&self, pixel_42: PixelIn) -> Entered {
-        rt::into(self.v_surface_enter_stage(pixel_42))
+    pub(crate) fn surface_frames_enter(
+        &self,
+        pixel_42: PixelIn,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_frames_enter(pixel_42, rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_enter_stage(&self, pixel_42: PixelIn) -> Entered {
+    #[inline(always)]
+    fn v_surface_frames_enter(
+        &self,
+        pixel_42: PixelIn,
+        params_21: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut at_31: Entered;
+
+        let _e2 = self.v_passed_by();
+        at_31 = _e2;
+        rt::Scalar(at_31.segments) = FRAMES;
+        at_31.point = pixel_42.origin;
+        let _e8 = at_31;
+        return _e8;
+    }
+    pub(crate) fn surface_enter_stage(&self, pixel_43: PixelIn) -> Entered {
+        rt::into(self.v_surface_enter_stage(pixel_43))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_enter_stage(&self, pixel_43: PixelIn) -> Entered {
         let _e5 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[1usize].params;
-                let _e11 = self.v_surface_plane_enter(pixel_42, _e10);
+                let _e11 = self.v_surface_plane_enter(pixel_43, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[1usize].params;
-                let _e17 = self.v_surface_prism_enter(pixel_42, _e16);
+                let _e17 = self.v_surface_prism_enter(pixel_43, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[1usize].params;
-                let _e23 = self.v_surface_quadric_perpendicular_enter(pixel_42, _e22);
+                let _e23 = self.v_surface_quadric_perpendicular_enter(pixel_43, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[1usize].params;
-                let _e29 = self.v_surface_quadric_vertical_enter(pixel_42, _e28);
+                let _e29 = self.v_surface_quadric_vertical_enter(pixel_43, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[1usize].params;
-                let _e35 = self.v_surface_tetrahedra_enter(pixel_42, _e34);
+                let _e35 = self.v_surface_tetrahedra_enter(pixel_43, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[1usize].params;
-                let _e41 = self.v_surface_facets_enter(pixel_42, _e40);
+                let _e41 = self.v_surface_facets_enter(pixel_43, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[1usize].params;
-                let _e47 = self.v_surface_slices_enter(pixel_42, _e46);
+                let _e47 = self.v_surface_slices_enter(pixel_43, _e46);
                 return _e47;
             }
-            _ => {
+            7u32 => {
                 let _e52 = self.surface_settings.choices[1usize].params;
-                let _e53 = self.v_surface_object_enter(pixel_42, _e52);
+                let _e53 = self.v_surface_object_enter(pixel_43, _e52);
                 return _e53;
+            }
+            _ => {
+                let _e58 = self.surface_settings.choices[1usize].params;
+                let _e59 = self.v_surface_frames_enter(pixel_43, _e58);
+                return _e59;
             }
         }
     }
-    pub(crate) fn enter_relief(&self, pixel_43: PixelIn) -> Entered {
-        rt::into(self.v_enter_relief(pixel_43))
+    pub(crate) fn enter_relief(&self, pixel_44: PixelIn) -> Entered {
+        rt::into(self.v_enter_relief(pixel_44))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_enter_relief(&self, pixel_43: PixelIn) -> Entered {
-        let mut at_30: Entered;
+    fn v_enter_relief(&self, pixel_44: PixelIn) -> Entered {
+        let mut at_32: Entered;
 
-        let _e1 = self.v_surface_enter_stage(pixel_43);
-        at_30 = _e1;
-        let _e4 = rt::Scalar(at_30.segments);
+        let _e1 = self.v_surface_enter_stage(pixel_44);
+        at_32 = _e1;
+        let _e4 = rt::Scalar(at_32.segments);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0u32))) {
-            let _e7 = at_30;
+            let _e7 = at_32;
             return _e7;
         }
-        let _e8 = at_30;
-        let _e9 = self.v_detail_stage(pixel_43, _e8);
-        rt::Scalar(at_30.level) = rt::Scalar(_e9.level);
-        rt::Scalar(at_30.footprint) = rt::Scalar(_e9.footprint);
-        rt::Scalar(at_30.fade) = rt::Scalar(_e9.fade);
-        let _e16 = at_30;
+        let _e8 = at_32;
+        let _e9 = self.v_detail_stage(pixel_44, _e8);
+        rt::Scalar(at_32.level) = rt::Scalar(_e9.level);
+        rt::Scalar(at_32.footprint) = rt::Scalar(_e9.footprint);
+        rt::Scalar(at_32.fade) = rt::Scalar(_e9.fade);
+        let _e16 = at_32;
         return _e16;
     }
     pub(crate) fn entered_once(
@@ -6197,9 +6399,9 @@ impl<'g> Resources<'g> {
         along_15: rt::Scalar<f32>,
         across: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let x_4 = (along_15 * rt::Scalar(1.7320508f32));
-        let y_2 = (across * rt::Scalar(1.7320508f32));
-        return <rt::Vec4<f32>>::from_scalars((middle_7 + x_4), (middle_7 - x_4), (middle_7 + y_2), (middle_7 - y_2)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
+        let x_5 = (along_15 * rt::Scalar(1.7320508f32));
+        let y_3 = (across * rt::Scalar(1.7320508f32));
+        return <rt::Vec4<f32>>::from_scalars((middle_7 + x_5), (middle_7 - x_5), (middle_7 + y_3), (middle_7 - y_3)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
     }
     pub(crate) fn normal_at(
         &self,
@@ -6220,11 +6422,11 @@ impl<'g> Resources<'g> {
         let _e5 = self.surface_settings.normal_size;
         let _e6 = self.v_level_texels(_e5, level_17);
         let _e7 = self.v_texels_around(uv_12, _e6);
-        let k_36 = level_17.to_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_36));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_36));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_36));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_36));
+        let k_43 = level_17.to_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_43));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_43));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_43));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_43));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
@@ -6246,102 +6448,102 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let a_23 = (own * rate);
         let b_23 = (beside * rate);
-        let along_25 = (rt::Scalar(1f32) + (a_23 * b_23));
+        let along_27 = (rt::Scalar(1f32) + (a_23 * b_23));
         let apart_3 = (a_23 - b_23).abs();
-        if rt::Scalar::into_branch_condition(apart_3.elementwise_le((rt::Scalar(0.5f32) * along_25))) {
+        if rt::Scalar::into_branch_condition(apart_3.elementwise_le((rt::Scalar(0.5f32) * along_27))) {
             return beside;
         }
-        if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_25))) {
+        if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_27))) {
             return own;
         }
-        let part_14 = (((apart_3 / along_25) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
-        return (beside + ((own - beside) * part_14));
+        let part_15 = (((apart_3 / along_27) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
+        return (beside + ((own - beside) * part_15));
     }
     pub(crate) fn slopes_between_creases(
         &self,
-        at_31: Entered,
+        at_33: Entered,
         uv_13: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_slopes_between_creases(at_31, rt::into(uv_13)))
+        rt::into(self.v_slopes_between_creases(at_33, rt::into(uv_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slopes_between_creases(
         &self,
-        at_31: Entered,
+        at_33: Entered,
         uv_13: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let point_21 = ((uv_13 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e9 = self.v_cell_of(point_21);
-        let part_15 = (point_21 - _e9);
+        let part_16 = (point_21 - _e9);
         let i_3 = _e9.to_i32();
         let _e13 = self.v_height_cell(i_3, rt::Scalar(0u32));
-        let _e14 = self.v_cell_slopes(_e13, part_15);
+        let _e14 = self.v_cell_slopes(_e13, part_16);
         let _e20 = self.v_height_cell((i_3 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(0u32));
-        let _e21 = self.v_cell_slopes(_e20, part_15);
+        let _e21 = self.v_cell_slopes(_e20, part_16);
         let before_u = _e21.x();
         let _e28 = self.v_height_cell((i_3 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(0u32));
-        let _e29 = self.v_cell_slopes(_e28, part_15);
+        let _e29 = self.v_cell_slopes(_e28, part_16);
         let behind_u = _e29.x();
         let _e36 = self.v_height_cell((i_3 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(0u32));
-        let _e37 = self.v_cell_slopes(_e36, part_15);
+        let _e37 = self.v_cell_slopes(_e36, part_16);
         let before_v = _e37.y();
         let _e44 = self.v_height_cell((i_3 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(0u32));
-        let _e45 = self.v_cell_slopes(_e44, part_15);
+        let _e45 = self.v_cell_slopes(_e44, part_16);
         let behind_v = _e45.y();
         let _e50 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_u = ((_e3.x() * _e50) / at_31.tangent.length());
+        let rate_u = ((_e3.x() * _e50) / at_33.tangent.length());
         let _e58 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_v = ((_e3.y() * _e58) / at_31.bitangent.length());
+        let rate_v = ((_e3.y() * _e58) / at_33.bitangent.length());
         let _e64 = self.v_slope_beside(_e14.x(), before_u, rate_u);
         let _e66 = self.v_slope_beside(_e14.y(), before_v, rate_v);
         let before_2 = <rt::Vec2<f32>>::from_scalars(_e64, _e66);
         let _e69 = self.v_slope_beside(_e14.x(), behind_u, rate_u);
         let _e71 = self.v_slope_beside(_e14.y(), behind_v, rate_v);
         let behind_1 = <rt::Vec2<f32>>::from_scalars(_e69, _e71);
-        return (rt::Scalar(0.5f32) * ((_e14 + before_2) + ((behind_1 - before_2) * part_15)));
+        return (rt::Scalar(0.5f32) * ((_e14 + before_2) + ((behind_1 - before_2) * part_16)));
     }
     pub(crate) fn normal_of_slopes(
         &self,
-        at_32: Entered,
+        at_34: Entered,
         slope_u: impl rt::Into<rt::Scalar<f32>>,
         slope_v: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_slopes(at_32, rt::into(slope_u), rt::into(slope_v)))
+        rt::into(self.v_normal_of_slopes(at_34, rt::into(slope_u), rt::into(slope_v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_of_slopes(
         &self,
-        at_32: Entered,
+        at_34: Entered,
         slope_u: rt::Scalar<f32>,
         slope_v: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_1 = (at_32.tangent + (at_32.normal * slope_u));
-        let along_v_1 = (at_32.bitangent + (at_32.normal * slope_v));
-        let across_4 = along_v_1.cross(along_u_1).normalize();
-        return (across_4 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_4.dot(at_32.normal).elementwise_ge(rt::Scalar(0f32))));
+        let along_u_1 = (at_34.tangent + (at_34.normal * slope_u));
+        let along_v_1 = (at_34.bitangent + (at_34.normal * slope_v));
+        let across_5 = along_v_1.cross(along_u_1).normalize();
+        return (across_5 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_5.dot(at_34.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_33: Entered,
+        at_35: Entered,
         uv_14: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_33, rt::into(uv_14)))
+        rt::into(self.v_normal_from_height(at_35, rt::into(uv_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
-        at_33: Entered,
+        at_35: Entered,
         uv_14: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let _e6 = rt::Scalar(self.surface_settings.has_creases);
         if rt::Scalar::into_branch_condition(_e6.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_slopes_between_creases(at_33, uv_14);
+            let _e9 = self.v_slopes_between_creases(at_35, uv_14);
             let _e13 = rt::Scalar(self.surface_settings.scale_m);
             let slopes = ((_e9 * _e3) * _e13);
-            let _e17 = self.v_normal_of_slopes(at_33, slopes.x(), slopes.y());
+            let _e17 = self.v_normal_of_slopes(at_35, slopes.x(), slopes.y());
             return _e17;
         }
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
@@ -6356,30 +6558,30 @@ impl<'g> Resources<'g> {
         let slope_u_1 = (rise_u_1 * ((rt::Scalar(0.5f32) * _e3.x()) * _e47));
         let _e55 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v_1 = (rise_v_1 * ((rt::Scalar(0.5f32) * _e3.y()) * _e55));
-        let _e58 = self.v_normal_of_slopes(at_33, slope_u_1, slope_v_1);
+        let _e58 = self.v_normal_of_slopes(at_35, slope_u_1, slope_v_1);
         return _e58;
     }
     pub(crate) fn finest_normal(
         &self,
-        at_34: Entered,
+        at_36: Entered,
         uv_15: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_34, rt::into(uv_15)))
+        rt::into(self.v_finest_normal(at_36, rt::into(uv_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_finest_normal(
         &self,
-        at_34: Entered,
+        at_36: Entered,
         uv_15: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
             let _e9 = self.v_normal_at(uv_15, rt::Scalar(0i32), rt::Scalar(0u32));
-            let _e11 = self.v_from_tangent_space(at_34, _e9.xyz());
+            let _e11 = self.v_from_tangent_space(at_36, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_34, uv_15);
+        let _e13 = self.v_normal_from_height(at_36, uv_15);
         return _e13;
     }
     pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
@@ -6392,36 +6594,36 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane_segment(
         &self,
-        pixel_44: PixelIn,
-        at_35: Entered,
-        k_1: impl rt::Into<rt::Scalar<u32>>,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
+        pixel_45: PixelIn,
+        at_37: Entered,
+        k_4: impl rt::Into<rt::Scalar<u32>>,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_44, at_35, rt::into(k_1), rt::into(params_21)))
+        rt::into(self.v_surface_plane_segment(pixel_45, at_37, rt::into(k_4), rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_segment(
         &self,
-        pixel_44: PixelIn,
-        at_35: Entered,
-        k_1: rt::Scalar<u32>,
-        params_21: rt::Vec4<f32>,
+        pixel_45: PixelIn,
+        at_37: Entered,
+        k_4: rt::Scalar<u32>,
+        params_22: rt::Vec4<f32>,
     ) -> Path {
         let mut enter: rt::Scalar<f32>;
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_3: rt::Vec2<f32>;
 
-        let along_26 = pixel_44.direction.length();
-        let direction_6 = (pixel_44.direction / rt::Vec3::splat_from_scalar(along_26));
-        let _e9 = self.v_climb(at_35, direction_6);
+        let along_28 = pixel_45.direction.length();
+        let direction_6 = (pixel_45.direction / rt::Vec3::splat_from_scalar(along_28));
+        let _e9 = self.v_climb(at_37, direction_6);
         let duv_5 = _e9.xy();
-        let descent_3 = (rt::Scalar(0f32) - at_35.normal.dot(direction_6));
+        let descent_3 = (rt::Scalar(0f32) - at_37.normal.dot(direction_6));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
         let slope_8 = ((rt::Scalar(0f32) - descent_3) / _e15);
-        let _e20 = self.v_plane_normal(pixel_44);
-        let _e21 = self.v_plane_distance(pixel_44, _e20);
-        let distance = (_e21 * along_26);
+        let _e20 = self.v_plane_normal(pixel_45);
+        let _e21 = self.v_plane_distance(pixel_45, _e20);
+        let distance = (_e21 * along_28);
         let eye_2 = (rt::Scalar(0f32) - distance);
         let top_6 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
         enter = top_6.max(eye_2);
@@ -6433,10 +6635,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
             let _e48 = enter;
             let _e49 = leave_4;
-            let _e51 = self.v_inside_unit(at_35.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
+            let _e51 = self.v_inside_unit(at_37.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
             interval_3 = _e51;
             let _e56 = interval_3;
-            let _e57 = self.v_inside_unit(at_35.uv.y(), duv_5.y(), _e56);
+            let _e57 = self.v_inside_unit(at_37.uv.y(), duv_5.y(), _e56);
             interval_3 = _e57;
             let _e59 = interval_3.x();
             enter = _e59;
@@ -6452,44 +6654,44 @@ impl<'g> Resources<'g> {
         let _e81 = leave_4;
         let _e82 = enter;
         let _e87 = enter;
-        return <Path>::new((at_35.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_8, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_35.metric, RAY_VIEW, rt::Scalar(at_35.level), (distance + _e87), rt::Scalar(1f32));
+        return <Path>::new((at_37.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_8, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_37.metric, RAY_VIEW, rt::Scalar(at_37.level), (distance + _e87), rt::Scalar(1f32));
     }
     pub(crate) fn folded_segment(
         &self,
-        pixel_45: PixelIn,
-        at_36: Entered,
-        k_2: impl rt::Into<rt::Scalar<u32>>,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
+        pixel_46: PixelIn,
+        at_38: Entered,
+        k_5: impl rt::Into<rt::Scalar<u32>>,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_folded_segment(pixel_45, at_36, rt::into(k_2), rt::into(params_22)))
+        rt::into(self.v_folded_segment(pixel_46, at_38, rt::into(k_5), rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_folded_segment(
         &self,
-        pixel_45: PixelIn,
-        at_36: Entered,
-        k_2: rt::Scalar<u32>,
-        params_22: rt::Vec4<f32>,
+        pixel_46: PixelIn,
+        at_38: Entered,
+        k_5: rt::Scalar<u32>,
+        params_23: rt::Vec4<f32>,
     ) -> Path {
         let mut a_10: WayPoint;
         let mut b_10: WayPoint;
         let mut path_19: Path;
         let mut local_40: rt::Scalar<bool>;
 
-        let along_27 = pixel_45.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_45, along_27);
-        let _e7 = self.v_prism_of(pixel_45, along_27, _e6, params_22);
-        let _e8 = self.v_shell_slack(pixel_45, _e6);
-        let _e9 = self.v_way_of(pixel_45, _e7, along_27);
-        let _e10 = self.v_way_offsets(pixel_45, _e7, _e8);
-        let _e11 = self.v_chord_reach(pixel_45, at_36, _e6, params_22);
+        let along_29 = pixel_46.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_46, along_29);
+        let _e7 = self.v_prism_of(pixel_46, along_29, _e6, params_23);
+        let _e8 = self.v_shell_slack(pixel_46, _e6);
+        let _e9 = self.v_way_of(pixel_46, _e7, along_29);
+        let _e10 = self.v_way_offsets(pixel_46, _e7, _e8);
+        let _e11 = self.v_chord_reach(pixel_46, at_38, _e6, params_23);
         let _e12 = self.v_way_beyond(_e7, _e10, _e11);
-        let _e14 = self.v_way_chord(pixel_45, _e7, along_27, _e9, _e10, _e12, params_22.x(), k_2);
-        let _e16 = self.v_before_turn(_e7, along_27, _e9, _e14.offsets);
-        let _e18 = self.v_way_point(_e7, along_27, _e9, _e16.x());
+        let _e14 = self.v_way_chord(pixel_46, _e7, along_29, _e9, _e10, _e12, params_23.x(), k_5);
+        let _e16 = self.v_before_turn(_e7, along_29, _e9, _e14.offsets);
+        let _e18 = self.v_way_point(_e7, along_29, _e9, _e16.x());
         a_10 = _e18;
-        let _e25 = self.v_way_point(_e7, along_27, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
-        let _e27 = self.v_way_point(_e7, along_27, _e9, _e16.y());
+        let _e25 = self.v_way_point(_e7, along_29, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
+        let _e27 = self.v_way_point(_e7, along_29, _e9, _e16.y());
         b_10 = _e27;
         let _e30 = rt::Scalar(b_10.t);
         let _e32 = rt::Scalar(a_10.t);
@@ -6502,15 +6704,15 @@ impl<'g> Resources<'g> {
         let _e38 = rt::Scalar(a_10.t);
         let _e41 = rt::Scalar(b_10.t);
         let _e43 = rt::Scalar(a_10.t);
-        let part_16 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
+        let part_17 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
         let _e48 = rt::Scalar(a_10.point.height);
         let _e53 = rt::Scalar(b_10.point.height);
-        let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_16);
+        let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_17);
         let _e56 = a_10.point;
         let _e58 = b_10.point;
         let _e60 = rt::Scalar(a_10.t);
         let _e62 = rt::Scalar(b_10.t);
-        let _e64 = self.v_chord_path(pixel_45, at_36, _e6, params_22, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
+        let _e64 = self.v_chord_path(pixel_46, at_38, _e6, params_23, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
         path_19 = _e64;
         let _e67 = rt::Scalar(a_10.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
@@ -6528,58 +6730,58 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_prism_segment(
         &self,
-        pixel_46: PixelIn,
-        at_37: Entered,
-        k_3: impl rt::Into<rt::Scalar<u32>>,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
+        pixel_47: PixelIn,
+        at_39: Entered,
+        k_6: impl rt::Into<rt::Scalar<u32>>,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_46, at_37, rt::into(k_3), rt::into(params_23)))
+        rt::into(self.v_surface_prism_segment(pixel_47, at_39, rt::into(k_6), rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_segment(
         &self,
-        pixel_46: PixelIn,
-        at_37: Entered,
-        k_3: rt::Scalar<u32>,
-        params_23: rt::Vec4<f32>,
+        pixel_47: PixelIn,
+        at_39: Entered,
+        k_6: rt::Scalar<u32>,
+        params_24: rt::Vec4<f32>,
     ) -> Path {
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_46.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_folded_segment(pixel_46, at_37, k_3, params_23);
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_47.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e8 = self.v_folded_segment(pixel_47, at_39, k_6, params_24);
             return _e8;
         }
-        let along_28 = pixel_46.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_46, along_28);
-        let _e12 = self.v_prism_of(pixel_46, along_28, _e11, params_23);
-        let heights_2 = pixel_46.shell.heights;
+        let along_30 = pixel_47.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_47, along_30);
+        let _e12 = self.v_prism_of(pixel_47, along_30, _e11, params_24);
+        let heights_2 = pixel_47.shell.heights;
         let mean_3 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
-        let _e20 = self.v_chord_end(at_37, k_3);
-        let _e23 = self.v_chord_end(at_37, (k_3 + rt::Scalar(1u32)));
-        let _e25 = self.v_shell_point(_e12, (along_28 * _e20), mean_3);
-        let _e27 = self.v_shell_point(_e12, (along_28 * _e23), mean_3);
+        let _e20 = self.v_chord_end(at_39, k_6);
+        let _e23 = self.v_chord_end(at_39, (k_6 + rt::Scalar(1u32)));
+        let _e25 = self.v_shell_point(_e12, (along_30 * _e20), mean_3);
+        let _e27 = self.v_shell_point(_e12, (along_30 * _e23), mean_3);
         let _e32 = self.v_between(_e25, _e27);
-        let _e33 = self.v_shell_point_from(_e12, (along_28 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
+        let _e33 = self.v_shell_point_from(_e12, (along_30 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
-        let _e56 = self.v_chord_reach(pixel_46, at_37, _e11, params_23);
+        let _e56 = self.v_chord_reach(pixel_47, at_39, _e11, params_24);
         let beyond_5 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e68 = self.v_chord_path(pixel_46, at_37, _e11, params_23, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
+        let _e68 = self.v_chord_path(pixel_47, at_39, _e11, params_24, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
         return _e68;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
         &self,
-        pixel_47: PixelIn,
-        at_38: Entered,
-        k_4: impl rt::Into<rt::Scalar<u32>>,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
+        pixel_48: PixelIn,
+        at_40: Entered,
+        k_7: impl rt::Into<rt::Scalar<u32>>,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_47, at_38, rt::into(k_4), rt::into(params_24)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_48, at_40, rt::into(k_7), rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_segment(
         &self,
-        pixel_47: PixelIn,
-        at_38: Entered,
-        k_4: rt::Scalar<u32>,
-        params_24: rt::Vec4<f32>,
+        pixel_48: PixelIn,
+        at_40: Entered,
+        k_7: rt::Scalar<u32>,
+        params_25: rt::Vec4<f32>,
     ) -> Path {
         let mut begin_1: rt::Scalar<f32>;
         let mut end_1: rt::Scalar<f32>;
@@ -6587,27 +6789,27 @@ impl<'g> Resources<'g> {
         let mut path_20: Path;
         let mut inside_2: rt::Vec2<f32>;
 
-        let along_29 = pixel_47.direction.length();
-        let _e9 = self.v_across_of(at_38, (pixel_47.direction / rt::Vec3::splat_from_scalar(along_29)));
+        let along_31 = pixel_48.direction.length();
+        let _e9 = self.v_across_of(at_40, (pixel_48.direction / rt::Vec3::splat_from_scalar(along_31)));
         let _e10 = self.v_traced_scale_m();
-        let _e11 = self.v_plane_normal(pixel_47);
-        let _e12 = self.v_plane_distance(pixel_47, _e11);
-        let distance_1 = (_e12 * along_29);
-        let whole = (at_38.span.y() - at_38.span.x());
-        let first_9 = (at_38.span.x() + (whole * (k_4.to_f32() / params_24.z())));
-        let last_4 = (at_38.span.x() + (whole * ((k_4 + rt::Scalar(1u32)).to_f32() / params_24.z())));
-        let long_4 = (last_4 - first_9);
-        let _e38 = self.v_across_depth(_e9, first_9);
-        begin_1 = (at_38.of_surface.w() - (_e38 / _e10));
-        if rt::Scalar::into_branch_condition(k_4.elementwise_eq(rt::Scalar(0u32))) {
+        let _e11 = self.v_plane_normal(pixel_48);
+        let _e12 = self.v_plane_distance(pixel_48, _e11);
+        let distance_1 = (_e12 * along_31);
+        let whole = (at_40.span.y() - at_40.span.x());
+        let first_11 = (at_40.span.x() + (whole * (k_7.to_f32() / params_25.z())));
+        let last_5 = (at_40.span.x() + (whole * ((k_7 + rt::Scalar(1u32)).to_f32() / params_25.z())));
+        let long_4 = (last_5 - first_11);
+        let _e38 = self.v_across_depth(_e9, first_11);
+        begin_1 = (at_40.of_surface.w() - (_e38 / _e10));
+        if rt::Scalar::into_branch_condition(k_7.elementwise_eq(rt::Scalar(0u32))) {
             let _e44 = begin_1;
             begin_1 = _e44.min(rt::Scalar(1f32));
         }
-        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_9 + last_4)));
-        let middle_13 = (at_38.of_surface.w() - (_e52 / _e10));
-        let _e57 = self.v_across_depth(_e9, last_4);
-        end_1 = (at_38.of_surface.w() - (_e57 / _e10));
-        if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_24.z().to_u32())) {
+        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_11 + last_5)));
+        let middle_13 = (at_40.of_surface.w() - (_e52 / _e10));
+        let _e57 = self.v_across_depth(_e9, last_5);
+        end_1 = (at_40.of_surface.w() - (_e57 / _e10));
+        if rt::Scalar::into_branch_condition((k_7 + rt::Scalar(1u32)).elementwise_eq(params_25.z().to_u32())) {
             let _e68 = end_1;
             local_41 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
@@ -6624,9 +6826,9 @@ impl<'g> Resources<'g> {
         let _e84 = end_1;
         let _e85 = begin_1;
         let slope_9 = ((_e84 - _e85) - bend_5);
-        let base_3 = (rt::Scalar(0f32) - first_9).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let base_3 = (rt::Scalar(0f32) - first_11).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e98 = begin_1;
-        path_20 = <Path>::new((at_38.uv + (_e9.duv * first_9)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_38.metric, RAY_VIEW, rt::Scalar(at_38.level), (distance_1 + first_9), (rt::Scalar(1f32) / params_24.z()));
+        path_20 = <Path>::new((at_40.uv + (_e9.duv * first_11)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_40.metric, RAY_VIEW, rt::Scalar(at_40.level), (distance_1 + first_11), (rt::Scalar(1f32) / params_25.z()));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
         let _e117 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e117.elementwise_eq(WRAP_CLAMP)) {
@@ -6654,20 +6856,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_quadric_vertical_segment(
         &self,
-        pixel_48: PixelIn,
-        at_39: Entered,
-        k_5: impl rt::Into<rt::Scalar<u32>>,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
+        pixel_49: PixelIn,
+        at_41: Entered,
+        k_8: impl rt::Into<rt::Scalar<u32>>,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_48, at_39, rt::into(k_5), rt::into(params_25)))
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_49, at_41, rt::into(k_8), rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_segment(
         &self,
-        pixel_48: PixelIn,
-        at_39: Entered,
-        k_5: rt::Scalar<u32>,
-        params_25: rt::Vec4<f32>,
+        pixel_49: PixelIn,
+        at_41: Entered,
+        k_8: rt::Scalar<u32>,
+        params_26: rt::Vec4<f32>,
     ) -> Path {
         let mut local_42: rt::Scalar<bool>;
         let mut local_43: rt::Scalar<bool>;
@@ -6677,23 +6879,23 @@ impl<'g> Resources<'g> {
         let mut path_21: Path;
         let mut local_44: rt::Scalar<bool>;
 
-        let along_30 = pixel_48.direction.length();
-        let direction_7 = (pixel_48.direction / rt::Vec3::splat_from_scalar(along_30));
-        let _e9 = self.v_climb(at_39, direction_7);
+        let along_32 = pixel_49.direction.length();
+        let direction_7 = (pixel_49.direction / rt::Vec3::splat_from_scalar(along_32));
+        let _e9 = self.v_climb(at_41, direction_7);
         let duv_6 = _e9.xy();
-        let descent_4 = (rt::Scalar(0f32) - at_39.normal.dot(direction_7));
+        let descent_4 = (rt::Scalar(0f32) - at_41.normal.dot(direction_7));
         let _e15 = self.v_traced_scale_m();
-        let height_13 = at_39.of_surface.w();
+        let height_14 = at_41.of_surface.w();
         let slope_10 = ((rt::Scalar(0f32) - descent_4) / _e15);
-        let _e23 = self.v_quadric_at(at_39.of_surface.xyz(), duv_6);
+        let _e23 = self.v_quadric_at(at_41.of_surface.xyz(), duv_6);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
-        let _e27 = self.v_plane_normal(pixel_48);
-        let _e28 = self.v_plane_distance(pixel_48, _e27);
-        let distance_2 = (_e28 * along_30);
+        let _e27 = self.v_plane_normal(pixel_49);
+        let _e28 = self.v_plane_distance(pixel_49, _e27);
+        let distance_2 = (_e28 * along_32);
         let eye_3 = (rt::Scalar(0f32) - distance_2);
-        let _e35 = self.v_bent_descent(((height_13 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
+        let _e35 = self.v_bent_descent(((height_14 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-            if rt::Scalar::into_branch_condition((!height_13.elementwise_lt(rt::Scalar(1f32)))) {
+            if rt::Scalar::into_branch_condition((!height_14.elementwise_lt(rt::Scalar(1f32)))) {
                 local_43 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
                 local_43 = rt::Scalar(true);
@@ -6708,13 +6910,13 @@ impl<'g> Resources<'g> {
         let _e53 = enter_1;
         let _e54 = enter_1;
         let _e59 = enter_1;
-        let begin_4 = (height_13 + (_e53 * (slope_10 + (curve * _e54)))).select(rt::Scalar(1f32), _e59.elementwise_eq(_e35));
+        let begin_4 = (height_14 + (_e53 * (slope_10 + (curve * _e54)))).select(rt::Scalar(1f32), _e59.elementwise_eq(_e35));
         let _e63 = enter_1;
         let _e66 = enter_1;
         let _e70 = self.v_bent_exit(<rt::Vec3<f32>>::from_scalars(begin_4, (slope_10 + ((rt::Scalar(2f32) * curve) * _e66)), curve));
         leave_5 = (_e63 + _e70);
         if rt::Scalar::into_branch_condition(_e23.elementwise_eq(rt::Scalar(0f32))) {
-            leave_5 = ((height_13 * _e15) / descent_4);
+            leave_5 = ((height_14 * _e15) / descent_4);
             let _e77 = leave_5;
             let _e78 = leave_5;
             leave_5 = (_e77 + ((_e78 - _e35) * rt::Scalar(0.000001f32)));
@@ -6723,10 +6925,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e85.elementwise_eq(WRAP_CLAMP)) {
             let _e91 = enter_1;
             let _e92 = leave_5;
-            let _e94 = self.v_inside_unit(at_39.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
+            let _e94 = self.v_inside_unit(at_41.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
             interval_4 = _e94;
             let _e99 = interval_4;
-            let _e100 = self.v_inside_unit(at_39.uv.y(), duv_6.y(), _e99);
+            let _e100 = self.v_inside_unit(at_41.uv.y(), duv_6.y(), _e99);
             interval_4 = _e100;
             let _e102 = interval_4.x();
             enter_1 = _e102;
@@ -6736,7 +6938,7 @@ impl<'g> Resources<'g> {
         let _e105 = enter_1;
         let _e106 = enter_1;
         let _e111 = enter_1;
-        let entry_height_1 = (height_13 + (_e105 * (slope_10 + (curve * _e106)))).select(rt::Scalar(1f32), _e111.elementwise_eq(_e35));
+        let entry_height_1 = (height_14 + (_e105 * (slope_10 + (curve * _e106)))).select(rt::Scalar(1f32), _e111.elementwise_eq(_e35));
         let _e115 = enter_1;
         let base_4 = (rt::Scalar(0f32) - _e115).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e122 = enter_1;
@@ -6744,7 +6946,7 @@ impl<'g> Resources<'g> {
         let _e131 = leave_5;
         let _e132 = enter_1;
         let _e137 = enter_1;
-        path_21 = <Path>::new((at_39.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_39.metric, RAY_VIEW, rt::Scalar(at_39.level), (distance_2 + _e137), rt::Scalar(1f32));
+        path_21 = <Path>::new((at_41.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_41.metric, RAY_VIEW, rt::Scalar(at_41.level), (distance_2 + _e137), rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
             let _e147 = rt::Scalar(path_21.exit);
             local_44 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
@@ -6760,64 +6962,64 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_tetrahedra_segment(
         &self,
-        pixel_49: PixelIn,
-        at_40: Entered,
-        k_6: impl rt::Into<rt::Scalar<u32>>,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
+        pixel_50: PixelIn,
+        at_42: Entered,
+        k_9: impl rt::Into<rt::Scalar<u32>>,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_49, at_40, rt::into(k_6), rt::into(params_26)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_50, at_42, rt::into(k_9), rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_segment(
         &self,
-        pixel_49: PixelIn,
-        at_40: Entered,
-        k_6: rt::Scalar<u32>,
-        params_26: rt::Vec4<f32>,
+        pixel_50: PixelIn,
+        at_42: Entered,
+        k_9: rt::Scalar<u32>,
+        params_27: rt::Vec4<f32>,
     ) -> Path {
         let mut chosen_1: Tetrahedron;
         let mut inside_3: rt::Vec2<f32>;
         let mut path_22: Path;
 
-        let along_31 = pixel_49.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_49, along_31);
-        let _e8 = self.v_tetrahedron(pixel_49, along_31, _e6, rt::Scalar(0u32));
-        let _e10 = self.v_tetrahedron(pixel_49, along_31, _e6, rt::Scalar(1u32));
-        let _e12 = self.v_tetrahedron(pixel_49, along_31, _e6, rt::Scalar(2u32));
+        let along_33 = pixel_50.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_50, along_33);
+        let _e8 = self.v_tetrahedron(pixel_50, along_33, _e6, rt::Scalar(0u32));
+        let _e10 = self.v_tetrahedron(pixel_50, along_33, _e6, rt::Scalar(1u32));
+        let _e12 = self.v_tetrahedron(pixel_50, along_33, _e6, rt::Scalar(2u32));
         let _e15 = self.v_comes_before(_e8.inside, _e10.inside);
         let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
         let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
         chosen_1 = _e8;
-        if rt::Scalar::into_branch_condition((_e15 + (rt::Scalar(1u32) - _e21)).elementwise_eq(k_6)) {
+        if rt::Scalar::into_branch_condition((_e15 + (rt::Scalar(1u32) - _e21)).elementwise_eq(k_9)) {
             chosen_1 = _e10;
         }
-        if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_6)) {
+        if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_9)) {
             chosen_1 = _e12;
         }
-        let _e30 = self.v_ordered(pixel_49, rt::Scalar(0u32));
-        let _e32 = self.v_ordered(pixel_49, rt::Scalar(1u32));
-        let _e34 = self.v_ordered(pixel_49, rt::Scalar(2u32));
+        let _e30 = self.v_ordered(pixel_50, rt::Scalar(0u32));
+        let _e32 = self.v_ordered(pixel_50, rt::Scalar(1u32));
+        let _e34 = self.v_ordered(pixel_50, rt::Scalar(2u32));
         let w_4 = chosen_1.weights;
         let g = chosen_1.change;
-        let uv_34 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
+        let uv_35 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
-        let _e61 = self.v_shell_slack(pixel_49, _e6);
+        let _e61 = self.v_shell_slack(pixel_50, _e6);
         let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
         let _e68 = chosen_1.inside;
         inside_3 = _e68;
         let _e70 = inside_3;
-        let _e77 = self.v_where_positive(_e70, (w_4.w() - pixel_49.shell.heights.x()), g.w(), beyond_6);
+        let _e77 = self.v_where_positive(_e70, (w_4.w() - pixel_50.shell.heights.x()), g.w(), beyond_6);
         inside_3 = _e77;
         let _e78 = inside_3;
-        let _e87 = self.v_where_positive(_e78, (pixel_49.shell.heights.y() - w_4.w()), (rt::Scalar(0f32) - g.w()), beyond_6);
+        let _e87 = self.v_where_positive(_e78, (pixel_50.shell.heights.y() - w_4.w()), (rt::Scalar(0f32) - g.w()), beyond_6);
         inside_3 = _e87;
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_3;
-            let _e96 = self.v_inside_unit(uv_34.x(), duv_7.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_35.x(), duv_7.x(), _e95);
             inside_3 = _e96;
             let _e99 = inside_3;
-            let _e100 = self.v_inside_unit(uv_34.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_35.y(), duv_7.y(), _e99);
             inside_3 = _e100;
         }
         let whole_1 = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -6828,7 +7030,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_22 = <Path>::new((uv_34 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_40.metric, RAY_VIEW, rt::Scalar(at_40.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
+        path_22 = <Path>::new((uv_35 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_42.metric, RAY_VIEW, rt::Scalar(at_42.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
         let _e158 = rt::Scalar(path_22.exit);
         if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
             let _e161 = path_22;
@@ -6842,37 +7044,37 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_facets_segment(
         &self,
-        pixel_50: PixelIn,
-        at_41: Entered,
-        k_7: impl rt::Into<rt::Scalar<u32>>,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
+        pixel_51: PixelIn,
+        at_43: Entered,
+        k_10: impl rt::Into<rt::Scalar<u32>>,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_facets_segment(pixel_50, at_41, rt::into(k_7), rt::into(params_27)))
+        rt::into(self.v_surface_facets_segment(pixel_51, at_43, rt::into(k_10), rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_segment(
         &self,
-        pixel_50: PixelIn,
-        at_41: Entered,
-        k_7: rt::Scalar<u32>,
-        params_27: rt::Vec4<f32>,
+        pixel_51: PixelIn,
+        at_43: Entered,
+        k_10: rt::Scalar<u32>,
+        params_28: rt::Vec4<f32>,
     ) -> Path {
-        let _e4 = self.v_plane_normal(pixel_50);
-        let _e5 = self.v_triangle_distance(pixel_50, _e4);
-        let start_2 = (_e5 * pixel_50.direction.length());
-        let _e11 = self.v_height_at(at_41.uv, rt::Scalar(at_41.level));
+        let _e4 = self.v_plane_normal(pixel_51);
+        let _e5 = self.v_triangle_distance(pixel_51, _e4);
+        let start_2 = (_e5 * pixel_51.direction.length());
+        let _e11 = self.v_height_at(at_43.uv, rt::Scalar(at_43.level));
         let duv_8 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Path>::new(at_41.uv, duv_8, <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(1f32), rt::Scalar(0f32), at_41.metric, RAY_VIEW, rt::Scalar(at_41.level), start_2, rt::Scalar(1f32));
+        return <Path>::new(at_43.uv, duv_8, <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(1f32), rt::Scalar(0f32), at_43.metric, RAY_VIEW, rt::Scalar(at_43.level), start_2, rt::Scalar(1f32));
     }
     pub(crate) fn slice_inside(
         &self,
         map_1: impl rt::Into<rt::Scalar<f32>>,
         slice: impl rt::Into<rt::Scalar<f32>>,
         spacing: impl rt::Into<rt::Scalar<f32>>,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice), rt::into(spacing), rt::into(params_28)))
+        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice), rt::into(spacing), rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6881,7 +7083,7 @@ impl<'g> Resources<'g> {
         map_1: rt::Scalar<f32>,
         slice: rt::Scalar<f32>,
         spacing: rt::Scalar<f32>,
-        params_28: rt::Vec4<f32>,
+        params_29: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return map_1.elementwise_gt(slice);
     }
@@ -6890,9 +7092,9 @@ impl<'g> Resources<'g> {
         map_2: impl rt::Into<rt::Scalar<f32>>,
         slice_1: impl rt::Into<rt::Scalar<f32>>,
         spacing_1: impl rt::Into<rt::Scalar<f32>>,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_1), rt::into(spacing_1), rt::into(params_29)))
+        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_1), rt::into(spacing_1), rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6901,7 +7103,7 @@ impl<'g> Resources<'g> {
         map_2: rt::Scalar<f32>,
         slice_1: rt::Scalar<f32>,
         spacing_1: rt::Scalar<f32>,
-        params_29: rt::Vec4<f32>,
+        params_30: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return map_2.elementwise_ge(slice_1);
     }
@@ -6910,9 +7112,9 @@ impl<'g> Resources<'g> {
         map_3: impl rt::Into<rt::Scalar<f32>>,
         slice_2: impl rt::Into<rt::Scalar<f32>>,
         spacing_2: impl rt::Into<rt::Scalar<f32>>,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_2), rt::into(spacing_2), rt::into(params_30)))
+        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_2), rt::into(spacing_2), rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6921,7 +7123,7 @@ impl<'g> Resources<'g> {
         map_3: rt::Scalar<f32>,
         slice_2: rt::Scalar<f32>,
         spacing_2: rt::Scalar<f32>,
-        params_30: rt::Vec4<f32>,
+        params_31: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return (map_3 - slice_2).abs().elementwise_le((rt::Scalar(0.5f32) * spacing_2));
     }
@@ -6961,60 +7163,60 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn slice_spacing(
         &self,
-        at_42: Entered,
+        at_44: Entered,
         axis: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_slice_spacing(at_42, rt::into(axis)))
+        rt::into(self.v_slice_spacing(at_44, rt::into(axis)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_slice_spacing(
         &self,
-        at_42: Entered,
+        at_44: Entered,
         axis: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let step_5 = at_42.of_surface.y();
+        let step_6 = at_44.of_surface.y();
         if rt::Scalar::into_branch_condition(axis.elementwise_eq(SLICES_ALONG_HEIGHT)) {
-            return step_5;
+            return step_6;
         }
         if rt::Scalar::into_branch_condition(axis.elementwise_eq(SLICES_ALONG_U)) {
             let _e12 = self.v_traced_scale_m();
-            return ((step_5 * at_42.metric.x().sqrt()) / _e12);
+            return ((step_6 * at_44.metric.x().sqrt()) / _e12);
         }
         if rt::Scalar::into_branch_condition(axis.elementwise_eq(SLICES_ALONG_V)) {
             let _e20 = self.v_traced_scale_m();
-            return ((step_5 * at_42.metric.z().sqrt()) / _e20);
+            return ((step_6 * at_44.metric.z().sqrt()) / _e20);
         }
         let _e22 = self.v_traced_scale_m();
-        return (step_5 / _e22);
+        return (step_6 / _e22);
     }
     pub(crate) fn slice_above(
         &self,
-        pixel_51: PixelIn,
-        at_43: Entered,
+        pixel_52: PixelIn,
+        at_45: Entered,
         along_16: impl rt::Into<rt::Scalar<f32>>,
         far_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_above(pixel_51, at_43, rt::into(along_16), rt::into(far_2)))
+        rt::into(self.v_slice_above(pixel_52, at_45, rt::into(along_16), rt::into(far_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slice_above(
         &self,
-        pixel_51: PixelIn,
-        at_43: Entered,
+        pixel_52: PixelIn,
+        at_45: Entered,
         along_16: rt::Scalar<f32>,
         far_2: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let mut local_45: rt::Scalar<bool>;
 
-        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_51.direction.dot(at_43.normal).elementwise_lt(rt::Scalar(0f32))) * at_43.of_surface.y());
+        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_52.direction.dot(at_45.normal).elementwise_lt(rt::Scalar(0f32))) * at_45.of_surface.y());
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
         let step_m = (upward * _e17);
-        let a_24 = (pixel_51.a.position + (pixel_51.a.normal * step_m));
-        let b_24 = (pixel_51.b.position + (pixel_51.b.normal * step_m));
-        let c_16 = (pixel_51.c.position + (pixel_51.c.normal * step_m));
+        let a_24 = (pixel_52.a.position + (pixel_52.a.normal * step_m));
+        let b_24 = (pixel_52.b.position + (pixel_52.b.normal * step_m));
+        let c_16 = (pixel_52.c.position + (pixel_52.c.normal * step_m));
         let n_10 = (b_24 - a_24).cross((c_16 - a_24));
-        let t_36 = (n_10.dot((a_24 - pixel_51.origin)) / n_10.dot(pixel_51.direction));
+        let t_36 = (n_10.dot((a_24 - pixel_52.origin)) / n_10.dot(pixel_52.direction));
         let lead = (far_2 - (t_36 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
             local_45 = t_36.abs().elementwise_le(rt::Scalar(1000000000f32));
@@ -7025,30 +7227,30 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e68 = self.v_weights_of(a_24, b_24, c_16, n_10, (pixel_51.origin + (pixel_51.direction * t_36)));
-        let aside_4 = ((((pixel_51.a.uv * _e68.x()) + (pixel_51.b.uv * _e68.y())) + (pixel_51.c.uv * _e68.z())) - at_43.uv);
+        let _e68 = self.v_weights_of(a_24, b_24, c_16, n_10, (pixel_52.origin + (pixel_52.direction * t_36)));
+        let aside_4 = ((((pixel_52.a.uv * _e68.x()) + (pixel_52.b.uv * _e68.y())) + (pixel_52.c.uv * _e68.z())) - at_45.uv);
         return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_4, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
     pub(crate) fn slice_beside(
         &self,
-        at_44: Entered,
+        at_46: Entered,
         climbs: impl rt::Into<rt::Vec3<f32>>,
         pace: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_beside(at_44, rt::into(climbs), rt::into(pace)))
+        rt::into(self.v_slice_beside(at_46, rt::into(climbs), rt::into(pace)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_slice_beside(
         &self,
-        at_44: Entered,
+        at_46: Entered,
         climbs: rt::Vec3<f32>,
         pace: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let mut local_46: rt::Scalar<bool>;
 
-        let up_2 = (at_44.of_surface.x().select((rt::Scalar(1f32) - at_44.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
-        let lead_1 = (at_44.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_2, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
+        let up_3 = (at_46.of_surface.x().select((rt::Scalar(1f32) - at_46.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
+        let lead_1 = (at_46.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_3, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
         if rt::Scalar::into_branch_condition(lead_1.elementwise_gt(rt::Scalar(0f32))) {
             local_46 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
         } else {
@@ -7062,107 +7264,84 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn slice_before(
         &self,
-        pixel_52: PixelIn,
-        at_45: Entered,
+        pixel_53: PixelIn,
+        at_47: Entered,
         axis_1: impl rt::Into<rt::Scalar<u32>>,
         along_17: impl rt::Into<rt::Scalar<f32>>,
         far_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_before(pixel_52, at_45, rt::into(axis_1), rt::into(along_17), rt::into(far_3)))
+        rt::into(self.v_slice_before(pixel_53, at_47, rt::into(axis_1), rt::into(along_17), rt::into(far_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slice_before(
         &self,
-        pixel_52: PixelIn,
-        at_45: Entered,
+        pixel_53: PixelIn,
+        at_47: Entered,
         axis_1: rt::Scalar<u32>,
         along_17: rt::Scalar<f32>,
         far_3: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_HEIGHT)) {
-            let _e7 = self.v_slice_above(pixel_52, at_45, along_17, far_3);
+            let _e7 = self.v_slice_above(pixel_53, at_47, along_17, far_3);
             return _e7;
         }
-        let _e11 = self.v_climb(at_45, (pixel_52.direction / rt::Vec3::splat_from_scalar(along_17)));
+        let _e11 = self.v_climb(at_47, (pixel_53.direction / rt::Vec3::splat_from_scalar(along_17)));
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_U)) {
-            let _e16 = self.v_slice_beside(at_45, _e11, _e11.x().abs());
+            let _e16 = self.v_slice_beside(at_47, _e11, _e11.x().abs());
             return _e16;
         }
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_V)) {
-            let _e21 = self.v_slice_beside(at_45, _e11, _e11.y().abs());
+            let _e21 = self.v_slice_beside(at_47, _e11, _e11.y().abs());
             return _e21;
         }
-        let _e24 = self.v_slice_beside(at_45, _e11, (rt::Scalar(1f32) / along_17));
+        let _e24 = self.v_slice_beside(at_47, _e11, (rt::Scalar(1f32) / along_17));
         return _e24;
     }
     pub(crate) fn surface_slices_segment(
         &self,
-        pixel_53: PixelIn,
-        at_46: Entered,
-        k_8: impl rt::Into<rt::Scalar<u32>>,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
+        pixel_54: PixelIn,
+        at_48: Entered,
+        k_11: impl rt::Into<rt::Scalar<u32>>,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_slices_segment(pixel_53, at_46, rt::into(k_8), rt::into(params_31)))
+        rt::into(self.v_surface_slices_segment(pixel_54, at_48, rt::into(k_11), rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_segment(
         &self,
-        pixel_53: PixelIn,
-        at_46: Entered,
-        k_8: rt::Scalar<u32>,
-        params_31: rt::Vec4<f32>,
+        pixel_54: PixelIn,
+        at_48: Entered,
+        k_11: rt::Scalar<u32>,
+        params_32: rt::Vec4<f32>,
     ) -> Path {
-        let along_32 = pixel_53.direction.length();
-        let _e6 = self.v_plane_normal(pixel_53);
-        let _e7 = self.v_triangle_distance(pixel_53, _e6);
-        let far_7 = (_e7 * along_32);
-        let axis_2 = pixel_53.a.of_surface.z().to_u32();
-        let height_14 = at_46.of_surface.x();
-        let _e17 = self.v_height_at(at_46.uv, rt::Scalar(at_46.level));
-        let _e18 = self.v_slice_spacing(at_46, axis_2);
-        let _e19 = self.v_slices_stage(_e17, height_14, _e18);
-        let _e20 = self.v_slice_before(pixel_53, at_46, axis_2, along_32, far_7);
+        let along_34 = pixel_54.direction.length();
+        let _e6 = self.v_plane_normal(pixel_54);
+        let _e7 = self.v_triangle_distance(pixel_54, _e6);
+        let far_7 = (_e7 * along_34);
+        let axis_2 = pixel_54.a.of_surface.z().to_u32();
+        let height_15 = at_48.of_surface.x();
+        let _e17 = self.v_height_at(at_48.uv, rt::Scalar(at_48.level));
+        let _e18 = self.v_slice_spacing(at_48, axis_2);
+        let _e19 = self.v_slices_stage(_e17, height_15, _e18);
+        let _e20 = self.v_slice_before(pixel_54, at_48, axis_2, along_34, far_7);
         let lead_2 = (far_7 * rt::Scalar(0.0000005f32)).select(_e20.w().min(far_7), _e20.w().elementwise_gt(rt::Scalar(0f32)));
-        return <Path>::new((at_46.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_14 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_46.metric, RAY_VIEW, rt::Scalar(at_46.level), (far_7 - lead_2), rt::Scalar(1f32));
-    }
-    pub(crate) fn object_texel(&self, place_11: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
-        rt::into(self.v_object_texel(rt::into(place_11)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_object_texel(&self, place_11: rt::Vec2<i32>) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.object_map), place_11, rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        return _e4;
-    }
-    pub(crate) fn image_of_object(&self, number_8: impl rt::Into<rt::Scalar<u32>>) -> Image {
-        rt::into(self.v_image_of_object(rt::into(number_8)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_image_of_object(&self, number_8: rt::Scalar<u32>) -> Image {
-        let row_8 = number_8.to_i32();
-        let _e4 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(3i32), row_8));
-        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_8));
-        let _e10 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_8));
-        let _e13 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_8));
-        let _e20 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(4i32), row_8));
-        return <Image>::new(_e7, _e10, _e13, _e4.xy(), <rt::Vec2<f32>>::from_scalars(_e4.z(), _e4.w()), _e20.xyz());
+        return <Path>::new((at_48.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_15 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_48.metric, RAY_VIEW, rt::Scalar(at_48.level), (far_7 - lead_2), rt::Scalar(1f32));
     }
     pub(crate) fn within_bounds(
         &self,
-        x: impl rt::Into<rt::Scalar<f32>>,
+        x_1: impl rt::Into<rt::Scalar<f32>>,
         dx_1: impl rt::Into<rt::Scalar<f32>>,
         low: impl rt::Into<rt::Scalar<f32>>,
         high: impl rt::Into<rt::Scalar<f32>>,
         interval_5: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_within_bounds(rt::into(x), rt::into(dx_1), rt::into(low), rt::into(high), rt::into(interval_5)))
+        rt::into(self.v_within_bounds(rt::into(x_1), rt::into(dx_1), rt::into(low), rt::into(high), rt::into(interval_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_within_bounds(
         &self,
-        x: rt::Scalar<f32>,
+        x_1: rt::Scalar<f32>,
         dx_1: rt::Scalar<f32>,
         low: rt::Scalar<f32>,
         high: rt::Scalar<f32>,
@@ -7171,8 +7350,8 @@ impl<'g> Resources<'g> {
         let mut local_47: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(dx_1.elementwise_eq(rt::Scalar(0f32))) {
-            if rt::Scalar::into_branch_condition((!x.elementwise_lt(low))) {
-                local_47 = x.elementwise_gt(high);
+            if rt::Scalar::into_branch_condition((!x_1.elementwise_lt(low))) {
+                local_47 = x_1.elementwise_gt(high);
             } else {
                 local_47 = rt::Scalar(true);
             }
@@ -7182,118 +7361,171 @@ impl<'g> Resources<'g> {
             }
             return interval_5;
         }
-        let a_25 = ((low - x) / dx_1);
-        let b_25 = ((high - x) / dx_1);
+        let a_25 = ((low - x_1) / dx_1);
+        let b_25 = ((high - x_1) / dx_1);
         return <rt::Vec2<f32>>::from_scalars(interval_5.x().max(a_25.min(b_25)), interval_5.y().min(a_25.max(b_25)));
     }
-    pub(crate) fn surface_object_segment(
-        &self,
-        pixel_54: PixelIn,
-        at_47: Entered,
-        k_9: impl rt::Into<rt::Scalar<u32>>,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Path {
-        rt::into(self.v_surface_object_segment(pixel_54, at_47, rt::into(k_9), rt::into(params_32)))
+    pub(crate) fn tangent_of_image(&self, image_3: Image) -> rt::Vec3<f32> {
+        rt::into(self.v_tangent_of_image(image_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_object_segment(
+    #[inline(always)]
+    fn v_tangent_of_image(&self, image_3: Image) -> rt::Vec3<f32> {
+        return (image_3.u.xyz() / rt::Vec3::splat_from_scalar((image_3.u.xyz().dot(image_3.u.xyz()) * image_3.extent.x())));
+    }
+    pub(crate) fn path_through_image(
         &self,
-        pixel_54: PixelIn,
-        at_47: Entered,
-        k_9: rt::Scalar<u32>,
-        params_32: rt::Vec4<f32>,
+        pixel_55: PixelIn,
+        k_12: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Path {
+        rt::into(self.v_path_through_image(pixel_55, rt::into(k_12)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_path_through_image(
+        &self,
+        pixel_55: PixelIn,
+        k_12: rt::Scalar<u32>,
     ) -> Path {
         let mut interval_6: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let mut height_4: rt::Vec3<f32>;
 
-        let along_33 = pixel_54.direction.normalize();
-        let _e6 = self.v_image_of_object(k_9);
-        let u_1 = (_e6.u.xyz().dot(pixel_54.origin) + _e6.u.w());
-        let v_3 = (_e6.v.xyz().dot(pixel_54.origin) + _e6.v.w());
-        let h_5 = (_e6.height.xyz().dot(pixel_54.origin) + _e6.height.w());
-        let du_1 = _e6.u.xyz().dot(along_33);
-        let dv_1 = _e6.v.xyz().dot(along_33);
-        let dh_1 = _e6.height.xyz().dot(along_33);
-        let _e42 = self.v_height_size(rt::Scalar(0u32));
-        let beyond_7 = (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / (_e6.extent * _e42));
-        let _e55 = interval_6;
-        let _e56 = self.v_within_bounds(u_1, du_1, (rt::Scalar(0f32) - beyond_7.x()), (rt::Scalar(1f32) + beyond_7.x()), _e55);
-        interval_6 = _e56;
-        let _e63 = interval_6;
-        let _e64 = self.v_within_bounds(v_3, dv_1, (rt::Scalar(0f32) - beyond_7.y()), (rt::Scalar(1f32) + beyond_7.y()), _e63);
-        interval_6 = _e64;
-        let _e67 = interval_6;
-        let _e68 = self.v_within_bounds(h_5, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e67);
-        interval_6 = _e68;
+        let along_35 = pixel_55.direction.normalize();
+        let _e4 = self.v_image_of_object(k_12);
+        let u_1 = (_e4.u.xyz().dot(pixel_55.origin) + _e4.u.w());
+        let v_3 = (_e4.v.xyz().dot(pixel_55.origin) + _e4.v.w());
+        let h_5 = (_e4.height.xyz().dot(pixel_55.origin) + _e4.height.w());
+        let du_1 = _e4.u.xyz().dot(along_35);
+        let dv_1 = _e4.v.xyz().dot(along_35);
+        let dh_1 = _e4.height.xyz().dot(along_35);
+        let _e40 = self.v_height_size(rt::Scalar(0u32));
+        let beyond_7 = (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / (_e4.extent * _e40));
+        let _e53 = interval_6;
+        let _e54 = self.v_within_bounds(u_1, du_1, (rt::Scalar(0f32) - beyond_7.x()), (rt::Scalar(1f32) + beyond_7.x()), _e53);
+        interval_6 = _e54;
+        let _e61 = interval_6;
+        let _e62 = self.v_within_bounds(v_3, dv_1, (rt::Scalar(0f32) - beyond_7.y()), (rt::Scalar(1f32) + beyond_7.y()), _e61);
+        interval_6 = _e62;
+        let _e65 = interval_6;
+        let _e66 = self.v_within_bounds(h_5, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e65);
+        interval_6 = _e66;
         let start_3 = interval_6.x();
         height_4 = <rt::Vec3<f32>>::from_scalars((h_5 + (dh_1 * start_3)), dh_1, rt::Scalar(0f32));
-        let _e78 = rt::Scalar(self.surface_settings.cells);
-        if rt::Scalar::into_branch_condition(_e78.elementwise_eq(CELLS_MASK)) {
+        let _e76 = rt::Scalar(self.surface_settings.cells);
+        if rt::Scalar::into_branch_condition(_e76.elementwise_eq(CELLS_MASK)) {
             height_4 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let tangent_5 = (_e6.u.xyz() / rt::Vec3::splat_from_scalar((_e6.u.xyz().dot(_e6.u.xyz()) * _e6.extent.x())));
-        let bitangent_4 = (_e6.v.xyz() / rt::Vec3::splat_from_scalar((_e6.v.xyz().dot(_e6.v.xyz()) * _e6.extent.y())));
-        let _e121 = height_4;
-        let _e123 = interval_6.y();
-        let _e131 = rt::Scalar(self.surface_settings.scale_m);
-        return <Path>::new((_e6.corner + (_e6.extent * <rt::Vec2<f32>>::from_scalars((u_1 + (du_1 * start_3)), (v_3 + (dv_1 * start_3))))), (_e6.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)), _e121, (_e123 - start_3), k_9.to_f32(), <rt::Vec4<f32>>::from_scalars(tangent_5.dot(tangent_5), tangent_5.dot(bitangent_4), bitangent_4.dot(bitangent_4), _e131), RAY_VIEW, rt::Scalar(0u32), start_3, rt::Scalar(1f32));
+        let _e83 = self.v_tangent_of_image(_e4);
+        let _e84 = self.v_bitangent_of_image(_e4);
+        let _e97 = height_4;
+        let _e99 = interval_6.y();
+        let _e107 = rt::Scalar(self.surface_settings.scale_m);
+        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_1 + (du_1 * start_3)), (v_3 + (dv_1 * start_3))))), (_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)), _e97, (_e99 - start_3), k_12.to_f32(), <rt::Vec4<f32>>::from_scalars(_e83.dot(_e83), _e83.dot(_e84), _e84.dot(_e84), _e107), RAY_VIEW, rt::Scalar(0u32), start_3, rt::Scalar(1f32));
+    }
+    pub(crate) fn surface_object_segment(
+        &self,
+        pixel_56: PixelIn,
+        at_49: Entered,
+        k_13: impl rt::Into<rt::Scalar<u32>>,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Path {
+        rt::into(self.v_surface_object_segment(pixel_56, at_49, rt::into(k_13), rt::into(params_33)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_surface_object_segment(
+        &self,
+        pixel_56: PixelIn,
+        at_49: Entered,
+        k_13: rt::Scalar<u32>,
+        params_33: rt::Vec4<f32>,
+    ) -> Path {
+        let _e4 = self.v_path_through_image(pixel_56, k_13);
+        return _e4;
+    }
+    pub(crate) fn surface_frames_segment(
+        &self,
+        pixel_57: PixelIn,
+        at_50: Entered,
+        k_14: impl rt::Into<rt::Scalar<u32>>,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Path {
+        rt::into(self.v_surface_frames_segment(pixel_57, at_50, rt::into(k_14), rt::into(params_34)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_surface_frames_segment(
+        &self,
+        pixel_57: PixelIn,
+        at_50: Entered,
+        k_14: rt::Scalar<u32>,
+        params_34: rt::Vec4<f32>,
+    ) -> Path {
+        let _e7 = self.v_frames_around((-pixel_57.direction.normalize()));
+        let _e8 = self.v_frame_number(_e7, k_14);
+        let _e9 = self.v_path_through_image(pixel_57, _e8);
+        return _e9;
     }
     pub(crate) fn surface_segment_stage(
         &self,
-        pixel_55: PixelIn,
-        at_48: Entered,
-        k_10: impl rt::Into<rt::Scalar<u32>>,
+        pixel_58: PixelIn,
+        at_51: Entered,
+        k_15: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_55, at_48, rt::into(k_10)))
+        rt::into(self.v_surface_segment_stage(pixel_58, at_51, rt::into(k_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_segment_stage(
         &self,
-        pixel_55: PixelIn,
-        at_48: Entered,
-        k_10: rt::Scalar<u32>,
+        pixel_58: PixelIn,
+        at_51: Entered,
+        k_15: rt::Scalar<u32>,
     ) -> Path {
         let _e7 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[1usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_55, at_48, k_10, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_58, at_51, k_15, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[1usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_55, at_48, k_10, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_58, at_51, k_15, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[1usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_55, at_48, k_10, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_58, at_51, k_15, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[1usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_55, at_48, k_10, _e30);
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_58, at_51, k_15, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[1usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_55, at_48, k_10, _e36);
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_58, at_51, k_15, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[1usize].params;
-                let _e43 = self.v_surface_facets_segment(pixel_55, at_48, k_10, _e42);
+                let _e43 = self.v_surface_facets_segment(pixel_58, at_51, k_15, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[1usize].params;
-                let _e49 = self.v_surface_slices_segment(pixel_55, at_48, k_10, _e48);
+                let _e49 = self.v_surface_slices_segment(pixel_58, at_51, k_15, _e48);
                 return _e49;
             }
-            _ => {
+            7u32 => {
                 let _e54 = self.surface_settings.choices[1usize].params;
-                let _e55 = self.v_surface_object_segment(pixel_55, at_48, k_10, _e54);
+                let _e55 = self.v_surface_object_segment(pixel_58, at_51, k_15, _e54);
                 return _e55;
+            }
+            _ => {
+                let _e60 = self.surface_settings.choices[1usize].params;
+                let _e61 = self.v_surface_frames_segment(pixel_58, at_51, k_15, _e60);
+                return _e61;
             }
         }
     }
@@ -7322,10 +7554,10 @@ impl<'g> Resources<'g> {
             let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_6, path_23.h.y(), path_23.h.z()), rt::Scalar(path_23.exit));
             start = _e22.min(rt::Scalar(path_23.exit));
         }
-        let height_15 = (middle_8 + ((path_23.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
+        let height_16 = (middle_8 + ((path_23.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
         let _e32 = start;
         let _e33 = self.v_path_slope(path_23, _e32);
-        let h_6 = <rt::Vec3<f32>>::from_scalars(height_15, (_e33 / kept), (path_23.h.z() / kept));
+        let h_6 = <rt::Vec3<f32>>::from_scalars(height_16, (_e33 / kept), (path_23.h.z() / kept));
         let _e40 = start;
         let rest_4 = (rt::Scalar(path_23.exit) - _e40);
         let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_6.x().max(rt::Scalar(0f32)), h_6.y(), h_6.z()), rest_4);
@@ -7339,27 +7571,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn segment_of(
         &self,
-        pixel_56: PixelIn,
-        at_49: Entered,
-        k_11: impl rt::Into<rt::Scalar<u32>>,
+        pixel_59: PixelIn,
+        at_52: Entered,
+        k_16: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_56, at_49, rt::into(k_11)))
+        rt::into(self.v_segment_of(pixel_59, at_52, rt::into(k_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_segment_of(
         &self,
-        pixel_56: PixelIn,
-        at_49: Entered,
-        k_11: rt::Scalar<u32>,
+        pixel_59: PixelIn,
+        at_52: Entered,
+        k_16: rt::Scalar<u32>,
     ) -> Path {
         let mut path_24: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_56, at_49, k_11);
+        let _e3 = self.v_surface_segment_stage(pixel_59, at_52, k_16);
         path_24 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_49.fade).elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_52.fade).elementwise_gt(rt::Scalar(0f32))) {
             let _e8 = path_24;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_49.fade));
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_52.fade));
             path_24 = _e13;
             let _e16 = path_24.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
@@ -7371,23 +7603,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane_polish(
         &self,
-        pixel_57: PixelIn,
-        at_50: Entered,
+        pixel_60: PixelIn,
+        at_53: Entered,
         path_25: Path,
         hit_7: Hit,
-        params_33: impl rt::Into<rt::Vec4<f32>>,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_57, at_50, path_25, hit_7, rt::into(params_33)))
+        rt::into(self.v_surface_plane_polish(pixel_60, at_53, path_25, hit_7, rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_polish(
         &self,
-        pixel_57: PixelIn,
-        at_50: Entered,
+        pixel_60: PixelIn,
+        at_53: Entered,
         path_25: Path,
         hit_7: Hit,
-        params_33: rt::Vec4<f32>,
+        params_35: rt::Vec4<f32>,
     ) -> Hit {
         return hit_7;
     }
@@ -7411,13 +7643,13 @@ impl<'g> Resources<'g> {
         let a_26 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
         let b_26 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
         let rest_5 = (place_12 - corner_6);
-        let across_5 = a_26.cross(b_26);
-        let square_2 = across_5.dot(across_5);
+        let across_6 = a_26.cross(b_26);
+        let square_2 = across_6.dot(across_6);
         if rt::Scalar::into_branch_condition((!square_2.elementwise_gt(rt::Scalar(0f32)))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
         }
-        let second_4 = (rest_5.cross(b_26).dot(across_5) / square_2);
-        let third_3 = (a_26.cross(rest_5).dot(across_5) / square_2);
+        let second_4 = (rest_5.cross(b_26).dot(across_6) / square_2);
+        let third_3 = (a_26.cross(rest_5).dot(across_6) / square_2);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_4) - third_3), second_4, third_3);
     }
     pub(crate) fn shell_point_near(
@@ -7453,23 +7685,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn point_of_way(
         &self,
-        pixel_58: PixelIn,
+        pixel_61: PixelIn,
         prism_13: Prism,
         place_14: impl rt::Into<rt::Vec3<f32>>,
         height_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_point_of_way(pixel_58, prism_13, rt::into(place_14), rt::into(height_6)))
+        rt::into(self.v_point_of_way(pixel_61, prism_13, rt::into(place_14), rt::into(height_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_way(
         &self,
-        pixel_58: PixelIn,
+        pixel_61: PixelIn,
         prism_13: Prism,
         place_14: rt::Vec3<f32>,
         height_6: rt::Scalar<f32>,
     ) -> ShellPoint {
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_58.shell.order).elementwise_ge(SHELL_FOLDED)) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_61.shell.order).elementwise_ge(SHELL_FOLDED)) {
             let _e8 = self.v_shell_point_near(prism_13, place_14, height_6);
             return _e8;
         }
@@ -7478,39 +7710,39 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_prism_polish(
         &self,
-        pixel_59: PixelIn,
-        at_51: Entered,
+        pixel_62: PixelIn,
+        at_54: Entered,
         path_26: Path,
         hit_8: Hit,
-        params_34: impl rt::Into<rt::Vec4<f32>>,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_59, at_51, path_26, hit_8, rt::into(params_34)))
+        rt::into(self.v_surface_prism_polish(pixel_62, at_54, path_26, hit_8, rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_polish(
         &self,
-        pixel_59: PixelIn,
-        at_51: Entered,
+        pixel_62: PixelIn,
+        at_54: Entered,
         path_26: Path,
         hit_8: Hit,
-        params_34: rt::Vec4<f32>,
+        params_36: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_15: rt::Scalar<f32>;
         let mut point_8: ShellPoint;
         let mut step_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let along_34 = pixel_59.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_59, along_34);
-        let _e8 = self.v_prism_of(pixel_59, along_34, _e7, params_34);
+        let along_36 = pixel_62.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_62, along_36);
+        let _e8 = self.v_prism_of(pixel_62, along_36, _e7, params_36);
         let _e10 = self.v_path_gap(path_26, rt::Scalar(hit_8.t));
         let _e11 = self.v_grid_of(path_26);
         let texels_5 = _e11.step.abs();
-        let most_11 = ((rt::Scalar(2f32) * params_34.x()) / texels_5.x().max(texels_5.y()).max((path_26.h.y().abs() / rt::Scalar(0.0625f32))));
+        let most_13 = ((rt::Scalar(2f32) * params_36.x()) / texels_5.x().max(texels_5.y()).max((path_26.h.y().abs() / rt::Scalar(0.0625f32))));
         t_15 = rt::Scalar(hit_8.t);
         let _e30 = t_15;
         let _e34 = t_15;
         let _e35 = self.v_path_height(path_26, _e34);
-        let _e36 = self.v_point_of_way(pixel_59, _e8, (along_34 * ((rt::Scalar(path_26.start) + _e30) - _e7)), _e35);
+        let _e36 = self.v_point_of_way(pixel_62, _e8, (along_36 * ((rt::Scalar(path_26.start) + _e30) - _e7)), _e35);
         point_8 = _e36;
         'naga_break: loop {
             'naga_continue: {
@@ -7524,7 +7756,7 @@ impl<'g> Resources<'g> {
                     step_2 = (_e43 + rt::Scalar(1u32));
                     let _e47 = rt::Scalar(point_8.height);
                     let _e49 = point_8.weights;
-                    let _e50 = self.v_uv_of(pixel_59, _e49);
+                    let _e50 = self.v_uv_of(pixel_62, _e49);
                     let _e52 = self.v_height_at(_e50, rt::Scalar(path_26.level));
                     let gap_1 = ((_e47 - _e52) - _e10);
                     let _e57 = t_15;
@@ -7534,136 +7766,136 @@ impl<'g> Resources<'g> {
                     let change_4 = _e62.y();
                     if rt::Scalar::into_branch_condition(change_4.elementwise_lt(rt::Scalar(0f32))) {
                         let _e66 = t_15;
-                        t_15 = (_e66 - (gap_1 / change_4)).clamp((rt::Scalar(hit_8.t) - most_11), (rt::Scalar(hit_8.t) + most_11));
+                        t_15 = (_e66 - (gap_1 / change_4)).clamp((rt::Scalar(hit_8.t) - most_13), (rt::Scalar(hit_8.t) + most_13));
                     }
                     let _e75 = t_15;
-                    let place_22 = (along_34 * ((rt::Scalar(path_26.start) + _e75) - _e7));
-                    if rt::Scalar::into_branch_condition(rt::Scalar(pixel_59.shell.order).elementwise_ge(SHELL_FOLDED)) {
+                    let place_23 = (along_36 * ((rt::Scalar(path_26.start) + _e75) - _e7));
+                    if rt::Scalar::into_branch_condition(rt::Scalar(pixel_62.shell.order).elementwise_ge(SHELL_FOLDED)) {
                         let _e83 = t_15;
                         let _e84 = self.v_path_height(path_26, _e83);
-                        let _e85 = self.v_shell_point_near(_e8, place_22, _e84);
+                        let _e85 = self.v_shell_point_near(_e8, place_23, _e84);
                         point_8 = _e85;
                     } else {
                         let _e86 = point_8;
-                        let _e87 = self.v_shell_point_from(_e8, place_22, _e86);
+                        let _e87 = self.v_shell_point_from(_e8, place_23, _e86);
                         point_8 = _e87;
                     }
                 }
             }
         }
         let _e91 = point_8.weights;
-        let _e92 = self.v_uv_of(pixel_59, _e91);
+        let _e92 = self.v_uv_of(pixel_62, _e91);
         let _e94 = rt::Scalar(point_8.height);
         let _e95 = t_15;
         return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_8.exhausted), _e92, _e94, _e95, hit_8.cost);
     }
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
-        pixel_60: PixelIn,
-        at_52: Entered,
+        pixel_63: PixelIn,
+        at_55: Entered,
         path_27: Path,
         hit_9: Hit,
-        params_35: impl rt::Into<rt::Vec4<f32>>,
+        params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_60, at_52, path_27, hit_9, rt::into(params_35)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_63, at_55, path_27, hit_9, rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_polish(
         &self,
-        pixel_60: PixelIn,
-        at_52: Entered,
+        pixel_63: PixelIn,
+        at_55: Entered,
         path_27: Path,
         hit_9: Hit,
-        params_35: rt::Vec4<f32>,
+        params_37: rt::Vec4<f32>,
     ) -> Hit {
         return hit_9;
     }
     pub(crate) fn surface_quadric_vertical_polish(
         &self,
-        pixel_61: PixelIn,
-        at_53: Entered,
+        pixel_64: PixelIn,
+        at_56: Entered,
         path_28: Path,
         hit_10: Hit,
-        params_36: impl rt::Into<rt::Vec4<f32>>,
+        params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_61, at_53, path_28, hit_10, rt::into(params_36)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_64, at_56, path_28, hit_10, rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_vertical_polish(
         &self,
-        pixel_61: PixelIn,
-        at_53: Entered,
+        pixel_64: PixelIn,
+        at_56: Entered,
         path_28: Path,
         hit_10: Hit,
-        params_36: rt::Vec4<f32>,
+        params_38: rt::Vec4<f32>,
     ) -> Hit {
         return hit_10;
     }
     pub(crate) fn surface_tetrahedra_polish(
         &self,
-        pixel_62: PixelIn,
-        at_54: Entered,
+        pixel_65: PixelIn,
+        at_57: Entered,
         path_29: Path,
         hit_11: Hit,
-        params_37: impl rt::Into<rt::Vec4<f32>>,
+        params_39: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_62, at_54, path_29, hit_11, rt::into(params_37)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_65, at_57, path_29, hit_11, rt::into(params_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_tetrahedra_polish(
         &self,
-        pixel_62: PixelIn,
-        at_54: Entered,
+        pixel_65: PixelIn,
+        at_57: Entered,
         path_29: Path,
         hit_11: Hit,
-        params_37: rt::Vec4<f32>,
+        params_39: rt::Vec4<f32>,
     ) -> Hit {
         return hit_11;
     }
     pub(crate) fn surface_facets_polish(
         &self,
-        pixel_63: PixelIn,
-        at_55: Entered,
+        pixel_66: PixelIn,
+        at_58: Entered,
         path_30: Path,
         hit_12: Hit,
-        params_38: impl rt::Into<rt::Vec4<f32>>,
+        params_40: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_facets_polish(pixel_63, at_55, path_30, hit_12, rt::into(params_38)))
+        rt::into(self.v_surface_facets_polish(pixel_66, at_58, path_30, hit_12, rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_polish(
         &self,
-        pixel_63: PixelIn,
-        at_55: Entered,
+        pixel_66: PixelIn,
+        at_58: Entered,
         path_30: Path,
         hit_12: Hit,
-        params_38: rt::Vec4<f32>,
+        params_40: rt::Vec4<f32>,
     ) -> Hit {
         return hit_12;
     }
     pub(crate) fn surface_slices_polish(
         &self,
-        pixel_64: PixelIn,
-        at_56: Entered,
+        pixel_67: PixelIn,
+        at_59: Entered,
         path_31: Path,
         hit_13: Hit,
-        params_39: impl rt::Into<rt::Vec4<f32>>,
+        params_41: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_slices_polish(pixel_64, at_56, path_31, hit_13, rt::into(params_39)))
+        rt::into(self.v_surface_slices_polish(pixel_67, at_59, path_31, hit_13, rt::into(params_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_polish(
         &self,
-        pixel_64: PixelIn,
-        at_56: Entered,
+        pixel_67: PixelIn,
+        at_59: Entered,
         path_31: Path,
         hit_13: Hit,
-        params_39: rt::Vec4<f32>,
+        params_41: rt::Vec4<f32>,
     ) -> Hit {
         let mut counted: Hit;
 
@@ -7674,82 +7906,109 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_object_polish(
         &self,
-        pixel_65: PixelIn,
-        at_57: Entered,
+        pixel_68: PixelIn,
+        at_60: Entered,
         path_32: Path,
         hit_14: Hit,
-        params_40: impl rt::Into<rt::Vec4<f32>>,
+        params_42: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_polish(pixel_65, at_57, path_32, hit_14, rt::into(params_40)))
+        rt::into(self.v_surface_object_polish(pixel_68, at_60, path_32, hit_14, rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_polish(
         &self,
-        pixel_65: PixelIn,
-        at_57: Entered,
+        pixel_68: PixelIn,
+        at_60: Entered,
         path_32: Path,
         hit_14: Hit,
-        params_40: rt::Vec4<f32>,
+        params_42: rt::Vec4<f32>,
     ) -> Hit {
         return hit_14;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_66: PixelIn, at_58: Entered, path_33: Path, hit_15: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_66, at_58, path_33, hit_15))
+    pub(crate) fn surface_frames_polish(
+        &self,
+        pixel_69: PixelIn,
+        at_61: Entered,
+        path_33: Path,
+        hit_15: Hit,
+        params_43: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_surface_frames_polish(pixel_69, at_61, path_33, hit_15, rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_66: PixelIn, at_58: Entered, path_33: Path, hit_15: Hit) -> Hit {
+    #[inline(always)]
+    fn v_surface_frames_polish(
+        &self,
+        pixel_69: PixelIn,
+        at_61: Entered,
+        path_33: Path,
+        hit_15: Hit,
+        params_43: rt::Vec4<f32>,
+    ) -> Hit {
+        return hit_15;
+    }
+    pub(crate) fn surface_polish_stage(&self, pixel_70: PixelIn, at_62: Entered, path_34: Path, hit_16: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_70, at_62, path_34, hit_16))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_polish_stage(&self, pixel_70: PixelIn, at_62: Entered, path_34: Path, hit_16: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_66, at_58, path_33, hit_15, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_70, at_62, path_34, hit_16, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_66, at_58, path_33, hit_15, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_70, at_62, path_34, hit_16, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_66, at_58, path_33, hit_15, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_70, at_62, path_34, hit_16, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_66, at_58, path_33, hit_15, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_70, at_62, path_34, hit_16, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_66, at_58, path_33, hit_15, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_70, at_62, path_34, hit_16, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_polish(pixel_66, at_58, path_33, hit_15, _e43);
+                let _e44 = self.v_surface_facets_polish(pixel_70, at_62, path_34, hit_16, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_polish(pixel_66, at_58, path_33, hit_15, _e49);
+                let _e50 = self.v_surface_slices_polish(pixel_70, at_62, path_34, hit_16, _e49);
                 return _e50;
             }
-            _ => {
+            7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_polish(pixel_66, at_58, path_33, hit_15, _e55);
+                let _e56 = self.v_surface_object_polish(pixel_70, at_62, path_34, hit_16, _e55);
                 return _e56;
+            }
+            _ => {
+                let _e61 = self.surface_settings.choices[1usize].params;
+                let _e62 = self.v_surface_frames_polish(pixel_70, at_62, path_34, hit_16, _e61);
+                return _e62;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_67: PixelIn, at_59: Entered, path_34: Path, hit_16: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_67, at_59, path_34, hit_16))
+    pub(crate) fn polish_hit(&self, pixel_71: PixelIn, at_63: Entered, path_35: Path, hit_17: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_71, at_63, path_35, hit_17))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_polish_hit(&self, pixel_67: PixelIn, at_59: Entered, path_34: Path, hit_16: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_67, at_59, path_34, hit_16);
+    fn v_polish_hit(&self, pixel_71: PixelIn, at_63: Entered, path_35: Path, hit_17: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_71, at_63, path_35, hit_17);
         return _e4;
     }
     pub(crate) fn key_of(&self, depth_5: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -7770,11 +8029,11 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_height_texels(rt::Scalar(0u32));
         let _e4 = self.v_height_size(rt::Scalar(0u32));
         let _e10 = self.v_cell_of(((uv_16 * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let cell_21 = _e10.to_i32();
-        let _e14 = self.v_wrap_index(cell_21.x(), _e2.x());
-        let _e19 = self.v_wrap_index((cell_21.x() + rt::Scalar(1i32)), _e2.x());
-        let _e22 = self.v_wrap_index(cell_21.y(), _e2.y());
-        let _e27 = self.v_wrap_index((cell_21.y() + rt::Scalar(1i32)), _e2.y());
+        let cell_22 = _e10.to_i32();
+        let _e14 = self.v_wrap_index(cell_22.x(), _e2.x());
+        let _e19 = self.v_wrap_index((cell_22.x() + rt::Scalar(1i32)), _e2.x());
+        let _e22 = self.v_wrap_index(cell_22.y(), _e2.y());
+        let _e27 = self.v_wrap_index((cell_22.y() + rt::Scalar(1i32)), _e2.y());
         let _e31 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e14, _e22), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e36 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e19, _e22), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let above_7 = _e31.x().max(_e36.x());
@@ -7798,31 +8057,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn hit_on_segment(
         &self,
-        pixel_68: PixelIn,
-        at_60: Entered,
-        path_35: Path,
+        pixel_72: PixelIn,
+        at_64: Entered,
+        path_36: Path,
         found: Hit,
-        k_12: impl rt::Into<rt::Scalar<u32>>,
+        k_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> FirstHit {
-        rt::into(self.v_hit_on_segment(pixel_68, at_60, path_35, found, rt::into(k_12)))
+        rt::into(self.v_hit_on_segment(pixel_72, at_64, path_36, found, rt::into(k_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_segment(
         &self,
-        pixel_68: PixelIn,
-        at_60: Entered,
-        path_35: Path,
+        pixel_72: PixelIn,
+        at_64: Entered,
+        path_36: Path,
         found: Hit,
-        k_12: rt::Scalar<u32>,
+        k_17: rt::Scalar<u32>,
     ) -> FirstHit {
         let mut first_1: FirstHit;
 
-        first_1 = <FirstHit>::new(found, k_12, rt::Scalar(0f32));
+        first_1 = <FirstHit>::new(found, k_17, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(rt::Scalar(found.found).elementwise_eq(rt::Scalar(1u32))) {
-            let _e11 = self.v_polish_hit(pixel_68, at_60, path_35, found);
-            let _e12 = self.v_depth_on_ray(pixel_68, path_35, _e11);
+            let _e11 = self.v_polish_hit(pixel_72, at_64, path_36, found);
+            let _e12 = self.v_depth_on_ray(pixel_72, path_36, _e11);
             let _e13 = self.v_key_of(_e12);
-            first_1 = <FirstHit>::new(_e11, k_12, _e13);
+            first_1 = <FirstHit>::new(_e11, k_17, _e13);
             let _e16 = self.v_in_hole(_e11.uv);
             if rt::Scalar::into_branch_condition(_e16) {
                 rt::Scalar(first_1.hit.found) = rt::Scalar(0u32);
@@ -7833,25 +8092,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn hit_on_path(
         &self,
-        path_36: Path,
+        path_37: Path,
         t_16: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
         cost_3: impl rt::Into<rt::Vec3<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_36, rt::into(t_16), rt::into(exhausted), rt::into(cost_3)))
+        rt::into(self.v_hit_on_path(path_37, rt::into(t_16), rt::into(exhausted), rt::into(cost_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_path(
         &self,
-        path_36: Path,
+        path_37: Path,
         t_16: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
         let mut local_48: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_16.elementwise_gt(rt::Scalar(path_36.exit))) {
-            let _e9 = self.v_path_height(path_36, rt::Scalar(path_36.exit));
+        if rt::Scalar::into_branch_condition(t_16.elementwise_gt(rt::Scalar(path_37.exit))) {
+            let _e9 = self.v_path_height(path_37, rt::Scalar(path_37.exit));
             local_48 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
             local_48 = rt::Scalar(false);
@@ -7861,20 +8120,20 @@ impl<'g> Resources<'g> {
             let _e14 = self.v_miss(cost_3);
             return _e14;
         }
-        let inside_7 = t_16.clamp(rt::Scalar(0f32), rt::Scalar(path_36.exit));
-        let _e19 = self.v_path_uv(path_36, inside_7);
-        let _e20 = self.v_path_height(path_36, inside_7);
+        let inside_7 = t_16.clamp(rt::Scalar(0f32), rt::Scalar(path_37.exit));
+        let _e19 = self.v_path_uv(path_37, inside_7);
+        let _e20 = self.v_path_height(path_37, inside_7);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_7, cost_3);
     }
-    pub(crate) fn starting_point(&self, path_37: Path, found_1: Found) -> f32 {
-        rt::into(self.v_starting_point(path_37, found_1))
+    pub(crate) fn starting_point(&self, path_38: Path, found_1: Found) -> f32 {
+        rt::into(self.v_starting_point(path_38, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_37: Path, found_1: Found) -> rt::Scalar<f32> {
+    fn v_starting_point(&self, path_38: Path, found_1: Found) -> rt::Scalar<f32> {
         let mut local_49: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_37.base);
+            return rt::Scalar(path_38.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
             local_49 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
@@ -7889,43 +8148,43 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_none(
         &self,
-        path_38: Path,
+        path_39: Path,
         found_2: Found,
-        params_41: impl rt::Into<rt::Vec4<f32>>,
+        params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_38, found_2, rt::into(params_41)))
+        rt::into(self.v_refine_none(path_39, found_2, rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_refine_none(
         &self,
-        path_38: Path,
+        path_39: Path,
         found_2: Found,
-        params_41: rt::Vec4<f32>,
+        params_44: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_2.cost);
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_38, found_2);
-        let _e16 = self.v_hit_on_path(path_38, _e14, exhausted_1, found_2.cost);
+        let _e14 = self.v_starting_point(path_39, found_2);
+        let _e16 = self.v_hit_on_path(path_39, _e14, exhausted_1, found_2.cost);
         return _e16;
     }
     pub(crate) fn refine_offset(
         &self,
-        path_39: Path,
+        path_40: Path,
         found_3: Found,
-        params_42: impl rt::Into<rt::Vec4<f32>>,
+        params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_39, found_3, rt::into(params_42)))
+        rt::into(self.v_refine_offset(path_40, found_3, rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
-        path_39: Path,
+        path_40: Path,
         found_3: Found,
-        params_42: rt::Vec4<f32>,
+        params_45: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_17: rt::Scalar<f32>;
 
@@ -7933,88 +8192,88 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_3.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_39, found_3);
-        let _e9 = self.v_path_uv(path_39, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_39.level));
-        let _e12 = self.v_path_slope(path_39, _e8);
+        let _e8 = self.v_starting_point(path_40, found_3);
+        let _e9 = self.v_path_uv(path_40, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_40.level));
+        let _e12 = self.v_path_slope(path_40, _e8);
         t_17 = _e8;
         if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
-            let _e16 = self.v_path_height(path_39, _e8);
+            let _e16 = self.v_path_height(path_40, _e8);
             t_17 = (_e8 + ((_e11 - _e16) / _e12));
         }
         let _e20 = t_17;
-        let _e30 = self.v_hit_on_path(path_39, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
+        let _e30 = self.v_hit_on_path(path_40, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
         return _e30;
     }
     pub(crate) fn refine_offset_limited(
         &self,
-        path_40: Path,
+        path_41: Path,
         found_4: Found,
-        params_43: impl rt::Into<rt::Vec4<f32>>,
+        params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_40, found_4, rt::into(params_43)))
+        rt::into(self.v_refine_offset_limited(path_41, found_4, rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
-        path_40: Path,
+        path_41: Path,
         found_4: Found,
-        params_43: rt::Vec4<f32>,
+        params_46: rt::Vec4<f32>,
     ) -> Hit {
-        let mut hit_17: Hit;
+        let mut hit_18: Hit;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_4.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_40, found_4);
-        let _e9 = self.v_path_uv(path_40, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_40.level));
-        let _e12 = self.v_path_height(path_40, _e8);
-        let rise_m = ((_e11 - _e12) * path_40.metric.w());
+        let _e8 = self.v_starting_point(path_41, found_4);
+        let _e9 = self.v_path_uv(path_41, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_41.level));
+        let _e12 = self.v_path_height(path_41, _e8);
+        let rise_m = ((_e11 - _e12) * path_41.metric.w());
         let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e27 = self.v_hit_on_path(path_40, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
-        hit_17 = _e27;
-        let _e30 = rt::Scalar(hit_17.found);
+        let _e27 = self.v_hit_on_path(path_41, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
+        hit_18 = _e27;
+        let _e30 = rt::Scalar(hit_18.found);
         if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
-            rt::Scalar(hit_17.height) = _e11;
+            rt::Scalar(hit_18.height) = _e11;
         }
-        let _e34 = hit_17;
+        let _e34 = hit_18;
         return _e34;
     }
     pub(crate) fn normal_z(
         &self,
-        path_41: Path,
+        path_42: Path,
         slope_1: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_41, rt::into(slope_1)))
+        rt::into(self.v_normal_z(path_42, rt::into(slope_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_z(
         &self,
-        path_41: Path,
+        path_42: Path,
         slope_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m_4 = path_41.metric;
+        let m_4 = path_42.metric;
         let area_5 = ((m_4.x() * m_4.z()) - (m_4.y() * m_4.y()));
         let squared_2 = (((((slope_1.x() * slope_1.x()) * m_4.z()) - (((rt::Scalar(2f32) * slope_1.x()) * slope_1.y()) * m_4.y())) + ((slope_1.y() * slope_1.y()) * m_4.x())) / area_5);
         return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_4.w() * m_4.w()) * squared_2)).sqrt());
     }
     pub(crate) fn refine_slope(
         &self,
-        path_42: Path,
+        path_43: Path,
         found_5: Found,
-        params_44: impl rt::Into<rt::Vec4<f32>>,
+        params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_42, found_5, rt::into(params_44)))
+        rt::into(self.v_refine_slope(path_43, found_5, rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
-        path_42: Path,
+        path_43: Path,
         found_5: Found,
-        params_44: rt::Vec4<f32>,
+        params_47: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_18: rt::Scalar<f32>;
 
@@ -8022,56 +8281,56 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_5.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_42, found_5);
-        let _e9 = self.v_path_uv(path_42, _e8);
-        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_42.level));
-        let _e13 = self.v_path_height(path_42, _e8);
+        let _e8 = self.v_starting_point(path_43, found_5);
+        let _e9 = self.v_path_uv(path_43, _e8);
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_43.level));
+        let _e13 = self.v_path_height(path_43, _e8);
         let rise_1 = (_e11.x() - _e13);
         t_18 = _e8;
-        if rt::Scalar::into_branch_condition(params_44.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e19 = self.v_path_slope(path_42, _e8);
-            let closing = (_e19 - ((_e11.y() * path_42.duv.x()) + (_e11.z() * path_42.duv.y())));
+        if rt::Scalar::into_branch_condition(params_47.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e19 = self.v_path_slope(path_43, _e8);
+            let closing = (_e19 - ((_e11.y() * path_43.duv.x()) + (_e11.z() * path_43.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
                 t_18 = (_e8 + (rise_1 / closing));
             }
         } else {
-            let _e40 = self.v_normal_z(path_42, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_18 = (_e8 - ((rise_1 * path_42.metric.w()) * _e40));
+            let _e40 = self.v_normal_z(path_43, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_18 = (_e8 - ((rise_1 * path_43.metric.w()) * _e40));
         }
         let _e43 = t_18;
-        let _e53 = self.v_hit_on_path(path_42, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
+        let _e53 = self.v_hit_on_path(path_43, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
         return _e53;
     }
     pub(crate) fn refine_slope_iterative(
         &self,
-        path_43: Path,
+        path_44: Path,
         found_6: Found,
-        params_45: impl rt::Into<rt::Vec4<f32>>,
+        params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_43, found_6, rt::into(params_45)))
+        rt::into(self.v_refine_slope_iterative(path_44, found_6, rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
-        path_43: Path,
+        path_44: Path,
         found_6: Found,
-        params_45: rt::Vec4<f32>,
+        params_48: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_19: rt::Scalar<f32>;
         let mut cost_4: rt::Vec3<u32>;
-        let mut k_13: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_18: rt::Scalar<f32> = rt::Scalar(0f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_6.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_43, found_6);
+        let _e8 = self.v_starting_point(path_44, found_6);
         t_19 = _e8;
         cost_4 = found_6.cost;
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_13;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_45.x())) {
+                let _e14 = k_18;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_48.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -8079,36 +8338,36 @@ impl<'g> Resources<'g> {
                     let _e17 = cost_4;
                     cost_4 = (_e17 + STEP);
                     let _e20 = t_19;
-                    let _e21 = self.v_path_uv(path_43, _e20);
-                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_43.level));
+                    let _e21 = self.v_path_uv(path_44, _e20);
+                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_44.level));
                     let _e24 = cost_4;
                     cost_4 = (_e24 + HEIGHTS_READ);
                     let _e28 = t_19;
-                    let _e29 = self.v_path_height(path_43, _e28);
+                    let _e29 = self.v_path_height(path_44, _e28);
                     let rise_2 = (_e23.x() - _e29);
-                    if rt::Scalar::into_branch_condition(params_45.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_48.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e34 = t_19;
-                        let _e35 = self.v_path_slope(path_43, _e34);
-                        let closing_1 = (_e35 - ((_e23.y() * path_43.duv.x()) + (_e23.z() * path_43.duv.y())));
+                        let _e35 = self.v_path_slope(path_44, _e34);
+                        let closing_1 = (_e35 - ((_e23.y() * path_44.duv.x()) + (_e23.z() * path_44.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
                             let _e48 = t_19;
                             t_19 = (_e48 + (rise_2 / closing_1));
                         }
                     } else {
                         let _e51 = t_19;
-                        let _e58 = self.v_normal_z(path_43, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
-                        t_19 = (_e51 - ((rise_2 * path_43.metric.w()) * _e58));
+                        let _e58 = self.v_normal_z(path_44, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
+                        t_19 = (_e51 - ((rise_2 * path_44.metric.w()) * _e58));
                     }
                     let _e61 = t_19;
-                    t_19 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_43.exit));
-                    let _e65 = k_13;
-                    k_13 = (_e65 + rt::Scalar(1f32));
+                    t_19 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_44.exit));
+                    let _e65 = k_18;
+                    k_18 = (_e65 + rt::Scalar(1f32));
                 }
             }
         }
         let _e68 = t_19;
         let _e75 = cost_4;
-        let _e76 = self.v_hit_on_path(path_43, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
+        let _e76 = self.v_hit_on_path(path_44, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
         return _e76;
     }
     pub(crate) fn has_interval(&self, found_7: Found) -> bool {
@@ -8142,29 +8401,29 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_binary(
         &self,
-        path_44: Path,
+        path_45: Path,
         found_8: Found,
-        params_46: impl rt::Into<rt::Vec4<f32>>,
+        params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_44, found_8, rt::into(params_46)))
+        rt::into(self.v_refine_binary(path_45, found_8, rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
-        path_44: Path,
+        path_45: Path,
         found_8: Found,
-        params_46: rt::Vec4<f32>,
+        params_49: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_2: rt::Scalar<f32>;
         let mut far_4: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
         let mut local_53: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
-        let mut k_14: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_19: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_44, found_8, params_46);
+            let _e5 = self.v_refine_none(path_45, found_8, params_49);
             return _e5;
         }
         near_2 = rt::Scalar(found_8.near);
@@ -8172,7 +8431,7 @@ impl<'g> Resources<'g> {
         cost_5 = found_8.cost;
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_8.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_4;
-            let _e19 = self.v_path_height(path_44, _e18);
+            let _e19 = self.v_path_height(path_45, _e18);
             local_53 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
             local_53 = rt::Scalar(true);
@@ -8181,8 +8440,8 @@ impl<'g> Resources<'g> {
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = k_14;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_46.x())) {
+                let _e27 = k_19;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_49.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -8194,15 +8453,15 @@ impl<'g> Resources<'g> {
                     let middle_14 = (rt::Scalar(0.5f32) * (_e33 + _e34));
                     let _e38 = cost_5;
                     cost_5 = (_e38 + HEIGHTS_READ);
-                    let _e41 = self.v_path_gap(path_44, middle_14);
+                    let _e41 = self.v_path_gap(path_45, middle_14);
                     if rt::Scalar::into_branch_condition(_e41.elementwise_le(rt::Scalar(0f32))) {
                         far_4 = middle_14;
                         crossed = rt::Scalar(true);
                     } else {
                         near_2 = middle_14;
                     }
-                    let _e45 = k_14;
-                    k_14 = (_e45 + rt::Scalar(1f32));
+                    let _e45 = k_19;
+                    k_19 = (_e45 + rt::Scalar(1f32));
                 }
             }
         }
@@ -8215,23 +8474,23 @@ impl<'g> Resources<'g> {
         let _e52 = near_2;
         let _e53 = far_4;
         let _e58 = cost_5;
-        let _e59 = self.v_hit_on_path(path_44, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
+        let _e59 = self.v_hit_on_path(path_45, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
         return _e59;
     }
     pub(crate) fn refine_secant(
         &self,
-        path_45: Path,
+        path_46: Path,
         found_9: Found,
-        params_47: impl rt::Into<rt::Vec4<f32>>,
+        params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_45, found_9, rt::into(params_47)))
+        rt::into(self.v_refine_secant(path_46, found_9, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
-        path_45: Path,
+        path_46: Path,
         found_9: Found,
-        params_47: rt::Vec4<f32>,
+        params_50: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_3: rt::Scalar<f32>;
         let mut far_5: rt::Scalar<f32>;
@@ -8239,11 +8498,11 @@ impl<'g> Resources<'g> {
         let mut far_gap_1: rt::Scalar<f32>;
         let mut cost_6: rt::Vec3<u32>;
         let mut t_20: rt::Scalar<f32>;
-        let mut k_15: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_20: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_45, found_9, params_47);
+            let _e5 = self.v_refine_none(path_46, found_9, params_50);
             return _e5;
         }
         near_3 = rt::Scalar(found_9.near);
@@ -8253,10 +8512,10 @@ impl<'g> Resources<'g> {
         cost_6 = found_9.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_3;
-            let _e20 = self.v_path_gap(path_45, _e19);
+            let _e20 = self.v_path_gap(path_46, _e19);
             near_gap_1 = _e20;
             let _e21 = far_5;
-            let _e22 = self.v_path_gap(path_45, _e21);
+            let _e22 = self.v_path_gap(path_46, _e21);
             far_gap_1 = _e22;
             let _e23 = cost_6;
             cost_6 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -8271,8 +8530,8 @@ impl<'g> Resources<'g> {
         t_20 = _e33;
         'naga_break: loop {
             'naga_continue: {
-                let _e37 = k_15;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_47.x())) {
+                let _e37 = k_20;
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_50.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -8290,10 +8549,10 @@ impl<'g> Resources<'g> {
                     let _e51 = near_3;
                     let _e53 = near_gap_1;
                     t_20 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
-                    let _e57 = k_15;
-                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_47.x())) {
+                    let _e57 = k_20;
+                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_50.x())) {
                         let _e60 = t_20;
-                        let _e61 = self.v_path_gap(path_45, _e60);
+                        let _e61 = self.v_path_gap(path_46, _e60);
                         let _e62 = cost_6;
                         cost_6 = (_e62 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_le(rt::Scalar(0f32))) {
@@ -8306,41 +8565,41 @@ impl<'g> Resources<'g> {
                             near_gap_1 = _e61;
                         }
                     }
-                    let _e69 = k_15;
-                    k_15 = (_e69 + rt::Scalar(1f32));
+                    let _e69 = k_20;
+                    k_20 = (_e69 + rt::Scalar(1f32));
                 }
             }
         }
         let _e72 = t_20;
         let _e74 = cost_6;
-        let _e75 = self.v_hit_on_path(path_45, _e72, rt::Scalar(0u32), _e74);
+        let _e75 = self.v_hit_on_path(path_46, _e72, rt::Scalar(0u32), _e74);
         return _e75;
     }
     pub(crate) fn refine_true_secant(
         &self,
-        path_46: Path,
+        path_47: Path,
         found_10: Found,
-        params_48: impl rt::Into<rt::Vec4<f32>>,
+        params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_46, found_10, rt::into(params_48)))
+        rt::into(self.v_refine_true_secant(path_47, found_10, rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
-        path_46: Path,
+        path_47: Path,
         found_10: Found,
-        params_48: rt::Vec4<f32>,
+        params_51: rt::Vec4<f32>,
     ) -> Hit {
         let mut before_1: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
         let mut cost_7: rt::Vec3<u32>;
-        let mut k_16: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_21: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_10);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_46, found_10, params_48);
+            let _e5 = self.v_refine_none(path_47, found_10, params_51);
             return _e5;
         }
         before_1 = rt::Scalar(found_10.near);
@@ -8350,10 +8609,10 @@ impl<'g> Resources<'g> {
         cost_7 = found_10.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before_1;
-            let _e20 = self.v_path_gap(path_46, _e19);
+            let _e20 = self.v_path_gap(path_47, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_46, _e21);
+            let _e22 = self.v_path_gap(path_47, _e21);
             last_gap = _e22;
             let _e23 = cost_7;
             cost_7 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -8366,8 +8625,8 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e35 = k_16;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_48.x())) {
+                let _e35 = k_21;
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_51.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -8390,37 +8649,37 @@ impl<'g> Resources<'g> {
                     let _e58 = last_gap;
                     before_gap = _e58;
                     last = t_37;
-                    let _e59 = k_16;
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_48.x())) {
-                        let _e62 = self.v_path_gap(path_46, t_37);
+                    let _e59 = k_21;
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_51.x())) {
+                        let _e62 = self.v_path_gap(path_47, t_37);
                         last_gap = _e62;
                         let _e63 = cost_7;
                         cost_7 = (_e63 + HEIGHTS_READ);
                     }
-                    let _e66 = k_16;
-                    k_16 = (_e66 + rt::Scalar(1f32));
+                    let _e66 = k_21;
+                    k_21 = (_e66 + rt::Scalar(1f32));
                 }
             }
         }
         let _e69 = last;
         let _e71 = cost_7;
-        let _e72 = self.v_hit_on_path(path_46, _e69, rt::Scalar(0u32), _e71);
+        let _e72 = self.v_hit_on_path(path_47, _e69, rt::Scalar(0u32), _e71);
         return _e72;
     }
     pub(crate) fn refine_patch(
         &self,
-        path_47: Path,
+        path_48: Path,
         found_11: Found,
-        params_49: impl rt::Into<rt::Vec4<f32>>,
+        params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_47, found_11, rt::into(params_49)))
+        rt::into(self.v_refine_patch(path_48, found_11, rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
-        path_47: Path,
+        path_48: Path,
         found_11: Found,
-        params_49: rt::Vec4<f32>,
+        params_52: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_21: rt::Scalar<f32>;
         let mut cell_8: rt::Vec2<f32>;
@@ -8432,21 +8691,21 @@ impl<'g> Resources<'g> {
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_47, rt::Scalar(found_11.near), rt::Scalar(1u32), found_11.cost);
+            let _e14 = self.v_hit_on_path(path_48, rt::Scalar(found_11.near), rt::Scalar(1u32), found_11.cost);
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_47, rt::Scalar(found_11.near), rt::Scalar(0u32), found_11.cost);
+            let _e21 = self.v_hit_on_path(path_48, rt::Scalar(found_11.near), rt::Scalar(0u32), found_11.cost);
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_47);
+        let _e22 = self.v_grid_of(path_48);
         t_21 = rt::Scalar(found_11.near);
         let _e27 = t_21;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
         cell_8 = _e30;
         cost_8 = found_11.cost;
         let _e35 = cost_8.x();
-        let limit = (_e35 + params_49.x().to_u32());
+        let limit = (_e35 + params_52.x().to_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_8.x();
@@ -8464,20 +8723,20 @@ impl<'g> Resources<'g> {
                     let span_6 = (end_4 - _e52).max(rt::Scalar(0f32));
                     let _e56 = cell_8;
                     let _e57 = t_21;
-                    let _e58 = self.v_cell_gap(path_47, _e22, _e56, _e57);
+                    let _e58 = self.v_cell_gap(path_48, _e22, _e56, _e57);
                     let _e59 = cost_8;
                     cost_8 = (_e59 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e58.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e65 = t_21;
                         let _e67 = cost_8;
-                        let _e68 = self.v_hit_on_path(path_47, _e65, rt::Scalar(0u32), _e67);
+                        let _e68 = self.v_hit_on_path(path_48, _e65, rt::Scalar(0u32), _e67);
                         return _e68;
                     }
                     let _e69 = self.v_first_root(_e58, span_6);
                     if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e72 = t_21;
                         let _e75 = cost_8;
-                        let _e76 = self.v_hit_on_path(path_47, (_e72 + _e69), rt::Scalar(0u32), _e75);
+                        let _e76 = self.v_hit_on_path(path_48, (_e72 + _e69), rt::Scalar(0u32), _e75);
                         return _e76;
                     }
                     if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(found_11.far))) {
@@ -8489,7 +8748,7 @@ impl<'g> Resources<'g> {
                         let _e89 = local_54;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
-                            let _e93 = self.v_hit_on_path(path_47, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
+                            let _e93 = self.v_hit_on_path(path_48, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
                             return _e93;
                         }
                         let _e94 = cost_8;
@@ -8506,147 +8765,147 @@ impl<'g> Resources<'g> {
         }
         let _e100 = t_21;
         let _e102 = cost_8;
-        let _e103 = self.v_hit_on_path(path_47, _e100, rt::Scalar(1u32), _e102);
+        let _e103 = self.v_hit_on_path(path_48, _e100, rt::Scalar(1u32), _e102);
         return _e103;
     }
     pub(crate) fn refine_half_texel(
         &self,
-        path_48: Path,
+        path_49: Path,
         found_12: Found,
-        params_50: impl rt::Into<rt::Vec4<f32>>,
+        params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_48, found_12, rt::into(params_50)))
+        rt::into(self.v_refine_half_texel(path_49, found_12, rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
-        path_48: Path,
+        path_49: Path,
         found_12: Found,
-        params_50: rt::Vec4<f32>,
+        params_53: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_5: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_12.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_48, found_12, params_50);
+            let _e6 = self.v_refine_none(path_49, found_12, params_53);
             return _e6;
         }
-        let _e9 = self.v_height_size(rt::Scalar(path_48.level));
-        let speed_1 = (path_48.duv * _e9).length();
-        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_48.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_48, found_12, params_50);
+        let _e9 = self.v_height_size(rt::Scalar(path_49.level));
+        let speed_1 = (path_49.duv * _e9).length();
+        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_49.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e17 = self.v_refine_none(path_49, found_12, params_53);
             return _e17;
         }
         let half_1 = (rt::Scalar(0.5f32) / speed_1);
         let backward = (rt::Scalar(found_12.far) - half_1).max(rt::Scalar(0f32));
-        let forward_2 = (rt::Scalar(found_12.far) + half_1).min(rt::Scalar(path_48.exit));
-        let _e28 = self.v_path_gap(path_48, backward);
+        let forward_2 = (rt::Scalar(found_12.far) + half_1).min(rt::Scalar(path_49.exit));
+        let _e28 = self.v_path_gap(path_49, backward);
         let before_3 = _e28.abs();
-        let _e30 = self.v_path_gap(path_48, forward_2);
+        let _e30 = self.v_path_gap(path_49, forward_2);
         let behind_2 = _e30.abs();
         if rt::Scalar::into_branch_condition((before_3 + behind_2).elementwise_gt(rt::Scalar(0f32))) {
             part_5 = (before_3 / (before_3 + behind_2));
         }
-        let cost_23 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
+        let cost_24 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
         let _e45 = part_5;
-        let _e49 = self.v_hit_on_path(path_48, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_23);
+        let _e49 = self.v_hit_on_path(path_49, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_24);
         return _e49;
     }
-    pub(crate) fn refine_stage(&self, path_49: Path, found_13: Found) -> Hit {
-        rt::into(self.v_refine_stage(path_49, found_13))
+    pub(crate) fn refine_stage(&self, path_50: Path, found_13: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_50, found_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_49: Path, found_13: Found) -> Hit {
+    fn v_refine_stage(&self, path_50: Path, found_13: Found) -> Hit {
         let _e6 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[6usize].params;
-                let _e12 = self.v_refine_none(path_49, found_13, _e11);
+                let _e12 = self.v_refine_none(path_50, found_13, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[6usize].params;
-                let _e18 = self.v_refine_offset(path_49, found_13, _e17);
+                let _e18 = self.v_refine_offset(path_50, found_13, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[6usize].params;
-                let _e24 = self.v_refine_offset_limited(path_49, found_13, _e23);
+                let _e24 = self.v_refine_offset_limited(path_50, found_13, _e23);
                 return _e24;
             }
             3u32 => {
                 let _e29 = self.surface_settings.choices[6usize].params;
-                let _e30 = self.v_refine_slope(path_49, found_13, _e29);
+                let _e30 = self.v_refine_slope(path_50, found_13, _e29);
                 return _e30;
             }
             4u32 => {
                 let _e35 = self.surface_settings.choices[6usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_49, found_13, _e35);
+                let _e36 = self.v_refine_slope_iterative(path_50, found_13, _e35);
                 return _e36;
             }
             5u32 => {
                 let _e41 = self.surface_settings.choices[6usize].params;
-                let _e42 = self.v_refine_binary(path_49, found_13, _e41);
+                let _e42 = self.v_refine_binary(path_50, found_13, _e41);
                 return _e42;
             }
             6u32 => {
                 let _e47 = self.surface_settings.choices[6usize].params;
-                let _e48 = self.v_refine_secant(path_49, found_13, _e47);
+                let _e48 = self.v_refine_secant(path_50, found_13, _e47);
                 return _e48;
             }
             7u32 => {
                 let _e53 = self.surface_settings.choices[6usize].params;
-                let _e54 = self.v_refine_true_secant(path_49, found_13, _e53);
+                let _e54 = self.v_refine_true_secant(path_50, found_13, _e53);
                 return _e54;
             }
             8u32 => {
                 let _e59 = self.surface_settings.choices[6usize].params;
-                let _e60 = self.v_refine_patch(path_49, found_13, _e59);
+                let _e60 = self.v_refine_patch(path_50, found_13, _e59);
                 return _e60;
             }
             _ => {
                 let _e65 = self.surface_settings.choices[6usize].params;
-                let _e66 = self.v_refine_half_texel(path_49, found_13, _e65);
+                let _e66 = self.v_refine_half_texel(path_50, found_13, _e65);
                 return _e66;
             }
         }
     }
     pub(crate) fn search_none(
         &self,
-        path_50: Path,
-        params_51: impl rt::Into<rt::Vec4<f32>>,
+        path_51: Path,
+        params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_50, rt::into(params_51)))
+        rt::into(self.v_search_none(path_51, rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_search_none(
         &self,
-        path_50: Path,
-        params_51: rt::Vec4<f32>,
+        path_51: Path,
+        params_54: rt::Vec4<f32>,
     ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_51.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
-        path_51: Path,
-        params_52: impl rt::Into<rt::Vec4<f32>>,
+        path_52: Path,
+        params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_51, rt::into(params_52)))
+        rt::into(self.v_search_linear(path_52, rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
-        path_51: Path,
-        params_52: rt::Vec4<f32>,
+        path_52: Path,
+        params_55: rt::Vec4<f32>,
     ) -> Found {
         let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32>;
         let mut cost_9: rt::Vec3<u32> = HEIGHTS_READ;
-        let mut k_17: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_22: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_5 = (path_51.h.y().abs() * path_51.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps_1 = rt::Scalar(1f32).max(((params_52.x() * params_52.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_51.share)).ceil());
-        let _e24 = self.v_path_gap(path_51, rt::Scalar(0f32));
+        let cosine_5 = (path_52.h.y().abs() * path_52.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps_2 = rt::Scalar(1f32).max(((params_55.x() * params_55.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_52.share)).ceil());
+        let _e24 = self.v_path_gap(path_52, rt::Scalar(0f32));
         near_gap_2 = _e24;
         let _e28 = near_gap_2;
         if rt::Scalar::into_branch_condition(_e28.elementwise_lt(rt::Scalar(0f32))) {
@@ -8657,17 +8916,17 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e40 = k_17;
-                if rt::Scalar::into_branch_condition(_e40.elementwise_le(steps_1)) {
+                let _e40 = k_22;
+                if rt::Scalar::into_branch_condition(_e40.elementwise_le(steps_2)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e42 = cost_9;
                     cost_9 = (_e42 + STEP);
-                    let _e46 = k_17;
-                    let t_38 = (rt::Scalar(path_51.exit) * (_e46 / steps_1));
-                    let _e49 = self.v_path_gap(path_51, t_38);
+                    let _e46 = k_22;
+                    let t_38 = (rt::Scalar(path_52.exit) * (_e46 / steps_2));
+                    let _e49 = self.v_path_gap(path_52, t_38);
                     let _e50 = cost_9;
                     cost_9 = (_e50 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e49.elementwise_le(rt::Scalar(0f32))) {
@@ -8678,8 +8937,8 @@ impl<'g> Resources<'g> {
                     }
                     near_4 = t_38;
                     near_gap_2 = _e49;
-                    let _e60 = k_17;
-                    k_17 = (_e60 + rt::Scalar(1f32));
+                    let _e60 = k_22;
+                    k_22 = (_e60 + rt::Scalar(1f32));
                 }
             }
         }
@@ -8752,25 +9011,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cells(
         &self,
-        path_52: Path,
-        params_53: impl rt::Into<rt::Vec4<f32>>,
+        path_53: Path,
+        params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_52, rt::into(params_53)))
+        rt::into(self.v_search_cells(path_53, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
-        path_52: Path,
-        params_53: rt::Vec4<f32>,
+        path_53: Path,
+        params_56: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_9: rt::Vec2<f32>;
         let mut t_23: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_11: rt::Vec3<u32> = NO_COST;
 
-        let _e2 = self.v_grid_of(path_52);
+        let _e2 = self.v_grid_of(path_53);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_9 = _e4;
-        let limit_1 = params_53.x().to_u32();
+        let limit_1 = params_56.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = cost_11.x();
@@ -8783,10 +9042,10 @@ impl<'g> Resources<'g> {
                     cost_11 = (_e15 + STEP);
                     let _e18 = cell_9;
                     let _e19 = self.v_cell_leave(_e2, _e18);
-                    let end_5 = _e19.x().min(_e19.y()).min(rt::Scalar(path_52.exit));
+                    let end_5 = _e19.x().min(_e19.y()).min(rt::Scalar(path_53.exit));
                     let _e25 = cell_9;
                     let _e26 = t_23;
-                    let _e27 = self.v_cell_gap(path_52, _e2, _e25, _e26);
+                    let _e27 = self.v_cell_gap(path_53, _e2, _e25, _e26);
                     let _e28 = cost_11;
                     cost_11 = (_e28 + HEIGHTS_READ);
                     let _e31 = t_23;
@@ -8798,10 +9057,10 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e41.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e41;
                     }
-                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_52.exit))) {
+                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_53.exit))) {
                         let _e48 = t_23;
                         let _e52 = cost_11;
-                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_52.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
+                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_53.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
                     }
                     let _e54 = cell_9;
                     let _e55 = self.v_cell_next(_e2, _e54, _e19);
@@ -8813,7 +9072,7 @@ impl<'g> Resources<'g> {
         }
         let _e59 = t_23;
         let _e61 = cost_11;
-        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_52.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
+        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_53.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
     }
     pub(crate) fn image_of(
         &self,
@@ -8859,22 +9118,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn frustum_slope(
         &self,
-        path_53: Path,
+        path_54: Path,
         cell_11: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_53, rt::into(cell_11), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_54, rt::into(cell_11), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frustum_slope(
         &self,
-        path_53: Path,
+        path_54: Path,
         cell_11: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
         let mut local_57: rt::Scalar<bool>;
 
-        let _e4 = self.v_height_texels(rt::Scalar(path_53.level));
+        let _e4 = self.v_height_texels(rt::Scalar(path_54.level));
         let _e7 = self.v_image_of(cell_11.x(), _e4.x());
         let _e10 = self.v_image_of(cell_11.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
@@ -8886,26 +9145,26 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
-        let _e29 = self.v_search_texel(path_53, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_53.level).to_i32());
-        let right_2 = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
+        let _e29 = self.v_search_texel(path_54, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_54.level).to_i32());
+        let right_3 = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
         let down = forward_1.y().elementwise_eq(_e10.y().elementwise_eq(rt::Scalar(0i32)));
-        return _e29.w().select(_e29.z(), right_2).select(_e29.y().select(_e29.x(), right_2), down);
+        return _e29.w().select(_e29.z(), right_3).select(_e29.y().select(_e29.x(), right_3), down);
     }
     pub(crate) fn map_read(
         &self,
-        path_54: Path,
+        path_55: Path,
         texels_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_map_read(path_54, rt::into(texels_3)))
+        rt::into(self.v_map_read(path_55, rt::into(texels_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_map_read(
         &self,
-        path_54: Path,
+        path_55: Path,
         texels_3: rt::Scalar<u32>,
     ) -> rt::Vec3<u32> {
-        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_54.ray).elementwise_eq(RAY_SHADOW));
+        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_55.ray).elementwise_eq(RAY_SHADOW));
         let _e14 = rt::Scalar(self.surface_settings.maps[rt::Scalar::into_array_index(slot)].texel_bytes);
         return <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), (texels_3 * _e14));
     }
@@ -8948,16 +9207,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_frustum(
         &self,
-        path_55: Path,
-        params_54: impl rt::Into<rt::Vec4<f32>>,
+        path_56: Path,
+        params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_55, rt::into(params_54)))
+        rt::into(self.v_search_frustum(path_56, rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
-        path_55: Path,
-        params_54: rt::Vec4<f32>,
+        path_56: Path,
+        params_57: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_12: rt::Vec2<f32>;
         let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -8966,11 +9225,11 @@ impl<'g> Resources<'g> {
         let mut slope_3: rt::Scalar<f32>;
         let mut local_58: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_55);
+        let _e2 = self.v_grid_of(path_56);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_12 = _e9;
-        let limit_2 = params_54.x().to_u32();
+        let limit_2 = params_57.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_12.x();
@@ -8982,25 +9241,25 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_12;
                     cost_12 = (_e20 + STEP);
                     let _e24 = cost_12.x();
-                    let first_10 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_12 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_12;
-                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_55.level));
+                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_56.level));
                     let _e31 = cost_12;
                     cost_12 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_12;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_55.exit));
+                    let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_56.exit));
                     let _e41 = t_24;
                     let span_8 = (end_6 - _e41).max(rt::Scalar(0f32));
                     let top_8 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
                     let _e52 = t_24;
-                    let _e53 = self.v_path_height(path_55, _e52);
+                    let _e53 = self.v_path_height(path_56, _e52);
                     let _e55 = t_24;
-                    let _e56 = self.v_path_slope(path_55, _e55);
-                    let above_8 = <rt::Vec3<f32>>::from_scalars((_e53 - top_8), _e56, path_55.h.z());
+                    let _e56 = self.v_path_slope(path_56, _e55);
+                    let above_8 = <rt::Vec3<f32>>::from_scalars((_e53 - top_8), _e56, path_56.h.z());
                     let _e63 = t_24;
                     let _e67 = t_24;
-                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_55.h.x().abs() + (_e63 * (path_55.h.y().abs() + (_e67 * path_55.h.z().abs())))));
+                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_56.h.x().abs() + (_e63 * (path_56.h.y().abs() + (_e67 * path_56.h.z().abs())))));
                     let _e77 = t_24;
                     next_1 = _e77.max(end_6);
                     slope_3 = rt::Scalar(-1f32);
@@ -9013,24 +9272,24 @@ impl<'g> Resources<'g> {
                     }
                     let _e90 = local_58;
                     if rt::Scalar::into_branch_condition(_e90) {
-                        if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_55.exit))) {
+                        if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_56.exit))) {
                             let _e93 = cell_12;
-                            let _e95 = self.v_frustum_slope(path_55, _e93.to_i32(), forward_3);
+                            let _e95 = self.v_frustum_slope(path_56, _e93.to_i32(), forward_3);
                             slope_3 = _e95;
                             let _e96 = slope_3;
                             if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
                                 let _e99 = cost_12;
-                                let _e101 = self.v_map_read(path_55, rt::Scalar(1u32));
+                                let _e101 = self.v_map_read(path_56, rt::Scalar(1u32));
                                 cost_12 = (_e99 + _e101);
                             }
                         }
                     } else {
                         let _e103 = cell_12;
                         let _e104 = t_24;
-                        let _e105 = self.v_gap_to(path_55, _e2, _e103, _e30, _e104);
+                        let _e105 = self.v_gap_to(path_56, _e2, _e103, _e30, _e104);
                         let _e106 = t_24;
                         let _e107 = cost_12;
-                        let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_10, _e107);
+                        let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_12, _e107);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e108;
                         }
@@ -9039,14 +9298,14 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_12;
                         let _e119 = t_24;
-                        let at_120 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_4 = at_120.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_120), forward_3);
+                        let at_128 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_4 = at_128.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_128), forward_3);
                         let _e131 = t_24;
                         let far_8 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_3;
                         let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_8));
                         let _e145 = t_24;
-                        let rest_6 = (rt::Scalar(path_55.exit) - _e145);
+                        let rest_6 = (rt::Scalar(path_56.exit) - _e145);
                         let _e147 = slope_3;
                         let _e152 = self.v_stays_above(above_8, _e147, left_4.x(), _e2.step.x(), lost_1.x(), rest_6);
                         let _e153 = slope_3;
@@ -9056,10 +9315,10 @@ impl<'g> Resources<'g> {
                         next_1 = _e159.max((_e160 + _e152.min(_e158)));
                     }
                     let _e164 = next_1;
-                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_55.exit))) {
+                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_56.exit))) {
                         let _e168 = t_24;
                         let _e170 = cost_12;
-                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_55.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
+                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_56.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
                     }
                     let _e174 = slope_3;
                     if rt::Scalar::into_branch_condition(_e174.elementwise_ge(rt::Scalar(0f32))) {
@@ -9079,31 +9338,31 @@ impl<'g> Resources<'g> {
         }
         let _e184 = t_24;
         let _e186 = cost_12;
-        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_55.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
+        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_56.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
-    pub(crate) fn nearest_corner(&self, at_61: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_61)))
+    pub(crate) fn nearest_corner(&self, at_65: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_nearest_corner(&self, at_61: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_61.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_65: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_65.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
-        path_56: Path,
+        path_57: Path,
         grid_8: Grid,
         offset_6: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_4: impl rt::Into<rt::Scalar<f32>>,
         t_25: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_56, grid_8, rt::into(offset_6), rt::into(apex), rt::into(slope_4), rt::into(t_25)))
+        rt::into(self.v_stays_inside(path_57, grid_8, rt::into(offset_6), rt::into(apex), rt::into(slope_4), rt::into(t_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
         &self,
-        path_56: Path,
+        path_57: Path,
         grid_8: Grid,
         offset_6: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
@@ -9114,25 +9373,25 @@ impl<'g> Resources<'g> {
         let mut local_59: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_7 = (rt::Scalar(path_56.exit) - t_25);
-        let _e8 = self.v_path_height(path_56, t_25);
-        let height_16 = (_e8 - apex);
-        let terms = (path_56.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_56.exit)) * path_56.h.z().abs()));
-        let _e21 = self.v_path_slope(path_56, t_25);
-        let rise_4 = ((_e21 + (path_56.h.z().min(rt::Scalar(0f32)) * rest_7)) - (rt::Scalar(0.0000009536743f32) * terms));
+        let rest_7 = (rt::Scalar(path_57.exit) - t_25);
+        let _e8 = self.v_path_height(path_57, t_25);
+        let height_17 = (_e8 - apex);
+        let terms = (path_57.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_57.exit)) * path_57.h.z().abs()));
+        let _e21 = self.v_path_slope(path_57, t_25);
+        let rise_4 = ((_e21 + (path_57.h.z().min(rt::Scalar(0f32)) * rest_7)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_7;
         if rt::Scalar::into_branch_condition(rise_4.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
-            most = _e34.min((height_16 / (rt::Scalar(0f32) - rise_4)));
+            most = _e34.min((height_17 / (rt::Scalar(0f32) - rise_4)));
         }
         let _e39 = most;
         let end_7 = (t_25 + _e39);
-        let _e52 = self.v_height_size(rt::Scalar(path_56.level));
+        let _e52 = self.v_height_size(rt::Scalar(path_57.level));
         let far_9 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_7)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
-        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_56.h.x().abs() + (end_7 * (path_56.h.y().abs() + (end_7 * path_56.h.z().abs())))));
+        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_57.h.x().abs() + (end_7 * (path_57.h.y().abs() + (end_7 * path_57.h.z().abs())))));
         let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_9.x() + far_9.y())));
-        let gap_3 = (height_16 - (rt::Scalar(2f32) * lost_2));
-        let _e85 = self.v_height_size(rt::Scalar(path_56.level));
+        let gap_3 = (height_17 - (rt::Scalar(2f32) * lost_2));
+        let _e85 = self.v_height_size(rt::Scalar(path_57.level));
         let aside_5 = (((grid_8.origin - offset_6) + (grid_8.step * t_25)) / _e85);
         let c_17 = (((slope_4 * aside_5.length()) - gap_3) * ((slope_4 * aside_5.length()) + gap_3));
         if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
@@ -9144,8 +9403,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_27 = (((slope_4 * slope_4) * aside_5.dot(path_56.duv)) - (gap_3 * rise_4));
-        let a_27 = (((slope_4 * slope_4) * path_56.duv.dot(path_56.duv)) - (rise_4 * rise_4));
+        let b_27 = (((slope_4 * slope_4) * aside_5.dot(path_57.duv)) - (gap_3 * rise_4));
+        let a_27 = (((slope_4 * slope_4) * path_57.duv.dot(path_57.duv)) - (rise_4 * rise_4));
         let discriminant_3 = ((b_27 * b_27) - (a_27 * c_17));
         if rt::Scalar::into_branch_condition(discriminant_3.elementwise_ge(rt::Scalar(0f32))) {
             let root_4 = discriminant_3.sqrt();
@@ -9162,7 +9421,7 @@ impl<'g> Resources<'g> {
         leave_6 = _e135.min(_e136);
         let _e139 = leave_6;
         let _e145 = leave_6;
-        if rt::Scalar::into_branch_condition(((slope_4 * (aside_5 + (path_56.duv * _e139)).length()) + lost_2).elementwise_le((height_16 + (rise_4 * _e145)))) {
+        if rt::Scalar::into_branch_condition(((slope_4 * (aside_5 + (path_57.duv * _e139)).length()) + lost_2).elementwise_le((height_17 + (rise_4 * _e145)))) {
             let _e149 = leave_6;
             return _e149;
         }
@@ -9170,27 +9429,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cone(
         &self,
-        path_57: Path,
-        params_55: impl rt::Into<rt::Vec4<f32>>,
+        path_58: Path,
+        params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_57, rt::into(params_55)))
+        rt::into(self.v_search_cone(path_58, rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
-        path_57: Path,
-        params_55: rt::Vec4<f32>,
+        path_58: Path,
+        params_58: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_13: rt::Vec2<f32>;
         let mut t_26: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_57);
+        let _e2 = self.v_grid_of(path_58);
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_13 = _e9;
-        let limit_3 = params_55.x().to_u32();
+        let limit_3 = params_58.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_13.x();
@@ -9202,36 +9461,36 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_13;
                     cost_13 = (_e20 + STEP);
                     let _e24 = cost_13.x();
-                    let first_11 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_13 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_13;
-                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_57.level));
+                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_58.level));
                     let _e31 = cost_13;
                     cost_13 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_13;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_8 = _e35.x().min(_e35.y()).min(rt::Scalar(path_57.exit));
+                    let end_8 = _e35.x().min(_e35.y()).min(rt::Scalar(path_58.exit));
                     let _e41 = t_26;
                     let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_13;
                     let _e49 = t_26;
-                    let at_121 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_121);
+                    let at_129 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_129);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_26;
                     next_2 = _e54;
                     let _e56 = t_26;
-                    let _e57 = self.v_path_height(path_57, _e56);
+                    let _e57 = self.v_path_height(path_58, _e56);
                     if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
                         let _e59 = cell_13;
                         let texel_8 = (_e59 + _e52);
-                        let _e61 = self.v_cone_slope(path_57, texel_8);
+                        let _e61 = self.v_cone_slope(path_58, texel_8);
                         let _e62 = cost_13;
-                        let _e64 = self.v_map_read(path_57, rt::Scalar(1u32));
+                        let _e64 = self.v_map_read(path_58, rt::Scalar(1u32));
                         cost_13 = (_e62 + _e64);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
                             let _e68 = t_26;
                             let _e69 = t_26;
-                            let _e70 = self.v_stays_inside(path_57, _e2, texel_8, _e53, _e61, _e69);
+                            let _e70 = self.v_stays_inside(path_58, _e2, texel_8, _e53, _e61, _e69);
                             next_2 = (_e68 + _e70);
                         }
                     }
@@ -9239,10 +9498,10 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_8)) {
                         let _e74 = cell_13;
                         let _e75 = t_26;
-                        let _e76 = self.v_gap_to(path_57, _e2, _e74, _e30, _e75);
+                        let _e76 = self.v_gap_to(path_58, _e2, _e74, _e30, _e75);
                         let _e77 = t_26;
                         let _e78 = cost_13;
-                        let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_11, _e78);
+                        let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_13, _e78);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e79.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e79;
                         }
@@ -9250,10 +9509,10 @@ impl<'g> Resources<'g> {
                         next_2 = _e83.max(end_8);
                     }
                     let _e85 = next_2;
-                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_57.exit))) {
+                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_58.exit))) {
                         let _e89 = t_26;
                         let _e91 = cost_13;
-                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_57.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
+                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_58.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
                     }
                     let _e95 = cell_13;
                     let _e96 = next_2;
@@ -9266,36 +9525,36 @@ impl<'g> Resources<'g> {
         }
         let _e100 = t_26;
         let _e102 = cost_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_57.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
+        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_58.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
     }
     pub(crate) fn node_extent(
         &self,
         cell_14: impl rt::Into<rt::Scalar<i32>>,
-        image_2: impl rt::Into<rt::Vec2<i32>>,
+        image_4: impl rt::Into<rt::Vec2<i32>>,
         n_6: impl rt::Into<rt::Scalar<i32>>,
         level_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_14), rt::into(image_2), rt::into(n_6), rt::into(level_18)))
+        rt::into(self.v_node_extent(rt::into(cell_14), rt::into(image_4), rt::into(n_6), rt::into(level_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
         &self,
         cell_14: rt::Scalar<i32>,
-        image_2: rt::Vec2<i32>,
+        image_4: rt::Vec2<i32>,
         n_6: rt::Scalar<i32>,
         level_18: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_60: rt::Scalar<bool>;
 
-        let first_12 = ((image_2.x() >> level_18) << level_18);
-        let side_5 = (rt::Scalar(1i32) << level_18);
-        if rt::Scalar::into_branch_condition(image_2.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low_4 = (cell_14 - (image_2.x() - first_12));
-            return <rt::Vec2<i32>>::from_scalars(low_4, (low_4 + side_5.min((n_6 - first_12))));
+        let first_14 = ((image_4.x() >> level_18) << level_18);
+        let side_6 = (rt::Scalar(1i32) << level_18);
+        if rt::Scalar::into_branch_condition(image_4.y().elementwise_eq(rt::Scalar(0i32))) {
+            let low_4 = (cell_14 - (image_4.x() - first_14));
+            return <rt::Vec2<i32>>::from_scalars(low_4, (low_4 + side_6.min((n_6 - first_14))));
         }
-        if rt::Scalar::into_branch_condition(image_2.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high_1 = ((cell_14 + (image_2.x() - first_12)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high_1 - side_5.min(((n_6 - rt::Scalar(1i32)) - first_12))), high_1);
+        if rt::Scalar::into_branch_condition(image_4.y().elementwise_eq(rt::Scalar(1i32))) {
+            let high_1 = ((cell_14 + (image_4.x() - first_14)) + rt::Scalar(1i32));
+            return <rt::Vec2<i32>>::from_scalars((high_1 - side_6.min(((n_6 - rt::Scalar(1i32)) - first_14))), high_1);
         }
         if rt::Scalar::into_branch_condition(level_18.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
@@ -9335,16 +9594,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid(
         &self,
-        path_58: Path,
-        params_56: impl rt::Into<rt::Vec4<f32>>,
+        path_59: Path,
+        params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_58, rt::into(params_56)))
+        rt::into(self.v_search_pyramid(path_59, rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
-        path_58: Path,
-        params_56: rt::Vec4<f32>,
+        path_59: Path,
+        params_59: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut level_19: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -9357,9 +9616,9 @@ impl<'g> Resources<'g> {
         let mut local_63: rt::Scalar<bool>;
         let mut local_64: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_58);
-        let _e4 = self.v_height_texels(rt::Scalar(path_58.level));
-        let long_5 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_58.exit));
+        let _e2 = self.v_grid_of(path_59);
+        let _e4 = self.v_height_texels(rt::Scalar(path_59.level));
+        let long_5 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_59.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = top;
@@ -9380,7 +9639,7 @@ impl<'g> Resources<'g> {
         }
         let _e37 = self.v_cell_of(_e2.origin);
         cell_15 = _e37.to_i32();
-        let limit_4 = params_56.x().to_u32();
+        let limit_4 = params_59.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e51 = cost_14.x();
@@ -9395,10 +9654,10 @@ impl<'g> Resources<'g> {
                     let _e59 = self.v_image_of(_e57, _e4.x());
                     let _e61 = cell_15.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_23 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let place_24 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
                     let _e67 = level_19;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over_1 = <rt::Vec2<i32>>::from_scalars((place_23.x() >> above_level), (place_23.y() >> above_level));
+                    let over_1 = <rt::Vec2<i32>>::from_scalars((place_24.x() >> above_level), (place_24.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
@@ -9433,20 +9692,20 @@ impl<'g> Resources<'g> {
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
-                    let end_9 = _e117.min(_e122).min(rt::Scalar(path_58.exit));
+                    let end_9 = _e117.min(_e122).min(rt::Scalar(path_59.exit));
                     let _e126 = t_27;
                     let span_10 = (end_9 - _e126).max(rt::Scalar(0f32));
                     let low_5 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
-                    let last_5 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
+                    let last_6 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
                     let _e140 = level_19;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
                         let _e143 = cost_14;
                         cost_14 = (_e143 + HEIGHTS_READ);
                         let _e146 = cell_15;
                         let _e148 = cell_15;
-                        let _e150 = self.v_grid_cell(_e148, rt::Scalar(path_58.level));
+                        let _e150 = self.v_grid_cell(_e148, rt::Scalar(path_59.level));
                         let _e151 = t_27;
-                        let _e152 = self.v_gap_to(path_58, _e2, _e146.to_f32(), _e150, _e151);
+                        let _e152 = self.v_gap_to(path_59, _e2, _e146.to_f32(), _e150, _e151);
                         let _e153 = t_27;
                         let _e154 = t_27;
                         let _e157 = cost_14;
@@ -9456,22 +9715,22 @@ impl<'g> Resources<'g> {
                         }
                     } else {
                         let _e162 = cost_14;
-                        let _e164 = self.v_map_read(path_58, rt::Scalar(1u32));
+                        let _e164 = self.v_map_read(path_59, rt::Scalar(1u32));
                         cost_14 = (_e162 + _e164);
                         let _e167 = level_19;
                         let _e170 = level_19;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_23.x() >> _e167), (place_23.y() >> _e170));
+                        let node = <rt::Vec2<i32>>::from_scalars((place_24.x() >> _e167), (place_24.y() >> _e170));
                         let _e174 = level_19;
-                        let _e180 = self.v_search_texel(path_58, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_58.level)).to_i32() - rt::Scalar(1i32)));
+                        let _e180 = self.v_search_texel(path_59, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_59.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
                         let _e182 = t_27;
                         let furthest = (_e182 + span_10);
-                        let rounded = (path_58.h.x().abs() + (furthest * (path_58.h.y().abs() + (furthest * path_58.h.z().abs()))));
+                        let rounded = (path_59.h.x().abs() + (furthest * (path_59.h.y().abs() + (furthest * path_59.h.z().abs()))));
                         let _e197 = t_27;
-                        let _e198 = self.v_path_height(path_58, _e197);
+                        let _e198 = self.v_path_height(path_59, _e197);
                         let _e203 = t_27;
-                        let _e204 = self.v_path_slope(path_58, _e203);
-                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_58.h.z());
+                        let _e204 = self.v_path_slope(path_59, _e203);
+                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_59.h.z());
                         if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e214 = self.v_least_at(gap_4, span_10);
                             let _e215 = self.v_quadratic(gap_4, _e214);
@@ -9488,20 +9747,20 @@ impl<'g> Resources<'g> {
                             }
                             let _e229 = t_27;
                             let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
-                            cell_15 = _e232.to_i32().clamp(low_5, last_5);
+                            cell_15 = _e232.to_i32().clamp(low_5, last_6);
                             let _e235 = level_19;
                             level_19 = (_e235 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_9.elementwise_ge(rt::Scalar(path_58.exit))) {
+                    if rt::Scalar::into_branch_condition(end_9.elementwise_ge(rt::Scalar(path_59.exit))) {
                         let _e244 = t_27;
                         let _e246 = cost_14;
-                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_58.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
+                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
                     }
                     let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_9)));
-                    cell_15 = _e254.to_i32().clamp(low_5, last_5);
+                    cell_15 = _e254.to_i32().clamp(low_5, last_6);
                     if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_9)) {
                         cell_15.set_x((low_5.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
@@ -9510,7 +9769,7 @@ impl<'g> Resources<'g> {
                     }
                     let _e280 = level_19;
                     let _e285 = level_19;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_23.x() >> (_e280 + rt::Scalar(1u32))), (place_23.y() >> (_e285 + rt::Scalar(1u32))));
+                    parent = <rt::Vec2<i32>>::from_scalars((place_24.x() >> (_e280 + rt::Scalar(1u32))), (place_24.y() >> (_e285 + rt::Scalar(1u32))));
                     let _e290 = t_27;
                     t_27 = _e290.max(end_9);
                 }
@@ -9518,7 +9777,7 @@ impl<'g> Resources<'g> {
         }
         let _e293 = t_27;
         let _e295 = cost_14;
-        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_58.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
+        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
     }
     pub(crate) fn texel_extent(
         &self,
@@ -9538,8 +9797,8 @@ impl<'g> Resources<'g> {
         let mut local_65: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_7);
-        let first_13 = ((_e3 >> level_20) << level_20);
-        let last_6 = (first_13 + (rt::Scalar(1i32) << level_20)).min(n_7);
+        let first_15 = ((_e3 >> level_20) << level_20);
+        let last_7 = (first_15 + (rt::Scalar(1i32) << level_20)).min(n_7);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
             local_65 = _e16.elementwise_eq(WRAP_REPEAT);
@@ -9548,31 +9807,31 @@ impl<'g> Resources<'g> {
         }
         let _e20 = local_65;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_13), ((texel_2 - _e3) + last_6));
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_15), ((texel_2 - _e3) + last_7));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
             let period_2 = (rt::Scalar(2i32) * n_7);
             let folded_2 = (((texel_2 % period_2) + period_2) % period_2);
             if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_7)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_13), ((texel_2 - _e3) + last_6));
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_15), ((texel_2 - _e3) + last_7));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_6) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_13) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_7) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_15) + rt::Scalar(1i32)));
         }
         return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
     }
     pub(crate) fn search_pyramid_texels(
         &self,
-        path_59: Path,
-        params_57: impl rt::Into<rt::Vec4<f32>>,
+        path_60: Path,
+        params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_59, rt::into(params_57)))
+        rt::into(self.v_search_pyramid_texels(path_60, rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
-        path_59: Path,
-        params_57: rt::Vec4<f32>,
+        path_60: Path,
+        params_60: rt::Vec4<f32>,
     ) -> Found {
         let mut level_21: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
@@ -9582,11 +9841,11 @@ impl<'g> Resources<'g> {
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e3 = self.v_height_texels(rt::Scalar(path_59.level));
-        let _e6 = self.v_height_size(rt::Scalar(path_59.level));
-        let origin_6 = (path_59.uv * _e6);
-        let _e10 = self.v_height_size(rt::Scalar(path_59.level));
-        let step_6 = (path_59.duv * _e10);
+        let _e3 = self.v_height_texels(rt::Scalar(path_60.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_60.level));
+        let origin_6 = (path_60.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_60.level));
+        let step_7 = (path_60.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = level_21;
@@ -9602,10 +9861,10 @@ impl<'g> Resources<'g> {
         }
         let _e24 = self.v_cell_of(origin_6);
         texel_3 = _e24.to_i32();
-        let limit_5 = params_57.x().to_u32();
+        let limit_5 = params_60.x().to_u32();
         let _e35 = level_21;
-        finest_1 = params_57.y().to_u32().min(_e35);
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_59.ray).elementwise_eq(RAY_SHADOW)) {
+        finest_1 = params_60.y().to_u32().min(_e35);
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_60.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
         'naga_break: loop {
@@ -9622,23 +9881,23 @@ impl<'g> Resources<'g> {
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_24 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_25 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
                     let _e59 = level_21;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_15;
                         cost_15 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_24, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_25, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
                         let _e70 = level_21;
                         let _e73 = level_21;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_24.x() >> _e70), (place_24.y() >> _e73));
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_25.x() >> _e70), (place_25.y() >> _e73));
                         let _e76 = cost_15;
-                        let _e78 = self.v_map_read(path_59, rt::Scalar(1u32));
+                        let _e78 = self.v_map_read(path_60, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
                         let _e81 = level_21;
-                        let _e85 = self.v_search_texel(path_59, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
+                        let _e85 = self.v_search_texel(path_60, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
@@ -9647,17 +9906,17 @@ impl<'g> Resources<'g> {
                     let _e93 = texel_3.y();
                     let _e95 = level_21;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
-                    let _e99 = self.v_leaves_extent(origin_6.x(), step_6.x(), _e91);
-                    let _e102 = self.v_leaves_extent(origin_6.y(), step_6.y(), _e96);
+                    let _e99 = self.v_leaves_extent(origin_6.x(), step_7.x(), _e91);
+                    let _e102 = self.v_leaves_extent(origin_6.y(), step_7.y(), _e96);
                     let leave_7 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
                     let _e109 = t_28;
-                    let end_10 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_59.exit)).max(_e109);
+                    let end_10 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_60.exit)).max(_e109);
                     let _e111 = t_28;
-                    let _e112 = self.v_path_height(path_59, _e111);
+                    let _e112 = self.v_path_height(path_60, _e111);
                     let _e113 = highest;
                     let _e115 = t_28;
-                    let _e116 = self.v_path_slope(path_59, _e115);
-                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_59.h.z());
+                    let _e116 = self.v_path_slope(path_60, _e115);
+                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_60.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
                         let _e125 = t_28;
@@ -9665,7 +9924,7 @@ impl<'g> Resources<'g> {
                         sinks = _e127;
                     }
                     let low_6 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
-                    let last_7 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
+                    let last_8 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e141 = t_28;
@@ -9681,21 +9940,21 @@ impl<'g> Resources<'g> {
                         let _e154 = level_21;
                         level_21 = (_e154 - rt::Scalar(1u32));
                         let _e157 = t_28;
-                        let _e160 = self.v_cell_of((origin_6 + (step_6 * _e157)));
-                        texel_3 = _e160.to_i32().clamp(low_6, last_7);
+                        let _e160 = self.v_cell_of((origin_6 + (step_7 * _e157)));
+                        texel_3 = _e160.to_i32().clamp(low_6, last_8);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_59.exit))) {
+                        if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_60.exit))) {
                             let _e166 = t_28;
                             let _e168 = cost_15;
-                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
+                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_60.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
-                        let _e174 = self.v_cell_of((origin_6 + (step_6 * end_10)));
-                        texel_3 = _e174.to_i32().clamp(low_6, last_7);
+                        let _e174 = self.v_cell_of((origin_6 + (step_7 * end_10)));
+                        texel_3 = _e174.to_i32().clamp(low_6, last_8);
                         if rt::Scalar::into_branch_condition(leave_7.x().elementwise_le(end_10)) {
-                            texel_3.set_x((low_6.x() - rt::Scalar(1i32)).select(_e91.y(), step_6.x().elementwise_gt(rt::Scalar(0f32))));
+                            texel_3.set_x((low_6.x() - rt::Scalar(1i32)).select(_e91.y(), step_7.x().elementwise_gt(rt::Scalar(0f32))));
                         }
                         if rt::Scalar::into_branch_condition(leave_7.y().elementwise_le(end_10)) {
-                            texel_3.set_y((low_6.y() - rt::Scalar(1i32)).select(_e96.y(), step_6.y().elementwise_gt(rt::Scalar(0f32))));
+                            texel_3.set_y((low_6.y() - rt::Scalar(1i32)).select(_e96.y(), step_7.y().elementwise_gt(rt::Scalar(0f32))));
                         }
                         t_28 = end_10;
                     }
@@ -9704,7 +9963,7 @@ impl<'g> Resources<'g> {
         }
         let _e200 = t_28;
         let _e202 = cost_15;
-        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
+        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_60.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
     }
     pub(crate) fn leaves_window(
         &self,
@@ -9730,16 +9989,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_dilation_erosion(
         &self,
-        path_60: Path,
-        params_58: impl rt::Into<rt::Vec4<f32>>,
+        path_61: Path,
+        params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_60, rt::into(params_58)))
+        rt::into(self.v_search_dilation_erosion(path_61, rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
-        path_60: Path,
-        params_58: rt::Vec4<f32>,
+        path_61: Path,
+        params_61: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_17: rt::Vec2<f32>;
         let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -9752,12 +10011,12 @@ impl<'g> Resources<'g> {
         let mut local_68: rt::Scalar<bool>;
         let mut local_69: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_60);
-        let _e4 = self.v_height_texels(rt::Scalar(path_60.level));
+        let _e2 = self.v_grid_of(path_61);
+        let _e4 = self.v_height_texels(rt::Scalar(path_61.level));
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_17 = _e11;
-        let limit_6 = params_58.x().to_u32();
+        let limit_6 = params_61.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_16.x();
@@ -9770,12 +10029,12 @@ impl<'g> Resources<'g> {
                     cost_16 = (_e24 + STEP);
                     let _e27 = cell_17;
                     let _e28 = self.v_cell_leave(_e2, _e27);
-                    let end_11 = _e28.x().min(_e28.y()).min(rt::Scalar(path_60.exit));
+                    let end_11 = _e28.x().min(_e28.y()).min(rt::Scalar(path_61.exit));
                     let _e34 = t_29;
                     let span_11 = (end_11 - _e34).max(rt::Scalar(0f32));
                     let _e38 = t_29;
                     next_3 = _e38;
-                    looks = params_58.y().elementwise_gt(rt::Scalar(0.5f32));
+                    looks = params_61.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e45 = cell_17.x();
                     let _e48 = self.v_image_of(_e45.to_i32(), _e4.x());
                     let _e50 = cell_17.y();
@@ -9789,22 +10048,22 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e72 = self.v_search_texel(path_60, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_60.level).to_i32());
+                        let _e72 = self.v_search_texel(path_61, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_61.level).to_i32());
                         let _e73 = cost_16;
-                        let _e75 = self.v_map_read(path_60, rt::Scalar(1u32));
+                        let _e75 = self.v_map_read(path_61, rt::Scalar(1u32));
                         cost_16 = (_e73 + _e75);
                         let _e77 = cell_17;
-                        let _e79 = self.v_leaves_window(_e2, _e77, params_58.z());
+                        let _e79 = self.v_leaves_window(_e2, _e77, params_61.z());
                         let _e82 = t_29;
-                        let reach = (_e79.min(rt::Scalar(path_60.exit)) - _e82).max(rt::Scalar(0f32));
+                        let reach = (_e79.min(rt::Scalar(path_61.exit)) - _e82).max(rt::Scalar(0f32));
                         let _e86 = t_29;
                         let furthest_1 = (_e86 + reach);
-                        let rounded_1 = (path_60.h.x().abs() + (furthest_1 * (path_60.h.y().abs() + (furthest_1 * path_60.h.z().abs()))));
+                        let rounded_1 = (path_61.h.x().abs() + (furthest_1 * (path_61.h.y().abs() + (furthest_1 * path_61.h.z().abs()))));
                         let _e101 = t_29;
-                        let _e102 = self.v_path_height(path_60, _e101);
+                        let _e102 = self.v_path_height(path_61, _e101);
                         let _e108 = t_29;
-                        let _e109 = self.v_path_slope(path_60, _e108);
-                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_60.h.z());
+                        let _e109 = self.v_path_slope(path_61, _e108);
+                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_61.h.z());
                         if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
                             let _e116 = t_29;
                             safe_ = _e116;
@@ -9827,7 +10086,7 @@ impl<'g> Resources<'g> {
                         }
                         let _e134 = local_67;
                         if rt::Scalar::into_branch_condition(_e134) {
-                            let _e137 = self.v_path_height(path_60, end_11);
+                            let _e137 = self.v_path_height(path_61, end_11);
                             local_68 = _e137.elementwise_lt(_e72.x());
                         } else {
                             local_68 = rt::Scalar(false);
@@ -9836,7 +10095,7 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
-                            let _e144 = self.v_bracket_between(path_60, _e142, end_11, _e143);
+                            let _e144 = self.v_bracket_between(path_61, _e142, end_11, _e143);
                             return _e144;
                         }
                     }
@@ -9854,10 +10113,10 @@ impl<'g> Resources<'g> {
                             let _e156 = cost_16;
                             cost_16 = (_e156 + HEIGHTS_READ);
                             let _e159 = cell_17;
-                            let _e162 = self.v_height_cell(_e159.to_i32(), rt::Scalar(path_60.level));
+                            let _e162 = self.v_height_cell(_e159.to_i32(), rt::Scalar(path_61.level));
                             let _e163 = cell_17;
                             let _e164 = t_29;
-                            let _e165 = self.v_gap_to(path_60, _e2, _e163, _e162, _e164);
+                            let _e165 = self.v_gap_to(path_61, _e2, _e163, _e162, _e164);
                             let _e166 = t_29;
                             let _e167 = t_29;
                             let _e170 = cost_16;
@@ -9870,10 +10129,10 @@ impl<'g> Resources<'g> {
                         next_3 = _e175.max(end_11);
                     }
                     let _e177 = next_3;
-                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_60.exit))) {
+                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_61.exit))) {
                         let _e181 = t_29;
                         let _e183 = cost_16;
-                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_60.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
+                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
                     }
                     let _e187 = cell_17;
                     let _e188 = next_3;
@@ -9886,20 +10145,20 @@ impl<'g> Resources<'g> {
         }
         let _e192 = t_29;
         let _e194 = cost_16;
-        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_60.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
+        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
     }
     pub(crate) fn search_sphere(
         &self,
-        path_61: Path,
-        params_59: impl rt::Into<rt::Vec4<f32>>,
+        path_62: Path,
+        params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_61, rt::into(params_59)))
+        rt::into(self.v_search_sphere(path_62, rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
-        path_61: Path,
-        params_59: rt::Vec4<f32>,
+        path_62: Path,
+        params_62: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_18: rt::Vec2<f32>;
         let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -9907,19 +10166,19 @@ impl<'g> Resources<'g> {
         let mut next_4: rt::Scalar<f32>;
         let mut local_70: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_61);
+        let _e2 = self.v_grid_of(path_62);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_61, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_61, rt::Scalar(path_61.exit));
+        let _e9 = self.v_path_slope(path_62, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_62, rt::Scalar(path_62.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let fastest = <rt::Vec3<f32>>::new_21(path_61.duv, climb_1).length();
+        let fastest = <rt::Vec3<f32>>::new_21(path_62.duv, climb_1).length();
         let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_10 = (path_61.uv.abs() + (path_61.duv.abs() * rt::Scalar(path_61.exit)));
-        let height_terms = (path_61.h.x().abs() + (rt::Scalar(path_61.exit) * (path_61.h.y().abs() + (rt::Scalar(path_61.exit) * path_61.h.z().abs()))));
+        let far_10 = (path_62.uv.abs() + (path_62.duv.abs() * rt::Scalar(path_62.exit)));
+        let height_terms = (path_62.h.x().abs() + (rt::Scalar(path_62.exit) * (path_62.h.y().abs() + (rt::Scalar(path_62.exit) * path_62.h.z().abs()))));
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_10.x() + far_10.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_18 = _e52;
-        let limit_7 = params_59.x().to_u32();
+        let limit_7 = params_62.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e61 = cost_17.x();
@@ -9932,18 +10191,18 @@ impl<'g> Resources<'g> {
                     cost_17 = (_e63 + STEP);
                     let _e66 = cell_18;
                     let _e67 = self.v_cell_leave(_e2, _e66);
-                    let end_12 = _e67.x().min(_e67.y()).min(rt::Scalar(path_61.exit));
+                    let end_12 = _e67.x().min(_e67.y()).min(rt::Scalar(path_62.exit));
                     let _e73 = t_30;
                     let span_12 = (end_12 - _e73).max(rt::Scalar(0f32));
                     let _e77 = t_30;
-                    let _e78 = self.v_path_uv(path_61, _e77);
+                    let _e78 = self.v_path_uv(path_62, _e77);
                     let _e79 = t_30;
-                    let _e80 = self.v_path_height(path_61, _e79);
-                    let _e82 = self.v_distance_at(path_61, _e78, _e80, params_59.z());
+                    let _e80 = self.v_path_height(path_62, _e79);
+                    let _e82 = self.v_distance_at(path_62, _e78, _e80, params_62.z());
                     let free_1 = (_e82 - lost_3);
                     let _e84 = cost_17;
-                    let _e86 = self.v_map_read(path_61, rt::Scalar(4u32));
-                    let _e89 = self.v_map_read(path_61, rt::Scalar(4u32));
+                    let _e86 = self.v_map_read(path_62, rt::Scalar(4u32));
+                    let _e89 = self.v_map_read(path_62, rt::Scalar(4u32));
                     cost_17 = ((_e84 + _e86) + _e89);
                     let _e91 = t_30;
                     next_4 = _e91;
@@ -9951,13 +10210,13 @@ impl<'g> Resources<'g> {
                         let _e95 = t_30;
                         next_4 = (_e95 + (free_1 / speed_2));
                     }
-                    if rt::Scalar::into_branch_condition(params_59.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_62.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_4;
                         let _e102 = t_30;
-                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_61.exit))))) {
+                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_62.exit))))) {
                             let _e110 = t_30;
                             let _e112 = cost_17;
-                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
+                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
                         }
                     } else {
                         let _e116 = next_4;
@@ -9973,9 +10232,9 @@ impl<'g> Resources<'g> {
                             cost_17 = (_e126 + HEIGHTS_READ);
                             let _e129 = cell_18;
                             let _e130 = cell_18;
-                            let _e133 = self.v_height_cell(_e130.to_i32(), rt::Scalar(path_61.level));
+                            let _e133 = self.v_height_cell(_e130.to_i32(), rt::Scalar(path_62.level));
                             let _e134 = t_30;
-                            let _e135 = self.v_gap_to(path_61, _e2, _e129, _e133, _e134);
+                            let _e135 = self.v_gap_to(path_62, _e2, _e129, _e133, _e134);
                             let _e136 = t_30;
                             let _e137 = t_30;
                             let _e140 = cost_17;
@@ -9988,10 +10247,10 @@ impl<'g> Resources<'g> {
                         }
                     }
                     let _e147 = next_4;
-                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_61.exit))) {
+                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_62.exit))) {
                         let _e151 = t_30;
                         let _e153 = cost_17;
-                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
+                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
                     }
                     let _e157 = cell_18;
                     let _e158 = next_4;
@@ -10004,33 +10263,33 @@ impl<'g> Resources<'g> {
         }
         let _e162 = t_30;
         let _e164 = cost_17;
-        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
+        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
     }
     pub(crate) fn search_cone_moved(
         &self,
-        path_62: Path,
-        params_60: impl rt::Into<rt::Vec4<f32>>,
+        path_63: Path,
+        params_63: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_62, rt::into(params_60)))
+        rt::into(self.v_search_cone_moved(path_63, rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
-        path_62: Path,
-        params_60: rt::Vec4<f32>,
+        path_63: Path,
+        params_63: rt::Vec4<f32>,
     ) -> Found {
         let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
-        let mut k_18: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_23: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut local_71: rt::Scalar<bool>;
 
-        let aside_6 = path_62.duv.length();
+        let aside_6 = path_63.duv.length();
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_18;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_60.x())) {
+                let _e14 = k_23;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_63.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -10038,7 +10297,7 @@ impl<'g> Resources<'g> {
                     let _e17 = cost_18;
                     cost_18 = (_e17 + STEP);
                     let _e20 = t_31;
-                    let _e21 = self.v_path_gap(path_62, _e20);
+                    let _e21 = self.v_path_gap(path_63, _e20);
                     let _e22 = cost_18;
                     cost_18 = (_e22 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
@@ -10063,61 +10322,61 @@ impl<'g> Resources<'g> {
                     near_5 = _e47;
                     near_gap_3 = _e21;
                     let _e48 = t_31;
-                    let _e49 = self.v_path_uv(path_62, _e48);
-                    let _e51 = self.v_search_texel_between(path_62, _e49, rt::Scalar(0i32));
+                    let _e49 = self.v_path_uv(path_63, _e48);
+                    let _e51 = self.v_search_texel_between(path_63, _e49, rt::Scalar(0i32));
                     let _e53 = self.v_slope_of(_e51.x());
                     let _e54 = cost_18;
-                    let _e56 = self.v_map_read(path_62, rt::Scalar(4u32));
+                    let _e56 = self.v_map_read(path_63, rt::Scalar(4u32));
                     cost_18 = (_e54 + _e56);
                     if rt::Scalar::into_branch_condition(_e53.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
                     let _e61 = t_31;
-                    let rest_8 = (rt::Scalar(path_62.exit) - _e61);
+                    let rest_8 = (rt::Scalar(path_63.exit) - _e61);
                     let _e63 = t_31;
-                    let _e64 = self.v_path_slope(path_62, _e63);
-                    let rise_5 = (_e64 + (path_62.h.z().min(rt::Scalar(0f32)) * rest_8));
-                    let terms_1 = (path_62.h.x().abs() + (rt::Scalar(path_62.exit) * (path_62.h.y().abs() + (rt::Scalar(path_62.exit) * path_62.h.z().abs()))));
-                    let far_11 = (((path_62.uv.abs() + (path_62.duv.abs() * rt::Scalar(path_62.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
+                    let _e64 = self.v_path_slope(path_63, _e63);
+                    let rise_5 = (_e64 + (path_63.h.z().min(rt::Scalar(0f32)) * rest_8));
+                    let terms_1 = (path_63.h.x().abs() + (rt::Scalar(path_63.exit) * (path_63.h.y().abs() + (rt::Scalar(path_63.exit) * path_63.h.z().abs()))));
+                    let far_11 = (((path_63.uv.abs() + (path_63.duv.abs() * rt::Scalar(path_63.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
                     let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_11.x()) + far_11.y()));
                     let nearing = ((_e53 * aside_6) - rise_5);
                     let closing_3 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
                         let _e112 = t_31;
                         let _e114 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
+                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                     }
                     let _e118 = t_31;
                     t_31 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
                     let _e124 = t_31;
-                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_62.exit))) {
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_63.exit))) {
                         let _e128 = near_5;
                         let _e130 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
-                    let _e134 = k_18;
-                    k_18 = (_e134 + rt::Scalar(1f32));
+                    let _e134 = k_23;
+                    k_23 = (_e134 + rt::Scalar(1f32));
                 }
             }
         }
         let _e138 = t_31;
         let _e140 = t_31;
-        let _e141 = self.v_path_height(path_62, _e140);
+        let _e141 = self.v_path_height(path_63, _e140);
         let _e142 = cost_18;
-        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_62.exit), _e141, rt::Scalar(0f32), _e142);
+        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_63.exit), _e141, rt::Scalar(0f32), _e142);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
-        path_63: Path,
-        params_61: impl rt::Into<rt::Vec4<f32>>,
+        path_64: Path,
+        params_64: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_63, rt::into(params_61)))
+        rt::into(self.v_search_relaxed_cone(path_64, rt::into(params_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
-        path_63: Path,
-        params_61: rt::Vec4<f32>,
+        path_64: Path,
+        params_64: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_19: rt::Vec2<f32>;
         let mut t_32: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -10130,16 +10389,16 @@ impl<'g> Resources<'g> {
         let mut next_5: rt::Scalar<f32>;
         let mut local_73: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_63);
+        let _e2 = self.v_grid_of(path_64);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_7 = path_63.duv.length();
-        let _e11 = self.v_path_slope(path_63, rt::Scalar(0f32));
-        let terms_2 = (path_63.h.x().abs() + (rt::Scalar(path_63.exit) * path_63.h.y().abs()));
-        let _e33 = self.v_height_size(rt::Scalar(path_63.level));
-        let far_12 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_63.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let aside_7 = path_64.duv.length();
+        let _e11 = self.v_path_slope(path_64, rt::Scalar(0f32));
+        let terms_2 = (path_64.h.x().abs() + (rt::Scalar(path_64.exit) * path_64.h.y().abs()));
+        let _e33 = self.v_height_size(rt::Scalar(path_64.level));
+        let far_12 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_64.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_19 = _e36;
-        let limit_8 = params_61.x().to_u32();
+        let limit_8 = params_64.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e49 = cost_19.x();
@@ -10152,14 +10411,14 @@ impl<'g> Resources<'g> {
                     cost_19 = (_e51 + STEP);
                     let _e54 = cell_19;
                     let _e55 = self.v_cell_leave(_e2, _e54);
-                    let end_13 = _e55.x().min(_e55.y()).min(rt::Scalar(path_63.exit));
+                    let end_13 = _e55.x().min(_e55.y()).min(rt::Scalar(path_64.exit));
                     let _e61 = t_32;
                     let span_13 = (end_13 - _e61).max(rt::Scalar(0f32));
                     let _e65 = cell_19;
                     let _e66 = cell_19;
-                    let _e69 = self.v_height_cell(_e66.to_i32(), rt::Scalar(path_63.level));
+                    let _e69 = self.v_height_cell(_e66.to_i32(), rt::Scalar(path_64.level));
                     let _e70 = t_32;
-                    let _e71 = self.v_gap_to(path_63, _e2, _e65, _e69, _e70);
+                    let _e71 = self.v_gap_to(path_64, _e2, _e65, _e69, _e70);
                     let _e72 = cost_19;
                     cost_19 = (_e72 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e71.x().elementwise_le(rt::Scalar(0f32))) {
@@ -10177,7 +10436,7 @@ impl<'g> Resources<'g> {
                             let _e89 = t_32;
                             let _e90 = near_gap_4;
                             let _e92 = cost_19;
-                            let _e93 = self.v_entered_once(path_63, _e2, _e88, _e89, _e90, _e71.x(), _e92);
+                            let _e93 = self.v_entered_once(path_64, _e2, _e88, _e89, _e90, _e71.x(), _e92);
                             return _e93;
                         }
                         let _e94 = t_32;
@@ -10189,7 +10448,7 @@ impl<'g> Resources<'g> {
                     let _e100 = t_32;
                     start_1 = _e100;
                     gap = _e71.x();
-                    if rt::Scalar::into_branch_condition(params_61.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_64.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e107 = t_32;
                         let _e108 = t_32;
                         let _e111 = cost_19;
@@ -10202,10 +10461,10 @@ impl<'g> Resources<'g> {
                         gap = rt::Scalar(_e112.far_gap);
                     }
                     let _e119 = start_1;
-                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_63.exit))) {
+                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_64.exit))) {
                         let _e123 = t_32;
                         let _e125 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
+                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
                     }
                     let _e129 = start_1;
                     near_6 = _e129;
@@ -10215,9 +10474,9 @@ impl<'g> Resources<'g> {
                     let _e133 = cell_19;
                     let _e136 = start_1;
                     let _e139 = self.v_nearest_corner(((_e2.origin - _e133) + (_e2.step * _e136)));
-                    let _e141 = self.v_cone_slope(path_63, (_e131 + _e139));
+                    let _e141 = self.v_cone_slope(path_64, (_e131 + _e139));
                     let _e142 = cost_19;
-                    let _e144 = self.v_map_read(path_63, rt::Scalar(1u32));
+                    let _e144 = self.v_map_read(path_64, rt::Scalar(1u32));
                     cost_19 = (_e142 + _e144);
                     let _e146 = start_1;
                     next_5 = _e146;
@@ -10232,10 +10491,10 @@ impl<'g> Resources<'g> {
                             next_5 = (_e167 + (room_1.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_61.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_64.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
                         let _e178 = t_32;
-                        local_73 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_63.exit))));
+                        local_73 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_64.exit))));
                     } else {
                         local_73 = rt::Scalar(false);
                     }
@@ -10244,23 +10503,23 @@ impl<'g> Resources<'g> {
                         let _e188 = t_32;
                         let _e190 = gap;
                         let _e191 = cost_19;
-                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_63.exit), _e190, rt::Scalar(0f32), _e191);
+                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_64.exit), _e190, rt::Scalar(0f32), _e191);
                     }
                     let _e194 = next_5;
-                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_63.exit))) {
-                        let _e198 = self.v_path_gap(path_63, rt::Scalar(path_63.exit));
+                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_64.exit))) {
+                        let _e198 = self.v_path_gap(path_64, rt::Scalar(path_64.exit));
                         let _e199 = cost_19;
                         cost_19 = (_e199 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e198.elementwise_le(rt::Scalar(0f32))) {
                             let _e204 = start_1;
                             let _e206 = gap;
                             let _e207 = cost_19;
-                            let _e208 = self.v_entered_once(path_63, _e2, _e204, rt::Scalar(path_63.exit), _e206, _e198, _e207);
+                            let _e208 = self.v_entered_once(path_64, _e2, _e204, rt::Scalar(path_64.exit), _e206, _e198, _e207);
                             return _e208;
                         }
                         let _e210 = start_1;
                         let _e212 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
+                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
                     }
                     let _e216 = cell_19;
                     let _e217 = next_5;
@@ -10273,20 +10532,20 @@ impl<'g> Resources<'g> {
         }
         let _e221 = t_32;
         let _e223 = cost_19;
-        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
+        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
-        path_64: Path,
-        params_62: impl rt::Into<rt::Vec4<f32>>,
+        path_65: Path,
+        params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_64, rt::into(params_62)))
+        rt::into(self.v_search_relaxed_cone_resting(path_65, rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
-        path_64: Path,
-        params_62: rt::Vec4<f32>,
+        path_65: Path,
+        params_65: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_20: rt::Vec2<f32>;
         let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -10296,11 +10555,11 @@ impl<'g> Resources<'g> {
         let mut local_74: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_64);
+        let _e2 = self.v_grid_of(path_65);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_20 = _e9;
-        let limit_9 = params_62.x().to_u32();
+        let limit_9 = params_65.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_20.x();
@@ -10312,17 +10571,17 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_20;
                     cost_20 = (_e24 + STEP);
                     let _e27 = cell_20;
-                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_64.level));
+                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_65.level));
                     let _e31 = cost_20;
                     cost_20 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_20;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_14 = _e35.x().min(_e35.y()).min(rt::Scalar(path_64.exit));
+                    let end_14 = _e35.x().min(_e35.y()).min(rt::Scalar(path_65.exit));
                     let _e41 = t_33;
                     let span_14 = (end_14 - _e41).max(rt::Scalar(0f32));
                     let _e45 = cell_20;
                     let _e46 = t_33;
-                    let _e47 = self.v_gap_to(path_64, _e2, _e45, _e30, _e46);
+                    let _e47 = self.v_gap_to(path_65, _e2, _e45, _e30, _e46);
                     if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_7;
                         let _e52 = t_33;
@@ -10338,7 +10597,7 @@ impl<'g> Resources<'g> {
                             let _e62 = t_33;
                             let _e63 = near_gap_5;
                             let _e65 = cost_20;
-                            let _e66 = self.v_entered_once(path_64, _e2, _e61, _e62, _e63, _e47.x(), _e65);
+                            let _e66 = self.v_entered_once(path_65, _e2, _e61, _e62, _e63, _e47.x(), _e65);
                             return _e66;
                         }
                         let _e67 = t_33;
@@ -10356,10 +10615,10 @@ impl<'g> Resources<'g> {
                     }
                     let _e82 = t_33;
                     let start_4 = _e82.max(end_14);
-                    if rt::Scalar::into_branch_condition(start_4.elementwise_ge(rt::Scalar(path_64.exit))) {
+                    if rt::Scalar::into_branch_condition(start_4.elementwise_ge(rt::Scalar(path_65.exit))) {
                         let _e87 = t_33;
                         let _e89 = cost_20;
-                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
                     near_7 = start_4;
                     near_gap_5 = rt::Scalar(_e78.far_gap);
@@ -10367,32 +10626,32 @@ impl<'g> Resources<'g> {
                     let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_4)));
                     let _e101 = self.v_corner_height(_e30, _e100);
                     next_6 = start_4;
-                    let _e103 = self.v_path_height(path_64, start_4);
+                    let _e103 = self.v_path_height(path_65, start_4);
                     if rt::Scalar::into_branch_condition(_e103.elementwise_gt(_e101)) {
                         let _e105 = cell_20;
                         let texel_9 = (_e105 + _e100);
-                        let _e107 = self.v_cone_slope(path_64, texel_9);
+                        let _e107 = self.v_cone_slope(path_65, texel_9);
                         let _e108 = cost_20;
-                        let _e110 = self.v_map_read(path_64, rt::Scalar(1u32));
+                        let _e110 = self.v_map_read(path_65, rt::Scalar(1u32));
                         cost_20 = (_e108 + _e110);
                         if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e114 = self.v_stays_inside(path_64, _e2, texel_9, _e101, _e107, start_4);
+                            let _e114 = self.v_stays_inside(path_65, _e2, texel_9, _e101, _e107, start_4);
                             next_6 = (start_4 + _e114);
                         }
                     }
                     let _e116 = next_6;
-                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_64.exit))) {
-                        let _e120 = self.v_path_gap(path_64, rt::Scalar(path_64.exit));
+                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_65.exit))) {
+                        let _e120 = self.v_path_gap(path_65, rt::Scalar(path_65.exit));
                         let _e121 = cost_20;
                         cost_20 = (_e121 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
                             let _e127 = near_gap_5;
                             let _e128 = cost_20;
-                            let _e129 = self.v_entered_once(path_64, _e2, start_4, rt::Scalar(path_64.exit), _e127, _e120, _e128);
+                            let _e129 = self.v_entered_once(path_65, _e2, start_4, rt::Scalar(path_65.exit), _e127, _e120, _e128);
                             return _e129;
                         }
                         let _e132 = cost_20;
-                        return <Found>::new(FOUND_MISS, start_4, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
+                        return <Found>::new(FOUND_MISS, start_4, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
                     }
                     let _e136 = cell_20;
                     let _e137 = next_6;
@@ -10405,105 +10664,105 @@ impl<'g> Resources<'g> {
         }
         let _e141 = t_33;
         let _e143 = cost_20;
-        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
+        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
     }
-    pub(crate) fn search_stage(&self, path_65: Path) -> Found {
-        rt::into(self.v_search_stage(path_65))
+    pub(crate) fn search_stage(&self, path_66: Path) -> Found {
+        rt::into(self.v_search_stage(path_66))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_65: Path) -> Found {
+    fn v_search_stage(&self, path_66: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[5usize].params;
-                let _e11 = self.v_search_none(path_65, _e10);
+                let _e11 = self.v_search_none(path_66, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[5usize].params;
-                let _e17 = self.v_search_linear(path_65, _e16);
+                let _e17 = self.v_search_linear(path_66, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[5usize].params;
-                let _e23 = self.v_search_cells(path_65, _e22);
+                let _e23 = self.v_search_cells(path_66, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[5usize].params;
-                let _e29 = self.v_search_frustum(path_65, _e28);
+                let _e29 = self.v_search_frustum(path_66, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[5usize].params;
-                let _e35 = self.v_search_cone(path_65, _e34);
+                let _e35 = self.v_search_cone(path_66, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[5usize].params;
-                let _e41 = self.v_search_pyramid(path_65, _e40);
+                let _e41 = self.v_search_pyramid(path_66, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[5usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_65, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_66, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[5usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_65, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_66, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[5usize].params;
-                let _e59 = self.v_search_sphere(path_65, _e58);
+                let _e59 = self.v_search_sphere(path_66, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[5usize].params;
-                let _e65 = self.v_search_cone_moved(path_65, _e64);
+                let _e65 = self.v_search_cone_moved(path_66, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[5usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_65, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_66, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[5usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_65, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_66, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn trace(&self, path_66: Path) -> Hit {
-        rt::into(self.v_trace(path_66))
+    pub(crate) fn trace(&self, path_67: Path) -> Hit {
+        rt::into(self.v_trace(path_67))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_trace(&self, path_66: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_66);
-        let _e2 = self.v_refine_stage(path_66, _e1);
+    fn v_trace(&self, path_67: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_67);
+        let _e2 = self.v_refine_stage(path_67, _e1);
         return _e2;
     }
     pub(crate) fn object_none(
         &self,
-        pixel_69: PixelIn,
-        at_62: Entered,
-        params_63: impl rt::Into<rt::Vec4<f32>>,
+        pixel_73: PixelIn,
+        at_66: Entered,
+        params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_none(pixel_69, at_62, rt::into(params_63)))
+        rt::into(self.v_object_none(pixel_73, at_66, rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_none(
         &self,
-        pixel_69: PixelIn,
-        at_62: Entered,
-        params_63: rt::Vec4<f32>,
+        pixel_73: PixelIn,
+        at_66: Entered,
+        params_66: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
         let mut first_3: FirstHit;
-        let mut k_19: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_24: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_75: rt::Scalar<bool>;
 
         let _e5 = cost_21;
@@ -10511,18 +10770,18 @@ impl<'g> Resources<'g> {
         first_3 = <FirstHit>::new(_e6, rt::Scalar(0u32), rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e13 = k_19;
-                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_62.segments))) {
+                let _e13 = k_24;
+                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_66.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e16 = k_19;
-                    let _e17 = self.v_segment_of(pixel_69, at_62, _e16);
+                    let _e16 = k_24;
+                    let _e17 = self.v_segment_of(pixel_73, at_66, _e16);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e17.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e21 = self.v_trace(_e17);
-                        let _e22 = k_19;
-                        let _e23 = self.v_hit_on_segment(pixel_69, at_62, _e17, _e21, _e22);
+                        let _e22 = k_24;
+                        let _e23 = self.v_hit_on_segment(pixel_73, at_66, _e17, _e21, _e22);
                         let _e24 = cost_21;
                         cost_21 = (_e24 + _e23.hit.cost);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e23.hit.found).elementwise_eq(rt::Scalar(1u32))) {
@@ -10537,13 +10796,13 @@ impl<'g> Resources<'g> {
                             if rt::Scalar::into_branch_condition(_e45) {
                                 first_3 = _e23;
                             }
-                            if rt::Scalar::into_branch_condition(rt::Scalar(pixel_69.shell.order).elementwise_lt(SHELL_FOLDED)) {
+                            if rt::Scalar::into_branch_condition(rt::Scalar(pixel_73.shell.order).elementwise_lt(SHELL_FOLDED)) {
                                 break 'naga_break;
                             }
                         }
                     }
-                    let _e50 = k_19;
-                    k_19 = (_e50 + rt::Scalar(1u32));
+                    let _e50 = k_24;
+                    k_24 = (_e50 + rt::Scalar(1u32));
                 }
             }
         }
@@ -10552,16 +10811,16 @@ impl<'g> Resources<'g> {
         let _e56 = first_3;
         return _e56;
     }
-    pub(crate) fn first_in_all(&self, pixel_70: PixelIn, at_63: Entered) -> FirstHit {
-        rt::into(self.v_first_in_all(pixel_70, at_63))
+    pub(crate) fn first_in_all(&self, pixel_74: PixelIn, at_67: Entered) -> FirstHit {
+        rt::into(self.v_first_in_all(pixel_74, at_67))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_in_all(&self, pixel_70: PixelIn, at_63: Entered) -> FirstHit {
+    fn v_first_in_all(&self, pixel_74: PixelIn, at_67: Entered) -> FirstHit {
         let mut cost_22: rt::Vec3<u32> = NO_COST;
         let mut first_4: FirstHit;
         let mut reached_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut agreed: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut k_20: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_25: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut turns: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_76: rt::Scalar<bool>;
         let mut local_77: rt::Scalar<bool>;
@@ -10569,13 +10828,13 @@ impl<'g> Resources<'g> {
         let _e4 = cost_22;
         let _e5 = self.v_miss(_e4);
         first_4 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
-        let most_12 = (rt::Scalar(at_63.segments) * MOST_ROUNDS);
+        let most_14 = (rt::Scalar(at_67.segments) * MOST_ROUNDS);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = agreed;
-                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_63.segments))) {
+                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_67.segments))) {
                     let _e26 = turns;
-                    local_76 = _e26.elementwise_lt(most_12);
+                    local_76 = _e26.elementwise_lt(most_14);
                 } else {
                     local_76 = rt::Scalar(false);
                 }
@@ -10585,8 +10844,8 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = k_20;
-                    let _e31 = self.v_segment_of(pixel_70, at_63, _e30);
+                    let _e30 = k_25;
+                    let _e31 = self.v_segment_of(pixel_74, at_67, _e30);
                     let _e32 = reached_1;
                     let passed = (_e32 - rt::Scalar(_e31.start)).max(rt::Scalar(0f32));
                     if rt::Scalar::into_branch_condition((!passed.elementwise_lt(rt::Scalar(_e31.exit)))) {
@@ -10621,22 +10880,22 @@ impl<'g> Resources<'g> {
                         reached_1 = (rt::Scalar(_e31.start) + t_39);
                         agreed = rt::Scalar(0u32);
                         let _e83 = cost_22;
-                        let _e85 = k_20;
-                        let _e86 = self.v_hit_on_segment(pixel_70, at_63, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e45.uv, rt::Scalar(_e45.height), t_39, _e83), _e85);
+                        let _e85 = k_25;
+                        let _e86 = self.v_hit_on_segment(pixel_74, at_67, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e45.uv, rt::Scalar(_e45.height), t_39, _e83), _e85);
                         first_4 = _e86;
                     }
                     let _e87 = agreed;
                     agreed = (_e87 + rt::Scalar(1u32));
-                    let _e90 = k_20;
-                    let _e94 = k_20;
-                    k_20 = (_e90 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e94 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_63.segments)));
+                    let _e90 = k_25;
+                    let _e94 = k_25;
+                    k_25 = (_e90 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e94 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_67.segments)));
                     let _e100 = turns;
                     turns = (_e100 + rt::Scalar(1u32));
                 }
             }
         }
         let _e107 = agreed;
-        rt::Scalar(first_4.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e107.elementwise_lt(rt::Scalar(at_63.segments)));
+        rt::Scalar(first_4.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e107.elementwise_lt(rt::Scalar(at_67.segments)));
         let _e113 = cost_22;
         first_4.hit.cost = _e113;
         let _e114 = first_4;
@@ -10644,128 +10903,290 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_depth(
         &self,
-        pixel_71: PixelIn,
-        at_64: Entered,
-        params_64: impl rt::Into<rt::Vec4<f32>>,
+        pixel_75: PixelIn,
+        at_68: Entered,
+        params_67: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_depth(pixel_71, at_64, rt::into(params_64)))
+        rt::into(self.v_object_depth(pixel_75, at_68, rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_depth(
         &self,
-        pixel_71: PixelIn,
-        at_64: Entered,
-        params_64: rt::Vec4<f32>,
+        pixel_75: PixelIn,
+        at_68: Entered,
+        params_67: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_71, at_64);
+        let _e3 = self.v_first_in_all(pixel_75, at_68);
         return _e3;
     }
     pub(crate) fn object_hull(
         &self,
-        pixel_72: PixelIn,
-        at_65: Entered,
-        params_65: impl rt::Into<rt::Vec4<f32>>,
+        pixel_76: PixelIn,
+        at_69: Entered,
+        params_68: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_hull(pixel_72, at_65, rt::into(params_65)))
+        rt::into(self.v_object_hull(pixel_76, at_69, rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_hull(
         &self,
-        pixel_72: PixelIn,
-        at_65: Entered,
-        params_65: rt::Vec4<f32>,
+        pixel_76: PixelIn,
+        at_69: Entered,
+        params_68: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_72, at_65);
+        let _e3 = self.v_first_in_all(pixel_76, at_69);
         return _e3;
     }
-    pub(crate) fn object_stage(&self, pixel_73: PixelIn, at_66: Entered) -> FirstHit {
-        rt::into(self.v_object_stage(pixel_73, at_66))
+    pub(crate) fn look_into_frame(&self, uv_18: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_look_into_frame(rt::into(uv_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_object_stage(&self, pixel_73: PixelIn, at_66: Entered) -> FirstHit {
+    #[inline(always)]
+    fn v_look_into_frame(&self, uv_18: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        let _e2 = self.v_height_size(rt::Scalar(0u32));
+        let at_130 = ((uv_18 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_130);
+        let part_18 = (at_130 - _e8);
+        let _e12 = self.v_height_cell(_e8.to_i32(), rt::Scalar(0u32));
+        let x_6 = (rt::Scalar(1f32) - part_18.x());
+        let y_4 = (rt::Scalar(1f32) - part_18.y());
+        let weights_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_6 * y_4), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_18.x() * y_4), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_6 * part_18.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_18.x() * part_18.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
+        let cover_2 = ((weights_6.x() + weights_6.y()) + (weights_6.z() + weights_6.w()));
+        if rt::Scalar::into_branch_condition(cover_2.elementwise_gt(rt::Scalar(0f32))) {
+            return <rt::Vec2<f32>>::from_scalars(cover_2, (weights_6.dot(_e12) / cover_2));
+        }
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+    }
+    pub(crate) fn look_along(
+        &self,
+        path_68: Path,
+        image_5: Image,
+        steps_1: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_look_along(path_68, image_5, rt::into(steps_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_look_along(
+        &self,
+        path_68: Path,
+        image_5: Image,
+        steps_1: rt::Scalar<u32>,
+    ) -> rt::Vec2<f32> {
+        let mut height_7: rt::Scalar<f32> = rt::Scalar(0.5f32);
+        let mut cover: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut step_4: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        let _e7 = self.v_height_size(rt::Scalar(0u32));
+        let beyond_8 = (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / _e7);
+        let low_7 = (image_5.corner - beyond_8);
+        let high_2 = ((image_5.corner + image_5.extent) + beyond_8);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e21 = step_4;
+                if rt::Scalar::into_branch_condition(_e21.elementwise_le(steps_1)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e23 = height_7;
+                    let _e30 = self.v_path_uv(path_68, ((_e23 - path_68.h.x()) / path_68.h.y()));
+                    let _e32 = self.v_look_into_frame(_e30.clamp(low_7, high_2));
+                    cover = _e32.x();
+                    let _e34 = height_7;
+                    let _e36 = cover;
+                    height_7 = _e34.select(_e32.y(), _e36.elementwise_gt(rt::Scalar(0f32)));
+                    let _e40 = step_4;
+                    step_4 = (_e40 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e43 = cover;
+        let _e44 = height_7;
+        return <rt::Vec2<f32>>::from_scalars(_e43, _e44);
+    }
+    pub(crate) fn object_blend(
+        &self,
+        pixel_77: PixelIn,
+        at_70: Entered,
+        params_69: impl rt::Into<rt::Vec4<f32>>,
+    ) -> FirstHit {
+        rt::into(self.v_object_blend(pixel_77, at_70, rt::into(params_69)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_object_blend(
+        &self,
+        pixel_77: PixelIn,
+        at_70: Entered,
+        params_69: rt::Vec4<f32>,
+    ) -> FirstHit {
+        let mut cost_23: rt::Vec3<u32> = NO_COST;
+        let mut cover_1: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut along_18: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut heaviest: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_26: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut first_5: FirstHit;
+        let mut local_78: rt::Scalar<bool>;
+
+        let toward_7 = (-pixel_77.direction.normalize());
+        let _e6 = self.v_frames_around(toward_7);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e19 = k_26;
+                if rt::Scalar::into_branch_condition(_e19.elementwise_lt(FRAMES)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e22 = k_26;
+                    let _e23 = self.v_frame_number(_e6, _e22);
+                    let _e24 = self.v_image_of_object(_e23);
+                    let _e25 = k_26;
+                    let _e26 = self.v_frame_weight(_e6, _e25);
+                    if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_7).elementwise_ge(rt::Scalar(0.05f32))) {
+                        let _e31 = k_26;
+                        let _e32 = self.v_segment_of(pixel_77, at_70, _e31);
+                        let _e35 = self.v_look_along(_e32, _e24, params_69.w().to_u32());
+                        let seen_6 = (_e26 * _e35.x());
+                        let _e38 = cost_23;
+                        cost_23 = (_e38 + (LOOK * (params_69.w().to_u32() + rt::Scalar(1u32))));
+                        let _e46 = cover_1;
+                        cover_1 = (_e46 + seen_6);
+                        let _e48 = along_18;
+                        along_18 = (_e48 + (seen_6 * (rt::Scalar(_e32.start) + ((_e35.y() - _e32.h.x()) / _e32.h.y()))));
+                        let _e60 = most_1;
+                        if rt::Scalar::into_branch_condition(seen_6.elementwise_gt(_e60)) {
+                            most_1 = seen_6;
+                            let _e62 = k_26;
+                            heaviest = _e62;
+                        }
+                    }
+                    let _e63 = k_26;
+                    k_26 = (_e63 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e66 = cost_23;
+        let _e67 = self.v_miss(_e66);
+        first_5 = <FirstHit>::new(_e67, rt::Scalar(0u32), rt::Scalar(0f32));
+        let _e72 = cover_1;
+        if rt::Scalar::into_branch_condition((!_e72.elementwise_lt(rt::Scalar(0.5f32)))) {
+            let _e78 = along_18;
+            local_78 = _e78.elementwise_lt(rt::Scalar(0f32));
+        } else {
+            local_78 = rt::Scalar(true);
+        }
+        let _e82 = local_78;
+        if rt::Scalar::into_branch_condition(_e82) {
+            let _e83 = first_5;
+            return _e83;
+        }
+        let _e84 = heaviest;
+        let _e85 = self.v_segment_of(pixel_77, at_70, _e84);
+        let _e86 = along_18;
+        let _e87 = cover_1;
+        let t_40 = ((_e86 / _e87) - rt::Scalar(_e85.start));
+        let _e93 = self.v_path_uv(_e85, t_40);
+        let _e94 = self.v_path_height(_e85, t_40);
+        let _e95 = cost_23;
+        let hit_56 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_40, _e95);
+        let _e97 = heaviest;
+        let _e98 = self.v_hit_on_segment(pixel_77, at_70, _e85, hit_56, _e97);
+        return _e98;
+    }
+    pub(crate) fn object_stage(&self, pixel_78: PixelIn, at_71: Entered) -> FirstHit {
+        rt::into(self.v_object_stage(pixel_78, at_71))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_object_stage(&self, pixel_78: PixelIn, at_71: Entered) -> FirstHit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_object_none(pixel_73, at_66, _e11);
+                let _e12 = self.v_object_none(pixel_78, at_71, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_object_depth(pixel_73, at_66, _e17);
+                let _e18 = self.v_object_depth(pixel_78, at_71, _e17);
                 return _e18;
             }
-            _ => {
+            2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_object_hull(pixel_73, at_66, _e23);
+                let _e24 = self.v_object_hull(pixel_78, at_71, _e23);
                 return _e24;
+            }
+            _ => {
+                let _e29 = self.surface_settings.choices[3usize].params;
+                let _e30 = self.v_object_blend(pixel_78, at_71, _e29);
+                return _e30;
             }
         }
     }
-    pub(crate) fn first_hit(&self, pixel_74: PixelIn, at_67: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_74, at_67))
+    pub(crate) fn first_hit(&self, pixel_79: PixelIn, at_72: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_79, at_72))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_first_hit(&self, pixel_74: PixelIn, at_67: Entered) -> FirstHit {
-        let _e2 = self.v_object_stage(pixel_74, at_67);
+    fn v_first_hit(&self, pixel_79: PixelIn, at_72: Entered) -> FirstHit {
+        let _e2 = self.v_object_stage(pixel_79, at_72);
         return _e2;
     }
-    pub(crate) fn footprint_m(&self, at_68: Entered) -> f32 {
-        rt::into(self.v_footprint_m(at_68))
+    pub(crate) fn footprint_m(&self, at_73: Entered) -> f32 {
+        rt::into(self.v_footprint_m(at_73))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_footprint_m(&self, at_68: Entered) -> rt::Scalar<f32> {
+    fn v_footprint_m(&self, at_73: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        return ((rt::Scalar(at_68.footprint) * at_68.metric.x().sqrt()) / _e7.x());
+        return ((rt::Scalar(at_73.footprint) * at_73.metric.x().sqrt()) / _e7.x());
     }
-    pub(crate) fn near_uv(&self, uv_18: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_18)))
+    pub(crate) fn near_uv(&self, uv_19: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_near_uv(&self, uv_18: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_near_uv(&self, uv_19: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_18 - uv_18.floor());
+            return (uv_19 - uv_19.floor());
         }
         let _e10 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_18 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_18).floor()));
+            return (uv_19 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_19).floor()));
         }
-        return uv_18;
+        return uv_19;
     }
-    pub(crate) fn from_hit(&self, at_69: Entered, hit_18: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_69, hit_18, light_1))
+    pub(crate) fn from_hit(&self, at_74: Entered, hit_19: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_74, hit_19, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_from_hit(&self, at_69: Entered, hit_18: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_69, light_1.direction);
-        let _e6 = self.v_near_uv(hit_18.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_69.level));
+    fn v_from_hit(&self, at_74: Entered, hit_19: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_74, light_1.direction);
+        let _e6 = self.v_near_uv(hit_19.uv);
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_74.level));
         let h_7 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_7, rt::Scalar(0f32), rt::Scalar(0f32), at_69.metric, RAY_SHADOW, rt::Scalar(at_69.level), rt::Scalar(0f32), rt::Scalar(1f32));
+        return <Path>::new(_e6, _e4.xy(), h_7, rt::Scalar(0f32), rt::Scalar(0f32), at_74.metric, RAY_SHADOW, rt::Scalar(at_74.level), rt::Scalar(0f32), rt::Scalar(1f32));
     }
-    pub(crate) fn way_out(&self, path_67: Path, light_2: Toward) -> f32 {
-        rt::into(self.v_way_out(path_67, light_2))
+    pub(crate) fn way_out(&self, path_69: Path, light_2: Toward) -> f32 {
+        rt::into(self.v_way_out(path_69, light_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_way_out(&self, path_67: Path, light_2: Toward) -> rt::Scalar<f32> {
+    fn v_way_out(&self, path_69: Path, light_2: Toward) -> rt::Scalar<f32> {
         let mut way_6: rt::Scalar<f32>;
         let mut interval_7: rt::Vec2<f32>;
 
-        way_6 = ((rt::Scalar(1f32) - path_67.h.x()) / path_67.h.y()).min(rt::Scalar(light_2.distance));
+        way_6 = ((rt::Scalar(1f32) - path_69.h.x()) / path_69.h.y()).min(rt::Scalar(light_2.distance));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
             let _e21 = way_6;
-            let _e24 = self.v_inside_unit(path_67.uv.x(), path_67.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
+            let _e24 = self.v_inside_unit(path_69.uv.x(), path_69.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
             interval_7 = _e24;
             let _e30 = interval_7;
-            let _e31 = self.v_inside_unit(path_67.uv.y(), path_67.duv.y(), _e30);
+            let _e31 = self.v_inside_unit(path_69.uv.y(), path_69.duv.y(), _e30);
             interval_7 = _e31;
             let _e33 = interval_7.y();
             way_6 = _e33;
@@ -10773,14 +11194,14 @@ impl<'g> Resources<'g> {
         let _e34 = way_6;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_70: Entered, hit_19: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_70, hit_19, light_3))
+    pub(crate) fn light_ray(&self, at_75: Entered, hit_20: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_75, hit_20, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_70: Entered, hit_19: Hit, light_3: Toward) -> LightRay {
-        let mut local_78: rt::Scalar<bool>;
+    fn v_light_ray(&self, at_75: Entered, hit_20: Hit, light_3: Toward) -> LightRay {
+        let mut local_79: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_70, hit_19, light_3);
+        let _e3 = self.v_from_hit(at_75, hit_20, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -10795,11 +11216,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.to_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_78 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
+            local_79 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_78 = rt::Scalar(true);
+            local_79 = rt::Scalar(true);
         }
-        let _e45 = local_78;
+        let _e45 = local_79;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -10810,85 +11231,85 @@ impl<'g> Resources<'g> {
         let gap_7 = (end_15 * (_e31.y() + (_e31.z() * end_15)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
         let h_8 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_80 = <Path>::new(_e51, _e3.duv, h_8, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_80);
+        let path_84 = <Path>::new(_e51, _e3.duv, h_8, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_84);
     }
-    pub(crate) fn shadow_search_stage(&self, path_68: Path) -> Found {
-        rt::into(self.v_shadow_search_stage(path_68))
+    pub(crate) fn shadow_search_stage(&self, path_70: Path) -> Found {
+        rt::into(self.v_shadow_search_stage(path_70))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_search_stage(&self, path_68: Path) -> Found {
+    fn v_shadow_search_stage(&self, path_70: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[9usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[9usize].params;
-                let _e11 = self.v_search_none(path_68, _e10);
+                let _e11 = self.v_search_none(path_70, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[9usize].params;
-                let _e17 = self.v_search_linear(path_68, _e16);
+                let _e17 = self.v_search_linear(path_70, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[9usize].params;
-                let _e23 = self.v_search_cells(path_68, _e22);
+                let _e23 = self.v_search_cells(path_70, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[9usize].params;
-                let _e29 = self.v_search_frustum(path_68, _e28);
+                let _e29 = self.v_search_frustum(path_70, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[9usize].params;
-                let _e35 = self.v_search_cone(path_68, _e34);
+                let _e35 = self.v_search_cone(path_70, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[9usize].params;
-                let _e41 = self.v_search_pyramid(path_68, _e40);
+                let _e41 = self.v_search_pyramid(path_70, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[9usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_68, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_70, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[9usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_68, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_70, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[9usize].params;
-                let _e59 = self.v_search_sphere(path_68, _e58);
+                let _e59 = self.v_search_sphere(path_70, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[9usize].params;
-                let _e65 = self.v_search_cone_moved(path_68, _e64);
+                let _e65 = self.v_search_cone_moved(path_70, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[9usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_68, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_70, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[9usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_68, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_70, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn free_way(&self, at_71: Entered, hit_20: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_71, hit_20, light_4))
+    pub(crate) fn free_way(&self, at_76: Entered, hit_21: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_76, hit_21, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_free_way(&self, at_71: Entered, hit_20: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_71, hit_20, light_4);
+    fn v_free_way(&self, at_76: Entered, hit_21: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_76, hit_21, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -10908,36 +11329,36 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn holds_filter(
         &self,
-        view_7: LightView,
+        view_8: LightView,
         place_15: impl rt::Into<rt::Vec3<f32>>,
         half: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_holds_filter(view_7, rt::into(place_15), rt::into(half)))
+        rt::into(self.v_holds_filter(view_8, rt::into(place_15), rt::into(half)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_holds_filter(
         &self,
-        view_7: LightView,
+        view_8: LightView,
         place_15: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_79: rt::Scalar<bool>;
         let mut local_80: rt::Scalar<bool>;
+        let mut local_81: rt::Scalar<bool>;
 
-        let least_5 = (place_15.x().min(place_15.y()) - half);
-        let most_13 = (place_15.x().max(place_15.y()) + half);
+        let least_6 = (place_15.x().min(place_15.y()) - half);
+        let most_15 = (place_15.x().max(place_15.y()) + half);
         if rt::Scalar::into_branch_condition(place_15.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_79 = least_5.elementwise_ge(rt::Scalar(0f32));
-        } else {
-            local_79 = rt::Scalar(false);
-        }
-        let _e19 = local_79;
-        if rt::Scalar::into_branch_condition(_e19) {
-            local_80 = most_13.elementwise_le(rt::Scalar(view_7.size).to_f32());
+            local_80 = least_6.elementwise_ge(rt::Scalar(0f32));
         } else {
             local_80 = rt::Scalar(false);
         }
-        let _e26 = local_80;
+        let _e19 = local_80;
+        if rt::Scalar::into_branch_condition(_e19) {
+            local_81 = most_15.elementwise_le(rt::Scalar(view_8.size).to_f32());
+        } else {
+            local_81 = rt::Scalar(false);
+        }
+        let _e26 = local_81;
         return _e26;
     }
     pub(crate) fn is_before(
@@ -10960,16 +11381,16 @@ impl<'g> Resources<'g> {
         low_m: rt::Scalar<f32>,
         high_m: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_81: rt::Scalar<bool>;
+        let mut local_82: rt::Scalar<bool>;
 
-        let low_7 = (plane.xyz().dot((position + (direction_5 * low_m))) + plane.w());
-        let high_2 = (plane.xyz().dot((position + (direction_5 * high_m))) + plane.w());
-        if rt::Scalar::into_branch_condition(low_7.elementwise_gt(rt::Scalar(0f32))) {
-            local_81 = high_2.elementwise_gt(rt::Scalar(0f32));
+        let low_8 = (plane.xyz().dot((position + (direction_5 * low_m))) + plane.w());
+        let high_3 = (plane.xyz().dot((position + (direction_5 * high_m))) + plane.w());
+        if rt::Scalar::into_branch_condition(low_8.elementwise_gt(rt::Scalar(0f32))) {
+            local_82 = high_3.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_81 = rt::Scalar(false);
+            local_82 = rt::Scalar(false);
         }
-        let _e24 = local_81;
+        let _e24 = local_82;
         return _e24;
     }
     pub(crate) fn is_left_out(
@@ -10993,37 +11414,37 @@ impl<'g> Resources<'g> {
         low_m_1: rt::Scalar<f32>,
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut k_21: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_82: rt::Scalar<bool>;
+        let mut k_27: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_83: rt::Scalar<bool>;
+        let mut local_84: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e8 = k_21;
+                let _e8 = k_27;
                 if rt::Scalar::into_branch_condition(_e8.elementwise_lt(rt::Scalar(5u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e12 = k_21;
+                    let _e12 = k_27;
                     let plane_1 = grid_10.planes[rt::Scalar::into_array_index(_e12)];
-                    let _e14 = k_21;
-                    k_21 = (_e14 + rt::Scalar(1u32));
+                    let _e14 = k_27;
+                    k_27 = (_e14 + rt::Scalar(1u32));
                     let _e19 = self.v_is_before(plane_1, a_11.position, a_11.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
                         let _e24 = self.v_is_before(plane_1, b_11.position, b_11.direction, low_m_1, high_m_1);
-                        local_82 = _e24;
-                    } else {
-                        local_82 = rt::Scalar(false);
-                    }
-                    let _e26 = local_82;
-                    if rt::Scalar::into_branch_condition(_e26) {
-                        let _e31 = self.v_is_before(plane_1, c_8.position, c_8.direction, low_m_1, high_m_1);
-                        local_83 = _e31;
+                        local_83 = _e24;
                     } else {
                         local_83 = rt::Scalar(false);
                     }
-                    let _e33 = local_83;
+                    let _e26 = local_83;
+                    if rt::Scalar::into_branch_condition(_e26) {
+                        let _e31 = self.v_is_before(plane_1, c_8.position, c_8.direction, low_m_1, high_m_1);
+                        local_84 = _e31;
+                    } else {
+                        local_84 = rt::Scalar(false);
+                    }
+                    let _e33 = local_84;
                     if rt::Scalar::into_branch_condition(_e33) {
                         return rt::Scalar(true);
                     }
@@ -11034,111 +11455,111 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_place(
         &self,
-        view_8: LightView,
+        view_9: LightView,
         point_9: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_light_place(view_8, rt::into(point_9)))
+        rt::into(self.v_light_place(view_9, rt::into(point_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_light_place(
         &self,
-        view_8: LightView,
+        view_9: LightView,
         point_9: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_122 = <rt::Vec4<f32>>::new_31(point_9, rt::Scalar(1f32));
-        let depth_7 = view_8.depth.dot(at_122);
-        let over_2 = rt::Scalar(1f32).select(depth_7, rt::Scalar(view_8.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_8.column.dot(at_122), view_8.row.dot(at_122)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
+        let at_131 = <rt::Vec4<f32>>::new_31(point_9, rt::Scalar(1f32));
+        let depth_7 = view_9.depth.dot(at_131);
+        let over_2 = rt::Scalar(1f32).select(depth_7, rt::Scalar(view_9.from_point).elementwise_eq(rt::Scalar(1u32)));
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_9.column.dot(at_131), view_9.row.dot(at_131)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
     }
     pub(crate) fn patch_normal(
         &self,
-        at_72: Entered,
-        uv_19: impl rt::Into<rt::Vec2<f32>>,
+        at_77: Entered,
+        uv_20: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_72, rt::into(uv_19)))
+        rt::into(self.v_patch_normal(at_77, rt::into(uv_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_patch_normal(
         &self,
-        at_72: Entered,
-        uv_19: rt::Vec2<f32>,
+        at_77: Entered,
+        uv_20: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let facet = at_72.facing.normalize();
-            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_72.normal).elementwise_ge(rt::Scalar(0f32))));
+            let facet = at_77.facing.normalize();
+            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_77.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_19, rt::Scalar(at_72.level));
+        let _e18 = self.v_height_and_slope(uv_20, rt::Scalar(at_77.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_2 = (at_72.tangent + (at_72.normal * (_e18.y() * _e24)));
+        let along_u_2 = (at_77.tangent + (at_77.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_2 = (at_72.bitangent + (at_72.normal * (_e18.z() * _e33)));
-        let across_6 = along_v_2.cross(along_u_2).normalize();
-        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_72.normal).elementwise_ge(rt::Scalar(0f32))));
+        let along_v_2 = (at_77.bitangent + (at_77.normal * (_e18.z() * _e33)));
+        let across_7 = along_v_2.cross(along_u_2).normalize();
+        return (across_7 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_7.dot(at_77.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
-        view_9: LightView,
+        view_10: LightView,
         point_10: impl rt::Into<rt::Vec3<f32>>,
         normal_15: impl rt::Into<rt::Vec3<f32>>,
         texel_4: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_plane_depth(view_9, rt::into(point_10), rt::into(normal_15), rt::into(texel_4)))
+        rt::into(self.v_plane_depth(view_10, rt::into(point_10), rt::into(normal_15), rt::into(texel_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_depth(
         &self,
-        view_9: LightView,
+        view_10: LightView,
         point_10: rt::Vec3<f32>,
         normal_15: rt::Vec3<f32>,
         texel_4: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let corner_7 = ((view_9.corner.xyz() + (view_9.across.xyz() * texel_4.x())) + (view_9.along.xyz() * texel_4.y()));
-        if rt::Scalar::into_branch_condition(rt::Scalar(view_9.from_point).elementwise_eq(rt::Scalar(1u32))) {
-            return (normal_15.dot((point_10 - view_9.eye.xyz())) / normal_15.dot(corner_7));
+        let corner_7 = ((view_10.corner.xyz() + (view_10.across.xyz() * texel_4.x())) + (view_10.along.xyz() * texel_4.y()));
+        if rt::Scalar::into_branch_condition(rt::Scalar(view_10.from_point).elementwise_eq(rt::Scalar(1u32))) {
+            return (normal_15.dot((point_10 - view_10.eye.xyz())) / normal_15.dot(corner_7));
         }
-        return (normal_15.dot((point_10 - corner_7)) / normal_15.dot(view_9.depth.xyz()));
+        return (normal_15.dot((point_10 - corner_7)) / normal_15.dot(view_10.depth.xyz()));
     }
     pub(crate) fn light_texel(
         &self,
         place_16: impl rt::Into<rt::Vec2<i32>>,
-        view_10: impl rt::Into<rt::Scalar<i32>>,
+        view_11: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_light_texel(rt::into(place_16), rt::into(view_10)))
+        rt::into(self.v_light_texel(rt::into(place_16), rt::into(view_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_light_texel(
         &self,
         place_16: rt::Vec2<i32>,
-        view_10: rt::Scalar<i32>,
+        view_11: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_16, rt::Scalar::into_inner(view_10), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_16, rt::Scalar::into_inner(view_11), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4.x();
     }
     pub(crate) fn row_sees(
         &self,
-        at_73: InView,
+        at_78: InView,
         row_6: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_73, rt::into(row_6), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_78, rt::into(row_6), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_row_sees(
         &self,
-        at_73: InView,
+        at_78: InView,
         row_6: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column: rt::Scalar<f32>;
 
-        let view_19 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_73.number))];
-        column = at_73.low.x().floor();
+        let view_20 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_78.number))];
+        column = at_78.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = column;
@@ -11149,13 +11570,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e18 = column;
                     let _e24 = column;
-                    let wide_2 = (at_73.high.x().min((_e18 + rt::Scalar(1f32))) - at_73.low.x().max(_e24));
+                    let wide_2 = (at_78.high.x().min((_e18 + rt::Scalar(1f32))) - at_78.low.x().max(_e24));
                     let _e27 = column;
-                    let place_25 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_19, at_73.point, at_73.normal, (place_25 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_8 = _e35.clamp(rt::Scalar(at_73.least_depth), rt::Scalar(at_73.most_depth));
-                    let key = (rt::Scalar(view_19.near) / (rt::Scalar(view_19.near) + depth_8.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_25.to_i32(), rt::Scalar(at_73.number).to_i32());
+                    let place_26 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
+                    let _e35 = self.v_plane_depth(view_20, at_78.point, at_78.normal, (place_26 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_8 = _e35.clamp(rt::Scalar(at_78.least_depth), rt::Scalar(at_78.most_depth));
+                    let key = (rt::Scalar(view_20.near) / (rt::Scalar(view_20.near) + depth_8.max(rt::Scalar(0f32))));
+                    let _e48 = self.v_light_texel(place_26.to_i32(), rt::Scalar(at_78.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -11171,19 +11592,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn seen_part(
         &self,
         number_9: impl rt::Into<rt::Scalar<u32>>,
-        at_74: Entered,
+        at_79: Entered,
         normal_16: impl rt::Into<rt::Vec3<f32>>,
         place_17: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_9), at_74, rt::into(normal_16), rt::into(place_17), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_9), at_79, rt::into(normal_16), rt::into(place_17), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
         &self,
         number_9: rt::Scalar<u32>,
-        at_74: Entered,
+        at_79: Entered,
         normal_16: rt::Vec3<f32>,
         place_17: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
@@ -11192,30 +11613,30 @@ impl<'g> Resources<'g> {
         let mut seen: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut row_7: rt::Scalar<f32>;
 
-        let view_20 = self.frame.light_views[rt::Scalar::into_array_index(number_9)];
-        let texel_m = (rt::Scalar(view_20.texel_m) * rt::Scalar(1f32).select(place_17.z(), rt::Scalar(view_20.from_point).elementwise_eq(rt::Scalar(1u32))));
-        let _e19 = self.v_footprint_m(at_74);
-        let point_22 = (at_74.point + (normal_16 * (bias * texel_m.max(_e19))));
+        let view_21 = self.frame.light_views[rt::Scalar::into_array_index(number_9)];
+        let texel_m = (rt::Scalar(view_21.texel_m) * rt::Scalar(1f32).select(place_17.z(), rt::Scalar(view_21.from_point).elementwise_eq(rt::Scalar(1u32))));
+        let _e19 = self.v_footprint_m(at_79);
+        let point_22 = (at_79.point + (normal_16 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
-        let low_8 = (place_17.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
-        let high_3 = (low_8 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
-        let last_8 = high_3.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_20.size).to_f32(), rt::Scalar(view_20.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_9, point_22, normal_16, low_8, high_3, (place_17.z() - reach_1), (place_17.z() + reach_1));
-        row_7 = low_8.y().floor();
+        let low_9 = (place_17.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
+        let high_4 = (low_9 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
+        let last_9 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_21.size).to_f32(), rt::Scalar(view_21.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
+        let in_view = <InView>::new(number_9, point_22, normal_16, low_9, high_4, (place_17.z() - reach_1), (place_17.z() + reach_1));
+        row_7 = low_9.y().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e55 = row_7;
-                if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_8.y())) {
+                if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_9.y())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e59 = row_7;
                     let _e64 = row_7;
-                    let tall = (high_3.y().min((_e59 + rt::Scalar(1f32))) - low_8.y().max(_e64));
+                    let tall = (high_4.y().min((_e59 + rt::Scalar(1f32))) - low_9.y().max(_e64));
                     let _e67 = seen;
                     let _e68 = row_7;
-                    let _e70 = self.v_row_sees(in_view, _e68, last_8.x());
+                    let _e70 = self.v_row_sees(in_view, _e68, last_9.x());
                     seen = (_e67 + (_e70 * tall));
                     let _e73 = row_7;
                     row_7 = (_e73 + rt::Scalar(1f32));
@@ -11227,58 +11648,58 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_seen(
         &self,
-        at_75: Entered,
-        uv_20: impl rt::Into<rt::Vec2<f32>>,
+        at_80: Entered,
+        uv_21: impl rt::Into<rt::Vec2<f32>>,
         number_10: impl rt::Into<rt::Scalar<u32>>,
-        toward: impl rt::Into<rt::Vec3<f32>>,
+        toward_1: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_75, rt::into(uv_20), rt::into(number_10), rt::into(toward), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_80, rt::into(uv_21), rt::into(number_10), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
-        at_75: Entered,
-        uv_20: rt::Vec2<f32>,
+        at_80: Entered,
+        uv_21: rt::Vec2<f32>,
         number_10: rt::Scalar<u32>,
-        toward: rt::Vec3<f32>,
+        toward_1: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
         bias_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut k_22: rt::Scalar<u32>;
+        let mut k_28: rt::Scalar<u32>;
 
         let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_10)];
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_75, uv_20);
-        if rt::Scalar::into_branch_condition((!_e14.dot(toward).elementwise_gt(rt::Scalar(0f32)))) {
+        let _e14 = self.v_patch_normal(at_80, uv_21);
+        if rt::Scalar::into_branch_condition((!_e14.dot(toward_1).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let width_6 = filter_texels.max(rt::Scalar(0.001f32));
-        k_22 = rt::Scalar(light_17.first_view);
+        k_28 = rt::Scalar(light_17.first_view);
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_22;
+                let _e24 = k_28;
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt((rt::Scalar(light_17.first_view) + rt::Scalar(light_17.views)))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e31 = k_22;
+                    let _e31 = k_28;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_light_place(_e33, at_75.point);
-                    let _e38 = k_22;
+                    let _e35 = self.v_light_place(_e33, at_80.point);
+                    let _e38 = k_28;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
                     let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_6));
                     if rt::Scalar::into_branch_condition(_e43) {
-                        let _e44 = k_22;
-                        let _e45 = self.v_seen_part(_e44, at_75, _e14, _e35, width_6, bias_1);
+                        let _e44 = k_28;
+                        let _e45 = self.v_seen_part(_e44, at_80, _e14, _e35, width_6, bias_1);
                         return _e45;
                     }
-                    let _e46 = k_22;
-                    k_22 = (_e46 + rt::Scalar(1u32));
+                    let _e46 = k_28;
+                    k_28 = (_e46 + rt::Scalar(1u32));
                 }
             }
         }
@@ -11334,58 +11755,58 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_76: Entered,
+        at_81: Entered,
         v_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_76, rt::into(v_1)))
+        rt::into(self.v_to_tangent_space(at_81, rt::into(v_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_to_tangent_space(
         &self,
-        at_76: Entered,
+        at_81: Entered,
         v_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_3 = at_76.tangent.normalize();
-        let along_v_3 = at_76.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_76.normal.dot(v_1));
+        let along_u_3 = at_81.tangent.normalize();
+        let along_v_3 = at_81.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_81.normal.dot(v_1));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_77: Entered,
-        uv_21: impl rt::Into<rt::Vec2<f32>>,
+        at_82: Entered,
+        uv_22: impl rt::Into<rt::Vec2<f32>>,
         level_22: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_77, rt::into(uv_21), rt::into(level_22)))
+        rt::into(self.v_normals_of_level(at_82, rt::into(uv_22), rt::into(level_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_77: Entered,
-        uv_21: rt::Vec2<f32>,
+        at_82: Entered,
+        uv_22: rt::Vec2<f32>,
         level_22: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_22.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_77, uv_21);
-            let _e6 = self.v_to_tangent_space(at_77, _e5);
+            let _e5 = self.v_finest_normal(at_82, uv_22);
+            let _e6 = self.v_to_tangent_space(at_82, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_21, rt::Scalar(0i32), level_22);
-            let _e16 = self.v_normal_at(uv_21, rt::Scalar(1i32), level_22);
+            let _e14 = self.v_normal_at(uv_22, rt::Scalar(0i32), level_22);
+            let _e16 = self.v_normal_at(uv_22, rt::Scalar(1i32), level_22);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_5 = ((tile.x() * at_77.tangent.normalize().dot(at_77.tangent)) / at_77.tangent.dot(at_77.tangent));
-        let y_3 = ((tile.y() * at_77.bitangent.normalize().dot(at_77.bitangent)) / at_77.bitangent.dot(at_77.bitangent));
-        let _e44 = self.v_normal_at(uv_21, rt::Scalar(0i32), (level_22 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_21, rt::Scalar(1i32), (level_22 - rt::Scalar(1u32)));
-        let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_5), (_e44.y() * y_3), _e44.z());
+        let x_7 = ((tile.x() * at_82.tangent.normalize().dot(at_82.tangent)) / at_82.tangent.dot(at_82.tangent));
+        let y_5 = ((tile.y() * at_82.bitangent.normalize().dot(at_82.bitangent)) / at_82.bitangent.dot(at_82.bitangent));
+        let _e44 = self.v_normal_at(uv_22, rt::Scalar(0i32), (level_22 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_22, rt::Scalar(1i32), (level_22 - rt::Scalar(1u32)));
+        let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_7), (_e44.y() * y_5), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
-        let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_5) * x_5), ((_e48.y() * x_5) * y_3), ((_e48.z() * y_3) * y_3)) * longer_1);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (_e44.w() * x_5)), <rt::Vec4<f32>>::new_31(squares, (_e48.w() * y_3)));
+        let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_7) * x_7), ((_e48.y() * x_7) * y_5), ((_e48.z() * y_5) * y_5)) * longer_1);
+        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (_e44.w() * x_7)), <rt::Vec4<f32>>::new_31(squares, (_e48.w() * y_5)));
     }
     pub(crate) fn sum_of_four(&self, four_1: impl rt::Into<rt::Vec4<f32>>) -> f32 {
         rt::into(self.v_sum_of_four(rt::into(four_1)))
@@ -11397,73 +11818,73 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_78: Entered,
+        at_83: Entered,
         normals: Normals,
-        view_11: impl rt::Into<rt::Vec3<f32>>,
+        view_12: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_78, normals, rt::into(view_11)))
+        rt::into(self.v_seen_normals(at_83, normals, rt::into(view_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_78: Entered,
+        at_83: Entered,
         normals: Normals,
-        view_11: rt::Vec3<f32>,
+        view_12: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let first_14 = normals.first;
+        let first_16 = normals.first;
         let second_5 = normals.second;
-        let slope_12 = <rt::Vec2<f32>>::from_scalars(first_14.w(), second_5.w());
-        let upright_1 = first_14.z().max(rt::Scalar(0.05f32));
-        let x_6 = (first_14.x() / upright_1);
-        let y_4 = (first_14.y() / upright_1);
-        let a_28 = ((second_5.x() / upright_1) - (x_6 * x_6)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_28 = (((second_5.y() / upright_1) - (x_6 * y_4)) / a_28);
-        let spread = ((second_5.z() / upright_1) - (y_4 * y_4)).max(rt::Scalar(0f32));
+        let slope_12 = <rt::Vec2<f32>>::from_scalars(first_16.w(), second_5.w());
+        let upright_1 = first_16.z().max(rt::Scalar(0.05f32));
+        let x_8 = (first_16.x() / upright_1);
+        let y_6 = (first_16.y() / upright_1);
+        let a_28 = ((second_5.x() / upright_1) - (x_8 * x_8)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_28 = (((second_5.y() / upright_1) - (x_8 * y_6)) / a_28);
+        let spread = ((second_5.z() / upright_1) - (y_6 * y_6)).max(rt::Scalar(0f32));
         let d_2 = (spread - (b_28 * b_28)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_14.x())) - (first_14.xyz() * slope_12.x()));
-        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_14.y())) - (first_14.xyz() * slope_12.y()));
-        let most_14 = ((a_28 * a_28) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_35 = (with_x / rt::Vec3::splat_from_scalar(a_28.max((with_x.length() / most_14))));
-        let rest_9 = (with_y - (along_35 * b_28));
-        let across_7 = (rest_9 / rt::Vec3::splat_from_scalar(d_2.max((rest_9.length() / most_14))));
-        let _e77 = self.v_to_tangent_space(at_78, view_11);
+        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_16.x())) - (first_16.xyz() * slope_12.x()));
+        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_16.y())) - (first_16.xyz() * slope_12.y()));
+        let most_16 = ((a_28 * a_28) + spread).sqrt().min(rt::Scalar(1f32));
+        let along_37 = (with_x / rt::Vec3::splat_from_scalar(a_28.max((with_x.length() / most_16))));
+        let rest_9 = (with_y - (along_37 * b_28));
+        let across_8 = (rest_9 / rt::Vec3::splat_from_scalar(d_2.max((rest_9.length() / most_16))));
+        let _e77 = self.v_to_tangent_space(at_83, view_12);
         let middle_15 = (_e77.z() - _e77.xy().dot(slope_12));
         let _e91 = self.v_facing_four(middle_15, (-((_e77.x() * a_28) + (_e77.y() * b_28))), (-(_e77.y() * d_2)));
         let one = middle_15.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one, _e94);
         let all_1 = _e95.max(rt::Scalar(0.001f32));
-        let aside_8 = ((along_35 * ((_e91.x() - _e91.y()) / all_1)) + (across_7 * ((_e91.z() - _e91.w()) / all_1)));
-        let _e113 = self.v_from_tangent_space(at_78, (first_14.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
+        let aside_8 = ((along_37 * ((_e91.x() - _e91.y()) / all_1)) + (across_8 * ((_e91.z() - _e91.w()) / all_1)));
+        let _e113 = self.v_from_tangent_space(at_83, (first_16.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_14.xyz(), along_35, across_7, slope_12, <rt::Vec2<f32>>::from_scalars(a_28, b_28), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_16.xyz(), along_37, across_8, slope_12, <rt::Vec2<f32>>::from_scalars(a_28, b_28), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_79: Entered) -> f32 {
-        rt::into(self.v_table_part(at_79))
+    pub(crate) fn table_part(&self, at_84: Entered) -> f32 {
+        rt::into(self.v_table_part(at_84))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_table_part(&self, at_79: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_84: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_79.fade) * ((rt::Scalar(at_79.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_84.fade) * ((rt::Scalar(at_84.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_80: Entered,
+        at_85: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_80, seen_1, table, rt::into(part_6)))
+        rt::into(self.v_with_table(at_85, seen_1, table, rt::into(part_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_with_table(
         &self,
-        at_80: Entered,
+        at_85: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: rt::Scalar<f32>,
@@ -11472,7 +11893,7 @@ impl<'g> Resources<'g> {
 
         told = seen_1;
         let before_4 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_80, table.mean);
+        let _e9 = self.v_from_tangent_space(at_85, table.mean);
         let mean_4 = (before_4 + ((_e9 - before_4) * part_6));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
@@ -11501,48 +11922,48 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_texel(
         &self,
-        uv_22: impl rt::Into<rt::Vec2<f32>>,
+        uv_23: impl rt::Into<rt::Vec2<f32>>,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
         level_23: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_22), rt::into(azimuth), rt::into(elevation), rt::into(level_23)))
+        rt::into(self.v_seen_texel(rt::into(uv_23), rt::into(azimuth), rt::into(elevation), rt::into(level_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_texel(
         &self,
-        uv_22: rt::Vec2<f32>,
+        uv_23: rt::Vec2<f32>,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
         level_23: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_8 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_22, layer_8, level_23);
-        let _e12 = self.v_detail_texel_between(uv_22, (layer_8 + rt::Scalar(1i32)), level_23);
+        let _e9 = self.v_detail_texel_between(uv_23, layer_8, level_23);
+        let _e12 = self.v_detail_texel_between(uv_23, (layer_8 + rt::Scalar(1i32)), level_23);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
         &self,
-        uv_23: impl rt::Into<rt::Vec2<f32>>,
+        uv_24: impl rt::Into<rt::Vec2<f32>>,
         azimuth_1: impl rt::Into<rt::Scalar<i32>>,
         elevation_1: impl rt::Into<rt::Scalar<i32>>,
         levels_1: Levels,
     ) -> SeenTexel {
-        rt::into(self.v_seen_in_levels(rt::into(uv_23), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
+        rt::into(self.v_seen_in_levels(rt::into(uv_24), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_in_levels(
         &self,
-        uv_23: rt::Vec2<f32>,
+        uv_24: rt::Vec2<f32>,
         azimuth_1: rt::Scalar<i32>,
         elevation_1: rt::Scalar<i32>,
         levels_1: Levels,
     ) -> SeenTexel {
-        let _e5 = self.v_seen_texel(uv_23, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
+        let _e5 = self.v_seen_texel(uv_24, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
         if rt::Scalar::into_branch_condition(rt::Scalar(levels_1.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e12 = self.v_seen_texel(uv_23, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
+            let _e12 = self.v_seen_texel(uv_24, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
             let _e14 = self.v_seen_between(_e5, _e12, rt::Scalar(levels_1.part));
             return _e14;
         }
@@ -11550,114 +11971,114 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_81: Entered,
-        uv_24: impl rt::Into<rt::Vec2<f32>>,
-        view_12: impl rt::Into<rt::Vec3<f32>>,
+        at_86: Entered,
+        uv_25: impl rt::Into<rt::Vec2<f32>>,
+        view_13: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_81, rt::into(uv_24), rt::into(view_12), levels_2))
+        rt::into(self.v_table_of(at_86, rt::into(uv_25), rt::into(view_13), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_81: Entered,
-        uv_24: rt::Vec2<f32>,
-        view_12: rt::Vec3<f32>,
+        at_86: Entered,
+        uv_25: rt::Vec2<f32>,
+        view_13: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_81, view_12);
+        let _e4 = self.v_climb(at_86, view_13);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
-        let toward_6 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
-        let up_3 = (toward_6.z() / toward_6.length());
-        let elevation_3 = ((up_3 * rt::Scalar(4f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(3f32));
-        let _e29 = self.v_turn_of(toward_6.xy());
+        let toward_8 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
+        let up_4 = (toward_8.z() / toward_8.length());
+        let elevation_3 = ((up_4 * rt::Scalar(4f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(3f32));
+        let _e29 = self.v_turn_of(toward_8.xy());
         let azimuth_3 = (_e29 * rt::Scalar(8f32));
         let a0_ = (azimuth_3.floor().to_i32() % rt::Scalar(8i32));
         let a1_ = ((a0_ + rt::Scalar(1i32)) % rt::Scalar(8i32));
         let e0_ = elevation_3.floor().to_i32();
         let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
-        let across_8 = (azimuth_3 - azimuth_3.floor());
-        let _e48 = self.v_seen_in_levels(uv_24, a0_, e0_, levels_2);
-        let _e49 = self.v_seen_in_levels(uv_24, a1_, e0_, levels_2);
-        let _e50 = self.v_seen_between(_e48, _e49, across_8);
-        let _e51 = self.v_seen_in_levels(uv_24, a0_, e1_1, levels_2);
-        let _e52 = self.v_seen_in_levels(uv_24, a1_, e1_1, levels_2);
-        let _e53 = self.v_seen_between(_e51, _e52, across_8);
+        let across_9 = (azimuth_3 - azimuth_3.floor());
+        let _e48 = self.v_seen_in_levels(uv_25, a0_, e0_, levels_2);
+        let _e49 = self.v_seen_in_levels(uv_25, a1_, e0_, levels_2);
+        let _e50 = self.v_seen_between(_e48, _e49, across_9);
+        let _e51 = self.v_seen_in_levels(uv_25, a0_, e1_1, levels_2);
+        let _e52 = self.v_seen_in_levels(uv_25, a1_, e1_1, levels_2);
+        let _e53 = self.v_seen_between(_e51, _e52, across_9);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_7 = ((tile_1.x() * at_81.tangent.normalize().dot(at_81.tangent)) / at_81.tangent.dot(at_81.tangent));
-        let y_5 = ((tile_1.y() * at_81.bitangent.normalize().dot(at_81.bitangent)) / at_81.bitangent.dot(at_81.bitangent));
+        let x_9 = ((tile_1.x() * at_86.tangent.normalize().dot(at_86.tangent)) / at_86.tangent.dot(at_86.tangent));
+        let y_7 = ((tile_1.y() * at_86.bitangent.normalize().dot(at_86.bitangent)) / at_86.bitangent.dot(at_86.bitangent));
         let mean_5 = _e56.first.xyz();
-        let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_7), (mean_5.y() * y_5), mean_5.z());
+        let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_9), (mean_5.y() * y_7), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
         let upright_2 = ((rt::Scalar(1f32) - _e56.first.w()) - _e56.second.y()).max(rt::Scalar(0f32));
-        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_7) * x_7), ((_e56.second.y() * y_5) * y_5), upright_2) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_7) * y_5), (_e56.second.z() * x_7), (_e56.second.w() * y_5)) * squared_3));
+        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_9) * x_9), ((_e56.second.y() * y_7) * y_7), upright_2) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_9) * y_7), (_e56.second.z() * x_9), (_e56.second.w() * y_7)) * squared_3));
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_82: Entered,
-        uv_25: impl rt::Into<rt::Vec2<f32>>,
-        view_13: impl rt::Into<rt::Vec3<f32>>,
+        at_87: Entered,
+        uv_26: impl rt::Into<rt::Vec2<f32>>,
+        view_14: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_82, rt::into(uv_25), rt::into(view_13)))
+        rt::into(self.v_mesostructure_normals(at_87, rt::into(uv_26), rt::into(view_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_82: Entered,
-        uv_25: rt::Vec2<f32>,
-        view_13: rt::Vec3<f32>,
+        at_87: Entered,
+        uv_26: rt::Vec2<f32>,
+        view_14: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_84: rt::Scalar<bool>;
-        let mut first_5: rt::Vec4<f32>;
+        let mut local_85: rt::Scalar<bool>;
+        let mut first_6: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
         let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_one_seen(at_82.normal);
+            let _e9 = self.v_one_seen(at_87.normal);
             return _e9;
         }
-        let upright_3 = at_82.normal.dot(view_13);
+        let upright_3 = at_87.normal.dot(view_14);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_82.fade)));
+        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_87.fade)));
         let _e22 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_6 = ((rt::Scalar(at_82.footprint) * _e22) * width_7);
+        let texels_6 = ((rt::Scalar(at_87.footprint) * _e22) * width_7);
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_6, _e27);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_84 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
+            local_85 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_84 = rt::Scalar(false);
+            local_85 = rt::Scalar(false);
         }
-        let _e39 = local_84;
+        let _e39 = local_85;
         if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_82, uv_25);
+            let _e40 = self.v_finest_normal(at_87, uv_26);
             let _e41 = self.v_one_seen(_e40);
             return _e41;
         }
-        let _e43 = self.v_normals_of_level(at_82, uv_25, rt::Scalar(_e28.fine));
-        first_5 = _e43.first;
+        let _e43 = self.v_normals_of_level(at_87, uv_26, rt::Scalar(_e28.fine));
+        first_6 = _e43.first;
         second = _e43.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_82, uv_25, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
-            let _e55 = first_5;
-            let _e57 = first_5;
-            first_5 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
+            let _e54 = self.v_normals_of_level(at_87, uv_26, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e55 = first_6;
+            let _e57 = first_6;
+            first_6 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
             let _e62 = second;
             let _e64 = second;
             second = (_e62 + ((_e54.second - _e64) * rt::Scalar(_e28.part)));
         }
-        let _e69 = first_5;
+        let _e69 = first_6;
         let _e70 = second;
-        let _e72 = self.v_seen_normals(at_82, <Normals>::new(_e69, _e70), view_13);
-        let _e73 = self.v_table_part(at_82);
+        let _e72 = self.v_seen_normals(at_87, <Normals>::new(_e69, _e70), view_14);
+        let _e73 = self.v_table_part(at_87);
         if rt::Scalar::into_branch_condition(_e73.elementwise_gt(rt::Scalar(0f32))) {
             let _e79 = rt::Scalar(self.surface_settings.height_levels);
-            let _e80 = self.v_levels_of(rt::Scalar(at_82.footprint), _e79);
+            let _e80 = self.v_levels_of(rt::Scalar(at_87.footprint), _e79);
             let _e81 = self.v_has_table(_e80);
             if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_82, uv_25, view_13, _e80);
-                let _e83 = self.v_with_table(at_82, _e72, _e82, _e73);
+                let _e82 = self.v_table_of(at_87, uv_26, view_14, _e80);
+                let _e83 = self.v_with_table(at_87, _e72, _e82, _e73);
                 return _e83;
             }
         }
@@ -11665,63 +12086,63 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_83: Entered,
-        hit_21: Hit,
+        at_88: Entered,
+        hit_22: Hit,
         light_5: Toward,
-        params_66: impl rt::Into<rt::Vec4<f32>>,
+        params_70: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_83, hit_21, light_5, rt::into(params_66)))
+        rt::into(self.v_shadow_ray(at_88, hit_22, light_5, rt::into(params_70)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_ray(
         &self,
-        at_83: Entered,
-        hit_21: Hit,
+        at_88: Entered,
+        hit_22: Hit,
         light_5: Toward,
-        params_66: rt::Vec4<f32>,
+        params_70: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_83, hit_21, light_5);
+        let _e4 = self.v_free_way(at_88, hit_22, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_84: Entered,
-        hit_22: Hit,
+        at_89: Entered,
+        hit_23: Hit,
         light_6: Toward,
-        params_67: impl rt::Into<rt::Vec4<f32>>,
+        params_71: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_84, hit_22, light_6, rt::into(params_67)))
+        rt::into(self.v_shadow_none(at_89, hit_23, light_6, rt::into(params_71)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_none(
         &self,
-        at_84: Entered,
-        hit_22: Hit,
+        at_89: Entered,
+        hit_23: Hit,
         light_6: Toward,
-        params_67: rt::Vec4<f32>,
+        params_71: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_85: Entered,
-        hit_23: Hit,
+        at_90: Entered,
+        hit_24: Hit,
         light_7: Toward,
-        params_68: impl rt::Into<rt::Vec4<f32>>,
+        params_72: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_85, hit_23, light_7, rt::into(params_68)))
+        rt::into(self.v_shadow_entry(at_90, hit_24, light_7, rt::into(params_72)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_85: Entered,
-        hit_23: Hit,
+        at_90: Entered,
+        hit_24: Hit,
         light_7: Toward,
-        params_68: rt::Vec4<f32>,
+        params_72: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_85, hit_23, light_7);
+        let _e4 = self.v_from_hit(at_90, hit_24, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -11740,7 +12161,7 @@ impl<'g> Resources<'g> {
         }
         let _e51 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_4 = ((_e41.uv - _e4.uv).abs() * _e51);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_68.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_72.x()));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
         rt::into(self.v_mixed(rt::into(seed)))
@@ -11748,29 +12169,29 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_mixed(&self, seed: rt::Scalar<u32>) -> rt::Scalar<u32> {
-        let mut x_1: rt::Scalar<u32>;
+        let mut x_2: rt::Scalar<u32>;
 
-        x_1 = (seed ^ (seed >> rt::Scalar(16u32)));
-        let _e5 = x_1;
-        x_1 = (_e5 * rt::Scalar(2146121005u32));
-        let _e8 = x_1;
-        let _e9 = x_1;
-        x_1 = (_e8 ^ (_e9 >> rt::Scalar(15u32)));
-        let _e13 = x_1;
-        x_1 = (_e13 * rt::Scalar(2221713035u32));
-        let _e16 = x_1;
-        let _e17 = x_1;
+        x_2 = (seed ^ (seed >> rt::Scalar(16u32)));
+        let _e5 = x_2;
+        x_2 = (_e5 * rt::Scalar(2146121005u32));
+        let _e8 = x_2;
+        let _e9 = x_2;
+        x_2 = (_e8 ^ (_e9 >> rt::Scalar(15u32)));
+        let _e13 = x_2;
+        x_2 = (_e13 * rt::Scalar(2221713035u32));
+        let _e16 = x_2;
+        let _e17 = x_2;
         return (_e16 ^ (_e17 >> rt::Scalar(16u32)));
     }
-    pub(crate) fn seed_of(&self, hit_24: Hit) -> u32 {
-        rt::into(self.v_seed_of(hit_24))
+    pub(crate) fn seed_of(&self, hit_25: Hit) -> u32 {
+        rt::into(self.v_seed_of(hit_25))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_seed_of(&self, hit_24: Hit) -> rt::Scalar<u32> {
-        let place_26 = ((hit_24.uv - hit_24.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
-        let _e10 = self.v_mixed(place_26.y());
-        let _e12 = self.v_mixed((place_26.x() ^ _e10));
+    fn v_seed_of(&self, hit_25: Hit) -> rt::Scalar<u32> {
+        let place_27 = ((hit_25.uv - hit_25.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+        let _e10 = self.v_mixed(place_27.y());
+        let _e12 = self.v_mixed((place_27.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn unit_of(&self, bits: impl rt::Into<rt::Scalar<u32>>) -> f32 {
@@ -11787,10 +12208,10 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_quarter_sine(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_8 = (turn_1 * rt::Scalar(6.2831855f32));
-        let s_2 = (x_8 * x_8);
-        let last_9 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
-        return (x_8 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_9)))))));
+        let x_10 = (turn_1 * rt::Scalar(6.2831855f32));
+        let s_2 = (x_10 * x_10);
+        let last_10 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
+        return (x_10 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_10)))))));
     }
     pub(crate) fn sine_of(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_sine_of(rt::into(turn_2)))
@@ -11798,9 +12219,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_sine_of(&self, turn_2: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let part_17 = (turn_2 - turn_2.floor());
-        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_17 - rt::Scalar(0.5f32)).abs()).abs()));
-        return _e11.select((rt::Scalar(0f32) - _e11), part_17.elementwise_gt(rt::Scalar(0.5f32)));
+        let part_19 = (turn_2 - turn_2.floor());
+        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_19 - rt::Scalar(0.5f32)).abs()).abs()));
+        return _e11.select((rt::Scalar(0f32) - _e11), part_19.elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn turned_1(&self, turn_3: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_turned_1(rt::into(turn_3)))
@@ -11816,10 +12237,10 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: impl rt::Into<rt::Scalar<u32>>,
-        k_23: impl rt::Into<rt::Scalar<u32>>,
+        k_29: impl rt::Into<rt::Scalar<u32>>,
         count_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_23), rt::into(count_4)))
+        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_29), rt::into(count_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -11827,59 +12248,59 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: rt::Scalar<u32>,
-        k_23: rt::Scalar<u32>,
+        k_29: rt::Scalar<u32>,
         count_4: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_1 + k_23) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_1 + k_29) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_23.to_f32() + _e9) / count_4.to_f32());
+        let ring = ((k_29.to_f32() + _e9) / count_4.to_f32());
         let _e16 = self.v_unit_of(seed_1);
-        let _e18 = self.v_turned_1(((k_23.to_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_27 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
+        let _e18 = self.v_turned_1(((k_29.to_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let place_28 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
-        let right_3 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
-        let up_4 = light_8.direction.cross(right_3);
-        let toward_7 = ((light_8.direction + (right_3 * place_27.x())) + (up_4 * place_27.y()));
-        let along_36 = toward_7.length();
-        return <Toward>::new((toward_7 / rt::Vec3::splat_from_scalar(along_36)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_36), rt::Scalar(0f32), rt::Scalar(light_8.number));
+        let right_4 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
+        let up_5 = light_8.direction.cross(right_4);
+        let toward_9 = ((light_8.direction + (right_4 * place_28.x())) + (up_5 * place_28.y()));
+        let along_38 = toward_9.length();
+        return <Toward>::new((toward_9 / rt::Vec3::splat_from_scalar(along_38)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_38), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_86: Entered,
-        hit_25: Hit,
+        at_91: Entered,
+        hit_26: Hit,
         light_9: Toward,
-        params_69: impl rt::Into<rt::Vec4<f32>>,
+        params_73: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_86, hit_25, light_9, rt::into(params_69)))
+        rt::into(self.v_shadow_soft(at_91, hit_26, light_9, rt::into(params_73)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_86: Entered,
-        hit_25: Hit,
+        at_91: Entered,
+        hit_26: Hit,
         light_9: Toward,
-        params_69: rt::Vec4<f32>,
+        params_73: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_24: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_30: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_7 = params_69.x().to_u32();
-        let _e6 = self.v_seed_of(hit_25);
+        let count_7 = params_73.x().to_u32();
+        let _e6 = self.v_seed_of(hit_26);
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_24;
+                let _e11 = k_30;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_7)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
-                    let _e14 = k_24;
+                    let _e14 = k_30;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_7);
-                    let _e16 = self.v_free_way(at_86, hit_25, _e15);
+                    let _e16 = self.v_free_way(at_91, hit_26, _e15);
                     free = (_e13 + _e16);
-                    let _e18 = k_24;
-                    k_24 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_30;
+                    k_30 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
@@ -11888,49 +12309,49 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_87: Entered,
-        hit_26: Hit,
+        at_92: Entered,
+        hit_27: Hit,
         light_10: Toward,
-        params_70: impl rt::Into<rt::Vec4<f32>>,
+        params_74: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_87, hit_26, light_10, rt::into(params_70)))
+        rt::into(self.v_shadow_heuristic(at_92, hit_27, light_10, rt::into(params_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_87: Entered,
-        hit_26: Hit,
+        at_92: Entered,
+        hit_27: Hit,
         light_10: Toward,
-        params_70: rt::Vec4<f32>,
+        params_74: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_25: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut most_2: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_31: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_87, hit_26, light_10);
+        let _e4 = self.v_from_hit(at_92, hit_27, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let _e11 = self.v_way_out(_e4, light_10);
         'naga_break: loop {
             'naga_continue: {
-                let _e16 = k_25;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_70.x())) {
+                let _e16 = k_31;
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_74.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = k_25;
-                    let part_18 = (_e19 / params_70.x());
-                    let _e22 = most_1;
-                    let _e24 = self.v_path_gap(_e4, (part_18 * _e11));
-                    most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_18)));
-                    let _e31 = k_25;
-                    k_25 = (_e31 + rt::Scalar(1f32));
+                    let _e19 = k_31;
+                    let part_20 = (_e19 / params_74.x());
+                    let _e22 = most_2;
+                    let _e24 = self.v_path_gap(_e4, (part_20 * _e11));
+                    most_2 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_20)));
+                    let _e31 = k_31;
+                    k_31 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e35 = most_1;
-        return (rt::Scalar(1f32) - (params_70.y() * _e35).min(rt::Scalar(1f32)));
+        let _e35 = most_2;
+        return (rt::Scalar(1f32) - (params_74.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
@@ -11955,27 +12376,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_26: impl rt::Into<rt::Vec2<f32>>,
+        uv_27: impl rt::Into<rt::Vec2<f32>>,
         layer_7: impl rt::Into<rt::Scalar<i32>>,
         level_25: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_26), rt::into(layer_7), rt::into(level_25)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_27), rt::into(layer_7), rt::into(level_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_texel_between(
         &self,
-        uv_26: rt::Vec2<f32>,
+        uv_27: rt::Vec2<f32>,
         layer_7: rt::Scalar<i32>,
         level_25: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_25);
-        let _e4 = self.v_texels_around(uv_26, _e3);
-        let k_37 = level_25.to_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_37);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_37);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_37);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_37);
+        let _e4 = self.v_texels_around(uv_27, _e3);
+        let k_44 = level_25.to_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_44);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_44);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_44);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_44);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -11999,122 +12420,122 @@ impl<'g> Resources<'g> {
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_16))));
     }
-    pub(crate) fn part_above(&self, height_7: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_part_above(rt::into(height_7)))
+    pub(crate) fn part_above(&self, height_8: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_part_above(rt::into(height_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_part_above(&self, height_7: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_9 = height_7.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
-        let s_3 = (x_9 * x_9);
-        return (rt::Scalar(0.5f32) + (x_9 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
+    fn v_part_above(&self, height_8: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let x_11 = height_8.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
+        let s_3 = (x_11 * x_11);
+        return (rt::Scalar(0.5f32) + (x_11 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_88: Entered,
-        hit_27: Hit,
+        at_93: Entered,
+        hit_28: Hit,
         light_11: Toward,
-        params_71: impl rt::Into<rt::Vec4<f32>>,
+        params_75: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_88, hit_27, light_11, rt::into(params_71)))
+        rt::into(self.v_shadow_horizon(at_93, hit_28, light_11, rt::into(params_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_88: Entered,
-        hit_27: Hit,
+        at_93: Entered,
+        hit_28: Hit,
         light_11: Toward,
-        params_71: rt::Vec4<f32>,
+        params_75: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_88, light_11.direction);
+        let _e5 = self.v_climb(at_93, light_11.direction);
         let map_5 = self.surface_settings.maps[3usize];
-        let along_37 = (_e5.xy() * map_5.tile_m);
-        let _e13 = self.v_turn_of(along_37);
-        let azimuth_4 = (_e13 * params_71.x());
-        let first_15 = azimuth_4.floor();
-        let count_8 = params_71.x().to_i32();
-        let before_5 = (first_15.to_i32() % count_8);
-        let part_19 = (azimuth_4 - first_15);
-        let _e24 = self.v_shadow_texel_between(hit_27.uv, before_5, rt::Scalar(at_88.level));
-        let low_9 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_27.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_88.level));
-        let sine_1 = (low_9 + ((_e31.x() - low_9) * part_19));
+        let along_39 = (_e5.xy() * map_5.tile_m);
+        let _e13 = self.v_turn_of(along_39);
+        let azimuth_4 = (_e13 * params_75.x());
+        let first_17 = azimuth_4.floor();
+        let count_8 = params_75.x().to_i32();
+        let before_5 = (first_17.to_i32() % count_8);
+        let part_21 = (azimuth_4 - first_17);
+        let _e24 = self.v_shadow_texel_between(hit_28.uv, before_5, rt::Scalar(at_93.level));
+        let low_10 = _e24.x();
+        let _e31 = self.v_shadow_texel_between(hit_28.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_93.level));
+        let sine_1 = (low_10 + ((_e31.x() - low_10) * part_21));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
-        let far_13 = (squared_4 * along_37.dot(along_37)).sqrt();
-        let _e48 = self.v_from_hit(at_88, hit_27, light_11);
+        let far_13 = (squared_4 * along_39.dot(along_39)).sqrt();
+        let _e48 = self.v_from_hit(at_93, hit_28, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_9 = (_e49 * _e52);
         let horizon = far_13.max(near_9);
-        let up_5 = at_88.normal.dot(light_11.direction);
+        let up_6 = at_93.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
-            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_5.elementwise_gt(horizon));
+            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
         }
-        let flat = (rt::Scalar(1f32) - (up_5 * up_5)).max(rt::Scalar(0f32));
-        let beside_4 = (flat + (up_5 * horizon));
-        if rt::Scalar::into_branch_condition((!beside_4.elementwise_gt(rt::Scalar(0f32)))) {
-            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_5.elementwise_gt(horizon));
+        let flat = (rt::Scalar(1f32) - (up_6 * up_6)).max(rt::Scalar(0f32));
+        let beside_5 = (flat + (up_6 * horizon));
+        if rt::Scalar::into_branch_condition((!beside_5.elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
         }
-        let _e86 = self.v_part_above(((flat.sqrt() * (up_5 - horizon)) / (beside_4 * rt::Scalar(light_11.radius))));
+        let _e86 = self.v_part_above(((flat.sqrt() * (up_6 - horizon)) / (beside_5 * rt::Scalar(light_11.radius))));
         return _e86;
     }
     pub(crate) fn open_part(
         &self,
-        at_89: Entered,
-        hit_28: Hit,
+        at_94: Entered,
+        hit_29: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_89, hit_28, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_94, hit_29, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_open_part(
         &self,
-        at_89: Entered,
-        hit_28: Hit,
+        at_94: Entered,
+        hit_29: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_28.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_89.level));
+        let _e9 = self.v_shadow_texel_between(hit_29.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_94.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_90: Entered,
-        hit_29: Hit,
+        at_95: Entered,
+        hit_30: Hit,
         light_12: Toward,
-        params_72: impl rt::Into<rt::Vec4<f32>>,
+        params_76: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_90, hit_29, light_12, rt::into(params_72)))
+        rt::into(self.v_shadow_visibility(at_95, hit_30, light_12, rt::into(params_76)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_90: Entered,
-        hit_29: Hit,
+        at_95: Entered,
+        hit_30: Hit,
         light_12: Toward,
-        params_72: rt::Vec4<f32>,
+        params_76: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_90, light_12.direction);
+        let _e5 = self.v_climb(at_95, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_6 = self.surface_settings.maps[3usize];
-        let along_38 = (_e5.xy() * map_6.tile_m);
+        let along_40 = (_e5.xy() * map_6.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
-        let height_17 = (_e5.z() * _e21);
-        let squared_5 = ((height_17 * height_17) / (along_38.dot(along_38) + (height_17 * height_17)));
-        let azimuths = params_72.x().to_i32();
-        let elevations_1 = params_72.y().to_i32();
-        let _e32 = self.v_turn_of(along_38);
-        let azimuth_5 = (_e32 * params_72.x());
-        let elevation_4 = ((squared_5 * params_72.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_72.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_72.z().elementwise_lt(rt::Scalar(2f32))) {
+        let height_18 = (_e5.z() * _e21);
+        let squared_5 = ((height_18 * height_18) / (along_40.dot(along_40) + (height_18 * height_18)));
+        let azimuths = params_76.x().to_i32();
+        let elevations_1 = params_76.y().to_i32();
+        let _e32 = self.v_turn_of(along_40);
+        let azimuth_5 = (_e32 * params_76.x());
+        let elevation_4 = ((squared_5 * params_76.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_76.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_76.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_29 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_90, hit_29, a_29, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+            let _e56 = self.v_open_part(at_95, hit_30, a_29, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().to_i32() % azimuths);
@@ -12123,157 +12544,205 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_90, hit_29, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_90, hit_29, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_95, hit_30, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_95, hit_30, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_90, hit_29, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_95, hit_30, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_90, hit_29, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_95, hit_30, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_91: Entered,
-        hit_30: Hit,
+        at_96: Entered,
+        hit_31: Hit,
         light_13: Toward,
-        params_73: impl rt::Into<rt::Vec4<f32>>,
+        params_77: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_91, hit_30, light_13, rt::into(params_73)))
+        rt::into(self.v_shadow_map(at_96, hit_31, light_13, rt::into(params_77)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_map(
         &self,
-        at_91: Entered,
-        hit_30: Hit,
+        at_96: Entered,
+        hit_31: Hit,
         light_13: Toward,
-        params_73: rt::Vec4<f32>,
+        params_77: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_91, hit_30.uv, rt::Scalar(light_13.number), light_13.direction, params_73.z(), params_73.w());
+        let _e9 = self.v_light_seen(at_96, hit_31.uv, rt::Scalar(light_13.number), light_13.direction, params_77.z(), params_77.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_92: Entered,
-        hit_31: Hit,
+        at_97: Entered,
+        hit_32: Hit,
         light_14: Toward,
-        params_74: impl rt::Into<rt::Vec4<f32>>,
+        params_78: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_92, hit_31, light_14, rt::into(params_74)))
+        rt::into(self.v_shadow_scene(at_97, hit_32, light_14, rt::into(params_78)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_scene(
         &self,
-        at_92: Entered,
-        hit_31: Hit,
+        at_97: Entered,
+        hit_32: Hit,
         light_14: Toward,
-        params_74: rt::Vec4<f32>,
+        params_78: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_93: Entered, hit_32: Hit, light_15: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_93, hit_32, light_15))
+    pub(crate) fn shadow_stage(&self, at_98: Entered, hit_33: Hit, light_15: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_98, hit_33, light_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_93: Entered, hit_32: Hit, light_15: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_98: Entered, hit_33: Hit, light_15: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[8usize].params;
-                let _e13 = self.v_shadow_ray(at_93, hit_32, light_15, _e12);
+                let _e13 = self.v_shadow_ray(at_98, hit_33, light_15, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[8usize].params;
-                let _e19 = self.v_shadow_none(at_93, hit_32, light_15, _e18);
+                let _e19 = self.v_shadow_none(at_98, hit_33, light_15, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[8usize].params;
-                let _e25 = self.v_shadow_entry(at_93, hit_32, light_15, _e24);
+                let _e25 = self.v_shadow_entry(at_98, hit_33, light_15, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[8usize].params;
-                let _e31 = self.v_shadow_soft(at_93, hit_32, light_15, _e30);
+                let _e31 = self.v_shadow_soft(at_98, hit_33, light_15, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[8usize].params;
-                let _e37 = self.v_shadow_heuristic(at_93, hit_32, light_15, _e36);
+                let _e37 = self.v_shadow_heuristic(at_98, hit_33, light_15, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[8usize].params;
-                let _e43 = self.v_shadow_horizon(at_93, hit_32, light_15, _e42);
+                let _e43 = self.v_shadow_horizon(at_98, hit_33, light_15, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[8usize].params;
-                let _e49 = self.v_shadow_visibility(at_93, hit_32, light_15, _e48);
+                let _e49 = self.v_shadow_visibility(at_98, hit_33, light_15, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[8usize].params;
-                let _e55 = self.v_shadow_map(at_93, hit_32, light_15, _e54);
+                let _e55 = self.v_shadow_map(at_98, hit_33, light_15, _e54);
                 return _e55;
             }
             _ => {
                 let _e60 = self.surface_settings.choices[8usize].params;
-                let _e61 = self.v_shadow_scene(at_93, hit_32, light_15, _e60);
+                let _e61 = self.v_shadow_scene(at_98, hit_33, light_15, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_75: PixelIn, at_94: Entered, hit_33: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_75, at_94, hit_33))
+    pub(crate) fn mirrored_light(&self, pixel_80: PixelIn, at_99: Entered, hit_34: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_80, at_99, hit_34))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mirrored_light(&self, pixel_75: PixelIn, at_94: Entered, hit_33: Hit) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_33.found).elementwise_eq(rt::Scalar(0u32))) {
+    fn v_mirrored_light(&self, pixel_80: PixelIn, at_99: Entered, hit_34: Hit) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_34.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
-        let down_2 = pixel_75.direction.normalize();
-        let up_6 = (down_2 - (at_94.normal * (rt::Scalar(2f32) * down_2.dot(at_94.normal))));
-        let _e24 = self.v_shadow_stage(at_94, hit_33, <Toward>::new(up_6, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
+        let down_2 = pixel_80.direction.normalize();
+        let up_7 = (down_2 - (at_99.normal * (rt::Scalar(2f32) * down_2.dot(at_99.normal))));
+        let _e24 = self.v_shadow_stage(at_99, hit_34, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
         return _e24;
     }
-    pub(crate) fn normal_of_mask(&self, image_3: Image, path_69: Path, hit_34: Hit) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_mask(image_3, path_69, hit_34))
+    pub(crate) fn normal_of_frames(&self, at_100: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_frames(at_100, frames_2))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_normal_of_frames(&self, at_100: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+        let mut sum_3: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let mut k_32: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut seen_2: Entered;
+
+        'naga_break: loop {
+            'naga_continue: {
+                let _e9 = k_32;
+                if rt::Scalar::into_branch_condition(_e9.elementwise_lt(FRAMES)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e12 = k_32;
+                    let _e13 = self.v_frame_number(frames_2, _e12);
+                    let _e14 = self.v_image_of_object(_e13);
+                    seen_2 = at_100;
+                    let _e17 = self.v_tangent_of_image(_e14);
+                    seen_2.tangent = _e17;
+                    let _e19 = self.v_bitangent_of_image(_e14);
+                    seen_2.bitangent = _e19;
+                    seen_2.normal = _e14.toward;
+                    let _e23 = self.v_place_in_image(_e14, at_100.point);
+                    let uv_36 = _e23.xy();
+                    let _e25 = sum_3;
+                    let _e26 = seen_2;
+                    let _e27 = self.v_finest_normal(_e26, uv_36);
+                    let _e28 = k_32;
+                    let _e29 = self.v_frame_weight(frames_2, _e28);
+                    sum_3 = (_e25 + (_e27 * _e29));
+                    let _e32 = k_32;
+                    k_32 = (_e32 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e35 = sum_3;
+        let _e36 = sum_3;
+        let square_4 = _e35.dot(_e36);
+        if rt::Scalar::into_branch_condition(square_4.elementwise_gt(rt::Scalar(0f32))) {
+            let _e40 = sum_3;
+            return (_e40 / rt::Vec3::splat_from_scalar(square_4.sqrt()));
+        }
+        return at_100.normal;
+    }
+    pub(crate) fn normal_of_mask(&self, image_6: Image, path_71: Path, hit_35: Hit) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_mask(image_6, path_71, hit_35))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_normal_of_mask(&self, image_3: Image, path_69: Path, hit_34: Hit) -> rt::Vec3<f32> {
-        let _e3 = self.v_grid_of(path_69);
-        let at_123 = (_e3.origin + (_e3.step * rt::Scalar(hit_34.t)));
-        let _e9 = self.v_cell_of(at_123);
+    fn v_normal_of_mask(&self, image_6: Image, path_71: Path, hit_35: Hit) -> rt::Vec3<f32> {
+        let _e3 = self.v_grid_of(path_71);
+        let at_132 = (_e3.origin + (_e3.step * rt::Scalar(hit_35.t)));
+        let _e9 = self.v_cell_of(at_132);
         let _e12 = self.v_grid_cell(_e9.to_i32(), rt::Scalar(0u32));
-        let part_20 = (at_123 - _e9);
-        let rise_u_2 = (((_e12.y() - _e12.x()) * (rt::Scalar(1f32) - part_20.y())) + ((_e12.w() - _e12.z()) * part_20.y()));
-        let rise_v_2 = (((_e12.z() - _e12.x()) * (rt::Scalar(1f32) - part_20.x())) + ((_e12.w() - _e12.y()) * part_20.x()));
-        let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (image_3.u.xyz().normalize() * rise_u_2)) - (image_3.v.xyz().normalize() * rise_v_2));
-        let square_4 = outward.dot(outward);
-        if rt::Scalar::into_branch_condition(square_4.elementwise_gt(rt::Scalar(0f32))) {
-            return (outward / rt::Vec3::splat_from_scalar(square_4.sqrt()));
+        let part_22 = (at_132 - _e9);
+        let rise_u_2 = (((_e12.y() - _e12.x()) * (rt::Scalar(1f32) - part_22.y())) + ((_e12.w() - _e12.z()) * part_22.y()));
+        let rise_v_2 = (((_e12.z() - _e12.x()) * (rt::Scalar(1f32) - part_22.x())) + ((_e12.w() - _e12.y()) * part_22.x()));
+        let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (image_6.u.xyz().normalize() * rise_u_2)) - (image_6.v.xyz().normalize() * rise_v_2));
+        let square_5 = outward.dot(outward);
+        if rt::Scalar::into_branch_condition(square_5.elementwise_gt(rt::Scalar(0f32))) {
+            return (outward / rt::Vec3::splat_from_scalar(square_5.sqrt()));
         }
-        return image_3.toward;
+        return image_6.toward;
     }
     pub(crate) fn object_color(
         &self,
-        at_95: Entered,
-        view_14: impl rt::Into<rt::Vec3<f32>>,
+        at_101: Entered,
+        view_15: impl rt::Into<rt::Vec3<f32>>,
         asked_1: impl rt::Into<rt::Scalar<bool>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_color(at_95, rt::into(view_14), rt::into(asked_1)))
+        rt::into(self.v_object_color(at_101, rt::into(view_15), rt::into(asked_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_color(
         &self,
-        at_95: Entered,
-        view_14: rt::Vec3<f32>,
+        at_101: Entered,
+        view_15: rt::Vec3<f32>,
         asked_1: rt::Scalar<bool>,
     ) -> rt::Vec3<f32> {
         let mut angle1_: rt::Scalar<f32> = rt::Scalar(4f32);
@@ -12283,23 +12752,23 @@ impl<'g> Resources<'g> {
         let mut image1_: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut image2_: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut image3_: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut k_26: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_33: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut weight1_: rt::Scalar<f32>;
         let mut weight2_: rt::Scalar<f32>;
         let mut weight3_: rt::Scalar<f32>;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e19 = k_26;
+                let _e19 = k_33;
                 let _e22 = rt::Scalar(self.surface_settings.images);
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(_e22)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e24 = k_26;
+                    let _e24 = k_33;
                     let _e25 = self.v_image_of_object(_e24);
-                    let _e27 = self.v_angle_to_image(_e25, at_95.point, view_14, asked_1);
+                    let _e27 = self.v_angle_to_image(_e25, at_101.point, view_15, asked_1);
                     let _e28 = angle1_;
                     if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e28)) {
                         let _e30 = angle3_;
@@ -12313,7 +12782,7 @@ impl<'g> Resources<'g> {
                         let _e34 = image1_;
                         image2_ = _e34;
                         angle1_ = _e27;
-                        let _e35 = k_26;
+                        let _e35 = k_33;
                         image1_ = _e35;
                     } else {
                         let _e36 = angle2_;
@@ -12325,7 +12794,7 @@ impl<'g> Resources<'g> {
                             let _e40 = image2_;
                             image3_ = _e40;
                             angle2_ = _e27;
-                            let _e41 = k_26;
+                            let _e41 = k_33;
                             image2_ = _e41;
                         } else {
                             let _e42 = angle3_;
@@ -12333,7 +12802,7 @@ impl<'g> Resources<'g> {
                                 let _e44 = angle3_;
                                 angle4_ = _e44;
                                 angle3_ = _e27;
-                                let _e45 = k_26;
+                                let _e45 = k_33;
                                 image3_ = _e45;
                             } else {
                                 let _e46 = angle4_;
@@ -12343,21 +12812,21 @@ impl<'g> Resources<'g> {
                             }
                         }
                     }
-                    let _e48 = k_26;
-                    k_26 = (_e48 + rt::Scalar(1u32));
+                    let _e48 = k_33;
+                    k_33 = (_e48 + rt::Scalar(1u32));
                 }
             }
         }
         let _e51 = angle1_;
         let less = rt::Scalar(0f32).select(rt::Scalar(2f32), _e51.elementwise_ge(rt::Scalar(2f32)));
         let _e57 = angle4_;
-        let last_10 = (_e57 - less).min(rt::Scalar(0.5f32));
+        let last_11 = (_e57 - less).min(rt::Scalar(0.5f32));
         let _e61 = angle1_;
-        weight1_ = (rt::Scalar(1f32) - ((_e61 - less) / last_10)).max(rt::Scalar(0f32));
+        weight1_ = (rt::Scalar(1f32) - ((_e61 - less) / last_11)).max(rt::Scalar(0f32));
         let _e69 = angle2_;
-        weight2_ = (rt::Scalar(1f32) - ((_e69 - less) / last_10)).max(rt::Scalar(0f32));
+        weight2_ = (rt::Scalar(1f32) - ((_e69 - less) / last_11)).max(rt::Scalar(0f32));
         let _e77 = angle3_;
-        weight3_ = (rt::Scalar(1f32) - ((_e77 - less) / last_10)).max(rt::Scalar(0f32));
+        weight3_ = (rt::Scalar(1f32) - ((_e77 - less) / last_11)).max(rt::Scalar(0f32));
         let _e85 = weight1_;
         let _e86 = weight2_;
         let _e88 = weight3_;
@@ -12372,28 +12841,28 @@ impl<'g> Resources<'g> {
         }
         let _e106 = image1_;
         let _e107 = self.v_image_of_object(_e106);
-        let _e109 = self.v_place_in_image(_e107, at_95.point);
+        let _e109 = self.v_place_in_image(_e107, at_101.point);
         let uv1_ = _e109.xy();
         let _e111 = image2_;
         let _e112 = self.v_image_of_object(_e111);
-        let _e114 = self.v_place_in_image(_e112, at_95.point);
+        let _e114 = self.v_place_in_image(_e112, at_101.point);
         let uv2_ = _e114.xy();
         let _e116 = image3_;
         let _e117 = self.v_image_of_object(_e116);
-        let _e119 = self.v_place_in_image(_e117, at_95.point);
+        let _e119 = self.v_place_in_image(_e117, at_101.point);
         let uv3_ = _e119.xy();
         let _e122 = self.v_color_at(uv1_, rt::Scalar(0u32));
         let _e124 = weight1_;
-        let first_16 = (_e122.xyz() * _e124);
+        let first_18 = (_e122.xyz() * _e124);
         let _e127 = self.v_color_at(uv2_, rt::Scalar(0u32));
         let _e129 = weight2_;
         let _e133 = self.v_color_at(uv3_, rt::Scalar(0u32));
         let _e135 = weight3_;
-        let sum_6 = ((first_16 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
+        let sum_9 = ((first_18 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
         let _e138 = weight1_;
         let _e139 = weight2_;
         let _e141 = weight3_;
-        return (sum_6 * (rt::Scalar(1f32) / ((_e138 + _e139) + _e141)));
+        return (sum_9 * (rt::Scalar(1f32) / ((_e138 + _e139) + _e141)));
     }
     pub(crate) fn parts_between(
         &self,
@@ -12416,27 +12885,27 @@ impl<'g> Resources<'g> {
         let parts_6 = (((farthest + (rt::Scalar(1u32) << level_27)) - rt::Scalar(1u32)) >> level_27);
         return parts_6.clamp(rt::Scalar(1u32), DICE_PARTS).select(rt::Scalar(1u32), level_27.elementwise_eq(COARSEST));
     }
-    pub(crate) fn pixel_direction(&self, pixel_76: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_direction(rt::into(pixel_76)))
+    pub(crate) fn pixel_direction(&self, pixel_81: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_direction(rt::into(pixel_81)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_direction(&self, pixel_76: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_direction(&self, pixel_81: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.corner;
         let _e7 = self.frame.right;
         let _e14 = self.frame.down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_76.x())) + (_e14.xyz() * pixel_76.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_81.x())) + (_e14.xyz() * pixel_81.y()));
     }
-    pub(crate) fn pixel_eye(&self, pixel_77: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_eye(rt::into(pixel_77)))
+    pub(crate) fn pixel_eye(&self, pixel_82: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_eye(rt::into(pixel_82)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_eye(&self, pixel_77: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_eye(&self, pixel_82: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.eye;
         let _e7 = self.frame.eye_right;
         let _e14 = self.frame.eye_down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_77.x())) + (_e14.xyz() * pixel_77.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_82.x())) + (_e14.xyz() * pixel_82.y()));
     }
     pub(crate) fn pixel_of(
         &self,
@@ -12466,148 +12935,148 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn placed_over(
         &self,
-        at_96: Entered,
-        uv_27: impl rt::Into<rt::Vec2<f32>>,
+        at_102: Entered,
+        uv_28: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_over(at_96, rt::into(uv_27)))
+        rt::into(self.v_placed_over(at_102, rt::into(uv_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_over(
         &self,
-        at_96: Entered,
-        uv_27: rt::Vec2<f32>,
+        at_102: Entered,
+        uv_28: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_9 = (uv_27 - at_96.uv);
+        let aside_9 = (uv_28 - at_102.uv);
         let _e6 = rt::Scalar(self.surface_settings.bias_m);
         let _e9 = rt::Scalar(self.surface_settings.scale_m);
-        let _e11 = self.v_height_at(uv_27, rt::Scalar(at_96.level));
-        let height_18 = (_e6 + (_e9 * _e11));
-        placed = at_96;
-        placed.point = (((at_96.point + (at_96.tangent * aside_9.x())) + (at_96.bitangent * aside_9.y())) + (at_96.normal * height_18));
-        placed.uv = uv_27;
+        let _e11 = self.v_height_at(uv_28, rt::Scalar(at_102.level));
+        let height_19 = (_e6 + (_e9 * _e11));
+        placed = at_102;
+        placed.point = (((at_102.point + (at_102.tangent * aside_9.x())) + (at_102.bitangent * aside_9.y())) + (at_102.normal * height_19));
+        placed.uv = uv_28;
         let _e29 = placed;
         return _e29;
     }
     pub(crate) fn surface_plane_place(
         &self,
-        pixel_78: PixelIn,
-        at_97: Entered,
-        path_70: Path,
-        hit_35: Hit,
-        params_75: impl rt::Into<rt::Vec4<f32>>,
+        pixel_83: PixelIn,
+        at_103: Entered,
+        path_72: Path,
+        hit_36: Hit,
+        params_79: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_78, at_97, path_70, hit_35, rt::into(params_75)))
+        rt::into(self.v_surface_plane_place(pixel_83, at_103, path_72, hit_36, rt::into(params_79)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_place(
         &self,
-        pixel_78: PixelIn,
-        at_97: Entered,
-        path_70: Path,
-        hit_35: Hit,
-        params_75: rt::Vec4<f32>,
+        pixel_83: PixelIn,
+        at_103: Entered,
+        path_72: Path,
+        hit_36: Hit,
+        params_79: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_97, hit_35.uv);
+        let _e6 = self.v_placed_over(at_103, hit_36.uv);
         return _e6;
     }
     pub(crate) fn placed_at(
         &self,
-        pixel_79: PixelIn,
-        at_98: Entered,
+        pixel_84: PixelIn,
+        at_104: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_12: impl rt::Into<rt::Vec3<f32>>,
-        uv_28: impl rt::Into<rt::Vec2<f32>>,
+        uv_29: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_79, at_98, rt::into(weights_4), rt::into(point_12), rt::into(uv_28)))
+        rt::into(self.v_placed_at(pixel_84, at_104, rt::into(weights_4), rt::into(point_12), rt::into(uv_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_at(
         &self,
-        pixel_79: PixelIn,
-        at_98: Entered,
+        pixel_84: PixelIn,
+        at_104: Entered,
         weights_4: rt::Vec3<f32>,
         point_12: rt::Vec3<f32>,
-        uv_28: rt::Vec2<f32>,
+        uv_29: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_79, weights_4, point_12, uv_28, at_98.facing);
+        let _e6 = self.v_frame_at(pixel_84, weights_4, point_12, uv_29, at_104.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_98.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_98.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_98.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_104.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_104.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_104.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_prism_place(
         &self,
-        pixel_80: PixelIn,
-        at_99: Entered,
-        path_71: Path,
-        hit_36: Hit,
-        params_76: impl rt::Into<rt::Vec4<f32>>,
+        pixel_85: PixelIn,
+        at_105: Entered,
+        path_73: Path,
+        hit_37: Hit,
+        params_80: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_80, at_99, path_71, hit_36, rt::into(params_76)))
+        rt::into(self.v_surface_prism_place(pixel_85, at_105, path_73, hit_37, rt::into(params_80)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_prism_place(
         &self,
-        pixel_80: PixelIn,
-        at_99: Entered,
-        path_71: Path,
-        hit_36: Hit,
-        params_76: rt::Vec4<f32>,
+        pixel_85: PixelIn,
+        at_105: Entered,
+        path_73: Path,
+        hit_37: Hit,
+        params_80: rt::Vec4<f32>,
     ) -> Entered {
-        let along_39 = pixel_80.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_80, along_39);
-        let _e8 = self.v_prism_of(pixel_80, along_39, _e7, params_76);
-        let s_4 = ((rt::Scalar(path_71.start) + rt::Scalar(hit_36.t)) - _e7);
-        let _e15 = self.v_point_of_way(pixel_80, _e8, (along_39 * s_4), rt::Scalar(hit_36.height));
-        let weights_6 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_80, at_99, weights_6, (pixel_80.origin + (along_39 * (rt::Scalar(path_71.start) + rt::Scalar(hit_36.t)))), hit_36.uv);
+        let along_41 = pixel_85.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_85, along_41);
+        let _e8 = self.v_prism_of(pixel_85, along_41, _e7, params_80);
+        let s_4 = ((rt::Scalar(path_73.start) + rt::Scalar(hit_37.t)) - _e7);
+        let _e15 = self.v_point_of_way(pixel_85, _e8, (along_41 * s_4), rt::Scalar(hit_37.height));
+        let weights_7 = _e15.weights;
+        let _e24 = self.v_placed_at(pixel_85, at_105, weights_7, (pixel_85.origin + (along_41 * (rt::Scalar(path_73.start) + rt::Scalar(hit_37.t)))), hit_37.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_100: Entered,
+        at_106: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_100, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_106, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_frame(
         &self,
-        at_100: Entered,
+        at_106: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_85: rt::Scalar<bool>;
+        let mut local_86: rt::Scalar<bool>;
 
-        placed_2 = at_100;
-        let _e5 = self.v_quadric_slope(at_100.of_surface.xyz(), aside);
+        placed_2 = at_106;
+        let _e5 = self.v_quadric_slope(at_106.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_85 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_86 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_85 = rt::Scalar(false);
+            local_86 = rt::Scalar(false);
         }
-        let _e15 = local_85;
+        let _e15 = local_86;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_5 = at_100.metric;
+        let m_5 = at_106.metric;
         let area_6 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
         let along_t = (((_e5.x() * m_5.z()) - (_e5.y() * m_5.y())) / area_6);
         let along_b = (((_e5.y() * m_5.x()) - (_e5.x() * m_5.y())) / area_6);
-        placed_2.tangent = (at_100.tangent + (at_100.normal * _e5.x()));
-        placed_2.bitangent = (at_100.bitangent + (at_100.normal * _e5.y()));
-        placed_2.normal = ((at_100.normal - (at_100.tangent * along_t)) - (at_100.bitangent * along_b)).normalize();
+        placed_2.tangent = (at_106.tangent + (at_106.normal * _e5.x()));
+        placed_2.bitangent = (at_106.bitangent + (at_106.normal * _e5.y()));
+        placed_2.normal = ((at_106.normal - (at_106.tangent * along_t)) - (at_106.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_3 = _e63.dot(_e65);
@@ -12623,101 +13092,101 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
-        pixel_81: PixelIn,
-        at_101: Entered,
-        path_72: Path,
-        hit_37: Hit,
-        params_77: impl rt::Into<rt::Vec4<f32>>,
+        pixel_86: PixelIn,
+        at_107: Entered,
+        path_74: Path,
+        hit_38: Hit,
+        params_81: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_81, at_101, path_72, hit_37, rt::into(params_77)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_86, at_107, path_74, hit_38, rt::into(params_81)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_place(
         &self,
-        pixel_81: PixelIn,
-        at_101: Entered,
-        path_72: Path,
-        hit_37: Hit,
-        params_77: rt::Vec4<f32>,
+        pixel_86: PixelIn,
+        at_107: Entered,
+        path_74: Path,
+        hit_38: Hit,
+        params_81: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_101, (hit_37.uv - at_101.uv));
+        let _e8 = self.v_quadric_frame(at_107, (hit_38.uv - at_107.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_81.origin + (pixel_81.direction.normalize() * (rt::Scalar(path_72.start) + rt::Scalar(hit_37.t))));
-        placed_3.uv = hit_37.uv;
+        placed_3.point = (pixel_86.origin + (pixel_86.direction.normalize() * (rt::Scalar(path_74.start) + rt::Scalar(hit_38.t))));
+        placed_3.uv = hit_38.uv;
         let _e21 = placed_3;
         return _e21;
     }
     pub(crate) fn surface_quadric_vertical_place(
         &self,
-        pixel_82: PixelIn,
-        at_102: Entered,
-        path_73: Path,
-        hit_38: Hit,
-        params_78: impl rt::Into<rt::Vec4<f32>>,
+        pixel_87: PixelIn,
+        at_108: Entered,
+        path_75: Path,
+        hit_39: Hit,
+        params_82: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_82, at_102, path_73, hit_38, rt::into(params_78)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_87, at_108, path_75, hit_39, rt::into(params_82)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
-        pixel_82: PixelIn,
-        at_102: Entered,
-        path_73: Path,
-        hit_38: Hit,
-        params_78: rt::Vec4<f32>,
+        pixel_87: PixelIn,
+        at_108: Entered,
+        path_75: Path,
+        hit_39: Hit,
+        params_82: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_10 = (hit_38.uv - at_102.uv);
+        let aside_10 = (hit_39.uv - at_108.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_38.uv, rt::Scalar(at_102.level));
-        let height_19 = (_e10 + (_e13 * _e16));
+        let _e16 = self.v_height_at(hit_39.uv, rt::Scalar(at_108.level));
+        let height_20 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_102.of_surface.xyz(), aside_10);
-        let lifted_2 = (((_e19 - at_102.of_surface.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_102, aside_10);
+        let _e27 = self.v_quadric_at(at_108.of_surface.xyz(), aside_10);
+        let lifted_2 = (((_e19 - at_108.of_surface.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_108, aside_10);
         placed_4 = _e29;
-        placed_4.point = (((at_102.point + (at_102.tangent * aside_10.x())) + (at_102.bitangent * aside_10.y())) + (at_102.normal * (height_19 + lifted_2)));
-        placed_4.uv = hit_38.uv;
+        placed_4.point = (((at_108.point + (at_108.tangent * aside_10.x())) + (at_108.bitangent * aside_10.y())) + (at_108.normal * (height_20 + lifted_2)));
+        placed_4.uv = hit_39.uv;
         let _e47 = placed_4;
         return _e47;
     }
     pub(crate) fn surface_tetrahedra_place(
         &self,
-        pixel_83: PixelIn,
-        at_103: Entered,
-        path_74: Path,
-        hit_39: Hit,
-        params_79: impl rt::Into<rt::Vec4<f32>>,
+        pixel_88: PixelIn,
+        at_109: Entered,
+        path_76: Path,
+        hit_40: Hit,
+        params_83: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_83, at_103, path_74, hit_39, rt::into(params_79)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_88, at_109, path_76, hit_40, rt::into(params_83)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
-        pixel_83: PixelIn,
-        at_103: Entered,
-        path_74: Path,
-        hit_39: Hit,
-        params_79: rt::Vec4<f32>,
+        pixel_88: PixelIn,
+        at_109: Entered,
+        path_76: Path,
+        hit_40: Hit,
+        params_83: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
         let mut number_11: rt::Scalar<u32> = rt::Scalar(1u32);
 
-        let along_40 = pixel_83.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_83, along_40);
-        let t_40 = ((rt::Scalar(path_74.start) + rt::Scalar(hit_39.t)) - _e7);
-        let _e13 = self.v_tetrahedron(pixel_83, along_40, _e7, rt::Scalar(0u32));
+        let along_42 = pixel_88.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_88, along_42);
+        let t_41 = ((rt::Scalar(path_76.start) + rt::Scalar(hit_40.t)) - _e7);
+        let _e13 = self.v_tetrahedron(pixel_88, along_42, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
-        beside_1 = (_e17 - t_40).max((t_40 - _e21));
+        beside_1 = (_e17 - t_41).max((t_41 - _e21));
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = number_11;
@@ -12727,8 +13196,8 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e30 = number_11;
-                    let _e31 = self.v_tetrahedron(pixel_83, along_40, _e7, _e30);
-                    let aside_11 = (_e31.inside.x() - t_40).max((t_40 - _e31.inside.y()));
+                    let _e31 = self.v_tetrahedron(pixel_88, along_42, _e7, _e30);
+                    let aside_11 = (_e31.inside.x() - t_41).max((t_41 - _e31.inside.y()));
                     let _e39 = beside_1;
                     if rt::Scalar::into_branch_condition(aside_11.elementwise_lt(_e39)) {
                         nearest = _e31;
@@ -12741,178 +13210,235 @@ impl<'g> Resources<'g> {
         }
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
-        let weights_7 = (_e45 + (_e47 * t_40));
-        let point_23 = (pixel_83.origin + (along_40 * (rt::Scalar(path_74.start) + rt::Scalar(hit_39.t))));
-        let _e58 = self.v_placed_at(pixel_83, at_103, weights_7.xyz(), point_23, hit_39.uv);
+        let weights_8 = (_e45 + (_e47 * t_41));
+        let point_23 = (pixel_88.origin + (along_42 * (rt::Scalar(path_76.start) + rt::Scalar(hit_40.t))));
+        let _e58 = self.v_placed_at(pixel_88, at_109, weights_8.xyz(), point_23, hit_40.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
-        pixel_84: PixelIn,
-        at_104: Entered,
-        path_75: Path,
-        hit_40: Hit,
-        params_80: impl rt::Into<rt::Vec4<f32>>,
+        pixel_89: PixelIn,
+        at_110: Entered,
+        path_77: Path,
+        hit_41: Hit,
+        params_84: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_84, at_104, path_75, hit_40, rt::into(params_80)))
+        rt::into(self.v_surface_facets_place(pixel_89, at_110, path_77, hit_41, rt::into(params_84)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_place(
         &self,
-        pixel_84: PixelIn,
-        at_104: Entered,
-        path_75: Path,
-        hit_40: Hit,
-        params_80: rt::Vec4<f32>,
+        pixel_89: PixelIn,
+        at_110: Entered,
+        path_77: Path,
+        hit_41: Hit,
+        params_84: rt::Vec4<f32>,
     ) -> Entered {
-        return at_104;
+        return at_110;
     }
     pub(crate) fn surface_slices_place(
         &self,
-        pixel_85: PixelIn,
-        at_105: Entered,
-        path_76: Path,
-        hit_41: Hit,
-        params_81: impl rt::Into<rt::Vec4<f32>>,
+        pixel_90: PixelIn,
+        at_111: Entered,
+        path_78: Path,
+        hit_42: Hit,
+        params_85: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_85, at_105, path_76, hit_41, rt::into(params_81)))
+        rt::into(self.v_surface_slices_place(pixel_90, at_111, path_78, hit_42, rt::into(params_85)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_place(
         &self,
-        pixel_85: PixelIn,
-        at_105: Entered,
-        path_76: Path,
-        hit_41: Hit,
-        params_81: rt::Vec4<f32>,
+        pixel_90: PixelIn,
+        at_111: Entered,
+        path_78: Path,
+        hit_42: Hit,
+        params_85: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_105, hit_41.uv);
+        let _e6 = self.v_placed_over(at_111, hit_42.uv);
         return _e6;
+    }
+    pub(crate) fn placed_in_image(&self, pixel_91: PixelIn, at_112: Entered, path_79: Path, hit_43: Hit) -> Entered {
+        rt::into(self.v_placed_in_image(pixel_91, at_112, path_79, hit_43))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_placed_in_image(&self, pixel_91: PixelIn, at_112: Entered, path_79: Path, hit_43: Hit) -> Entered {
+        let mut placed_5: Entered;
+
+        let _e6 = self.v_image_of_object(rt::Scalar(path_79.base).to_u32());
+        placed_5 = at_112;
+        placed_5.point = (pixel_91.origin + (pixel_91.direction.normalize() * (rt::Scalar(path_79.start) + rt::Scalar(hit_43.t))));
+        placed_5.uv = hit_43.uv;
+        let _e20 = self.v_tangent_of_image(_e6);
+        placed_5.tangent = _e20;
+        let _e22 = self.v_bitangent_of_image(_e6);
+        placed_5.bitangent = _e22;
+        placed_5.normal = _e6.toward;
+        let _e27 = rt::Scalar(self.surface_settings.cells);
+        if rt::Scalar::into_branch_condition(_e27.elementwise_eq(CELLS_MASK)) {
+            let _e31 = self.v_normal_of_mask(_e6, path_79, hit_43);
+            placed_5.normal = _e31;
+        }
+        placed_5.metric = path_79.metric;
+        placed_5.facing = _e6.toward;
+        let _e36 = placed_5;
+        return _e36;
     }
     pub(crate) fn surface_object_place(
         &self,
-        pixel_86: PixelIn,
-        at_106: Entered,
-        path_77: Path,
-        hit_42: Hit,
-        params_82: impl rt::Into<rt::Vec4<f32>>,
+        pixel_92: PixelIn,
+        at_113: Entered,
+        path_80: Path,
+        hit_44: Hit,
+        params_86: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_place(pixel_86, at_106, path_77, hit_42, rt::into(params_82)))
+        rt::into(self.v_surface_object_place(pixel_92, at_113, path_80, hit_44, rt::into(params_86)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_surface_object_place(
         &self,
-        pixel_86: PixelIn,
-        at_106: Entered,
-        path_77: Path,
-        hit_42: Hit,
-        params_82: rt::Vec4<f32>,
+        pixel_92: PixelIn,
+        at_113: Entered,
+        path_80: Path,
+        hit_44: Hit,
+        params_86: rt::Vec4<f32>,
     ) -> Entered {
-        let mut placed_5: Entered;
-
-        let _e7 = self.v_image_of_object(rt::Scalar(path_77.base).to_u32());
-        placed_5 = at_106;
-        placed_5.point = (pixel_86.origin + (pixel_86.direction.normalize() * (rt::Scalar(path_77.start) + rt::Scalar(hit_42.t))));
-        placed_5.uv = hit_42.uv;
-        placed_5.tangent = (_e7.u.xyz() / rt::Vec3::splat_from_scalar((_e7.u.xyz().dot(_e7.u.xyz()) * _e7.extent.x())));
-        placed_5.bitangent = (_e7.v.xyz() / rt::Vec3::splat_from_scalar((_e7.v.xyz().dot(_e7.v.xyz()) * _e7.extent.y())));
-        placed_5.normal = _e7.toward;
-        let _e50 = rt::Scalar(self.surface_settings.cells);
-        if rt::Scalar::into_branch_condition(_e50.elementwise_eq(CELLS_MASK)) {
-            let _e54 = self.v_normal_of_mask(_e7, path_77, hit_42);
-            placed_5.normal = _e54;
-        }
-        placed_5.metric = path_77.metric;
-        placed_5.facing = _e7.toward;
-        let _e59 = placed_5;
-        return _e59;
+        let _e5 = self.v_placed_in_image(pixel_92, at_113, path_80, hit_44);
+        return _e5;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_87: PixelIn, at_107: Entered, path_78: Path, hit_43: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_87, at_107, path_78, hit_43))
+    pub(crate) fn surface_frames_place(
+        &self,
+        pixel_93: PixelIn,
+        at_114: Entered,
+        path_81: Path,
+        hit_45: Hit,
+        params_87: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_frames_place(pixel_93, at_114, path_81, hit_45, rt::into(params_87)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_87: PixelIn, at_107: Entered, path_78: Path, hit_43: Hit) -> Entered {
+    fn v_surface_frames_place(
+        &self,
+        pixel_93: PixelIn,
+        at_114: Entered,
+        path_81: Path,
+        hit_45: Hit,
+        params_87: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut placed_6: Entered;
+        let mut local_87: rt::Scalar<bool>;
+
+        let _e5 = self.v_placed_in_image(pixel_93, at_114, path_81, hit_45);
+        placed_6 = _e5;
+        let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
+        if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
+            let _e16 = rt::Scalar(self.surface_settings.cells);
+            local_87 = _e16.elementwise_ne(CELLS_MASK);
+        } else {
+            local_87 = rt::Scalar(false);
+        }
+        let _e20 = local_87;
+        if rt::Scalar::into_branch_condition(_e20) {
+            let _e22 = placed_6;
+            let _e26 = self.v_frames_around((-pixel_93.direction.normalize()));
+            let _e27 = self.v_normal_of_frames(_e22, _e26);
+            placed_6.normal = _e27;
+        }
+        let _e28 = placed_6;
+        return _e28;
+    }
+    pub(crate) fn surface_place_stage(&self, pixel_94: PixelIn, at_115: Entered, path_82: Path, hit_46: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_94, at_115, path_82, hit_46))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_place_stage(&self, pixel_94: PixelIn, at_115: Entered, path_82: Path, hit_46: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_87, at_107, path_78, hit_43, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_94, at_115, path_82, hit_46, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_87, at_107, path_78, hit_43, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_94, at_115, path_82, hit_46, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_87, at_107, path_78, hit_43, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_94, at_115, path_82, hit_46, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_87, at_107, path_78, hit_43, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_94, at_115, path_82, hit_46, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_87, at_107, path_78, hit_43, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_94, at_115, path_82, hit_46, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_87, at_107, path_78, hit_43, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_94, at_115, path_82, hit_46, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_87, at_107, path_78, hit_43, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_94, at_115, path_82, hit_46, _e49);
                 return _e50;
             }
-            _ => {
+            7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_place(pixel_87, at_107, path_78, hit_43, _e55);
+                let _e56 = self.v_surface_object_place(pixel_94, at_115, path_82, hit_46, _e55);
                 return _e56;
+            }
+            _ => {
+                let _e61 = self.surface_settings.choices[1usize].params;
+                let _e62 = self.v_surface_frames_place(pixel_94, at_115, path_82, hit_46, _e61);
+                return _e62;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_88: PixelIn, at_108: Entered, path_79: Path, hit_44: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_88, at_108, path_79, hit_44))
+    pub(crate) fn place_on_segment(&self, pixel_95: PixelIn, at_116: Entered, path_83: Path, hit_47: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_95, at_116, path_83, hit_47))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_place_on_segment(&self, pixel_88: PixelIn, at_108: Entered, path_79: Path, hit_44: Hit) -> Entered {
-        let mut placed_6: Entered;
+    fn v_place_on_segment(&self, pixel_95: PixelIn, at_116: Entered, path_83: Path, hit_47: Hit) -> Entered {
+        let mut placed_7: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_88, at_108, path_79, hit_44);
-        placed_6 = _e4;
-        let _e7 = self.v_depth_on_ray(pixel_88, path_79, hit_44);
-        rt::Scalar(placed_6.depth) = _e7;
-        let _e8 = placed_6;
+        let _e4 = self.v_surface_place_stage(pixel_95, at_116, path_83, hit_47);
+        placed_7 = _e4;
+        let _e7 = self.v_depth_on_ray(pixel_95, path_83, hit_47);
+        rt::Scalar(placed_7.depth) = _e7;
+        let _e8 = placed_7;
         return _e8;
     }
     pub(crate) fn place_hit(
         &self,
-        pixel_89: PixelIn,
-        at_109: Entered,
+        pixel_96: PixelIn,
+        at_117: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
-        hit_45: Hit,
+        hit_48: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_89, at_109, rt::into(segment), hit_45))
+        rt::into(self.v_place_hit(pixel_96, at_117, rt::into(segment), hit_48))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_place_hit(
         &self,
-        pixel_89: PixelIn,
-        at_109: Entered,
+        pixel_96: PixelIn,
+        at_117: Entered,
         segment: rt::Scalar<u32>,
-        hit_45: Hit,
+        hit_48: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_89, at_109, segment);
-        let _e5 = self.v_place_on_segment(pixel_89, at_109, _e4, hit_45);
+        let _e4 = self.v_segment_of(pixel_96, at_117, segment);
+        let _e5 = self.v_place_on_segment(pixel_96, at_117, _e4, hit_48);
         return _e5;
     }
     pub(crate) fn toward_light(
@@ -12931,83 +13457,83 @@ impl<'g> Resources<'g> {
     ) -> Toward {
         let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_12)];
         if rt::Scalar::into_branch_condition(light_18.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_8 = (light_18.place.xyz() - position_1);
-            let squared_6 = toward_8.dot(toward_8);
+            let toward_10 = (light_18.place.xyz() - position_1);
+            let squared_6 = toward_10.dot(toward_10);
             let distance_3 = squared_6.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_6.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_8.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_12);
+            return <Toward>::new(toward_10.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_12);
         }
         return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_12);
     }
     pub(crate) fn point_of_light(
         &self,
-        at_110: Entered,
-        hit_46: Hit,
+        at_118: Entered,
+        hit_49: Hit,
         number_13: impl rt::Into<rt::Scalar<u32>>,
-        k_27: impl rt::Into<rt::Scalar<u32>>,
+        k_34: impl rt::Into<rt::Scalar<u32>>,
         count_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_110, hit_46, rt::into(number_13), rt::into(k_27), rt::into(count_5)))
+        rt::into(self.v_point_of_light(at_118, hit_49, rt::into(number_13), rt::into(k_34), rt::into(count_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_light(
         &self,
-        at_110: Entered,
-        hit_46: Hit,
+        at_118: Entered,
+        hit_49: Hit,
         number_13: rt::Scalar<u32>,
-        k_27: rt::Scalar<u32>,
+        k_34: rt::Scalar<u32>,
         count_5: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_13, at_110.point);
+        let _e6 = self.v_toward_light(number_13, at_118.point);
         if rt::Scalar::into_branch_condition(count_5.elementwise_gt(rt::Scalar(0u32))) {
-            let _e9 = self.v_seed_of(hit_46);
-            let _e10 = self.v_point_of_disc(_e6, _e9, k_27, count_5);
+            let _e9 = self.v_seed_of(hit_49);
+            let _e10 = self.v_point_of_disc(_e6, _e9, k_34, count_5);
             return _e10;
         }
         return _e6;
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_111: Entered,
-        hit_47: Hit,
+        at_119: Entered,
+        hit_50: Hit,
         number_14: impl rt::Into<rt::Scalar<u32>>,
-        k_28: impl rt::Into<rt::Scalar<u32>>,
+        k_35: impl rt::Into<rt::Scalar<u32>>,
         count_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_111, hit_47, rt::into(number_14), rt::into(k_28), rt::into(count_6)))
+        rt::into(self.v_ray_to_light(at_119, hit_50, rt::into(number_14), rt::into(k_35), rt::into(count_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ray_to_light(
         &self,
-        at_111: Entered,
-        hit_47: Hit,
+        at_119: Entered,
+        hit_50: Hit,
         number_14: rt::Scalar<u32>,
-        k_28: rt::Scalar<u32>,
+        k_35: rt::Scalar<u32>,
         count_6: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_111, hit_47, number_14, k_28, count_6);
-        let _e6 = self.v_light_ray(at_111, hit_47, _e5);
+        let _e5 = self.v_point_of_light(at_119, hit_50, number_14, k_35, count_6);
+        let _e6 = self.v_light_ray(at_119, hit_50, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
         &self,
         table_1: SeenTable,
-        toward_1: impl rt::Into<rt::Vec3<f32>>,
+        toward_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_table_cosine(table_1, rt::into(toward_1)))
+        rt::into(self.v_table_cosine(table_1, rt::into(toward_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_table_cosine(
         &self,
         table_1: SeenTable,
-        toward_1: rt::Vec3<f32>,
+        toward_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let mean_6 = table_1.mean.dot(toward_1);
-        let squares_1 = table_1.squares.dot((toward_1 * toward_1)).min(rt::Scalar(16f32));
-        let pairs = <rt::Vec3<f32>>::from_scalars((toward_1.x() * toward_1.y()), (toward_1.x() * toward_1.z()), (toward_1.y() * toward_1.z()));
+        let mean_6 = table_1.mean.dot(toward_2);
+        let squares_1 = table_1.squares.dot((toward_2 * toward_2)).min(rt::Scalar(16f32));
+        let pairs = <rt::Vec3<f32>>::from_scalars((toward_2.x() * toward_2.y()), (toward_2.x() * toward_2.z()), (toward_2.y() * toward_2.z()));
         let products = (rt::Scalar(2f32) * table_1.products.dot(pairs)).min(rt::Scalar(16f32));
         let deviation_1 = ((squares_1 + products) - (mean_6 * mean_6)).max(rt::Scalar(0f32)).sqrt();
         let inner_1 = (deviation_1 * rt::Scalar(0.7419638f32));
@@ -13017,46 +13543,46 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_112: Entered,
-        seen_2: SeenNormals,
-        toward_2: impl rt::Into<rt::Vec3<f32>>,
+        at_120: Entered,
+        seen_3: SeenNormals,
+        toward_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_112, seen_2, rt::into(toward_2)))
+        rt::into(self.v_seen_cosine(at_120, seen_3, rt::into(toward_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_112: Entered,
-        seen_2: SeenNormals,
-        toward_2: rt::Vec3<f32>,
+        at_120: Entered,
+        seen_3: SeenNormals,
+        toward_3: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
         let mut cosine: rt::Scalar<f32>;
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(seen_2.differ).elementwise_eq(rt::Scalar(0u32))) {
-            return seen_2.normal.dot(toward_2).max(rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(seen_3.differ).elementwise_eq(rt::Scalar(0u32))) {
+            return seen_3.normal.dot(toward_3).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_112, toward_2);
-        let middle_16 = seen_2.middle.dot(_e10);
-        let _e17 = self.v_facing_four(middle_16, seen_2.along.dot(_e10), seen_2.across.dot(_e10));
-        let one_1 = (rt::Scalar(seen_2.middle_seen) * middle_16.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
-        let others = seen_2.others_seen.dot(_e17).min(rt::Scalar(1000000f32));
+        let _e10 = self.v_to_tangent_space(at_120, toward_3);
+        let middle_16 = seen_3.middle.dot(_e10);
+        let _e17 = self.v_facing_four(middle_16, seen_3.along.dot(_e10), seen_3.across.dot(_e10));
+        let one_1 = (rt::Scalar(seen_3.middle_seen) * middle_16.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
+        let others = seen_3.others_seen.dot(_e17).min(rt::Scalar(1000000f32));
         let _e28 = self.v_mean_of_five(one_1, others);
         cosine = _e28;
-        if rt::Scalar::into_branch_condition(rt::Scalar(seen_2.table_part).elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(seen_3.table_part).elementwise_gt(rt::Scalar(0f32))) {
             let _e33 = cosine;
-            let _e35 = self.v_table_cosine(seen_2.table, _e10);
+            let _e35 = self.v_table_cosine(seen_3.table, _e10);
             let _e36 = cosine;
-            cosine = (_e33 + ((_e35 - _e36) * rt::Scalar(seen_2.table_part)));
+            cosine = (_e33 + ((_e35 - _e36) * rt::Scalar(seen_3.table_part)));
         }
         let _e43 = rt::Scalar(self.surface_settings.has_shadows);
         if rt::Scalar::into_branch_condition(_e43.elementwise_eq(rt::Scalar(1u32))) {
-            let falls_1 = (_e10.z() - _e10.xy().dot(seen_2.slope));
-            let _e59 = self.v_facing_four(falls_1, (-_e10.xy().dot(seen_2.slope_along)), (-_e10.xy().dot(seen_2.slope_across)));
+            let falls_1 = (_e10.z() - _e10.xy().dot(seen_3.slope));
+            let _e59 = self.v_facing_four(falls_1, (-_e10.xy().dot(seen_3.slope_along)), (-_e10.xy().dot(seen_3.slope_across)));
             let _e62 = self.v_sum_of_four(_e59);
             let _e63 = self.v_mean_of_five(falls_1.max(rt::Scalar(0f32)), _e62);
             let lit = (falls_1.max(rt::Scalar(0f32)) / _e63.max(rt::Scalar(0.001f32)));
             let _e69 = cosine;
-            return (_e69 * (rt::Scalar(1f32) - ((rt::Scalar(1f32) - lit) * rt::Scalar(seen_2.upright))));
+            return (_e69 * (rt::Scalar(1f32) - ((rt::Scalar(1f32) - lit) * rt::Scalar(seen_3.upright))));
         }
         let _e77 = cosine;
         return _e77;
@@ -13110,12 +13636,12 @@ impl<'g> Resources<'g> {
         normal_18: impl rt::Into<rt::Vec3<f32>>,
         mean: impl rt::Into<rt::Scalar<f32>>,
         cosine_1: impl rt::Into<rt::Scalar<f32>>,
-        view_15: impl rt::Into<rt::Vec3<f32>>,
-        toward_3: impl rt::Into<rt::Vec3<f32>>,
+        view_16: impl rt::Into<rt::Vec3<f32>>,
+        toward_4: impl rt::Into<rt::Vec3<f32>>,
         color_7: impl rt::Into<rt::Vec3<f32>>,
-        params_83: impl rt::Into<rt::Vec4<f32>>,
+        params_88: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_18), rt::into(mean), rt::into(cosine_1), rt::into(view_15), rt::into(toward_3), rt::into(color_7), rt::into(params_83)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_18), rt::into(mean), rt::into(cosine_1), rt::into(view_16), rt::into(toward_4), rt::into(color_7), rt::into(params_88)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
@@ -13123,10 +13649,10 @@ impl<'g> Resources<'g> {
         normal_18: rt::Vec3<f32>,
         mean: rt::Scalar<f32>,
         cosine_1: rt::Scalar<f32>,
-        view_15: rt::Vec3<f32>,
-        toward_3: rt::Vec3<f32>,
+        view_16: rt::Vec3<f32>,
+        toward_4: rt::Vec3<f32>,
         color_7: rt::Vec3<f32>,
-        params_83: rt::Vec4<f32>,
+        params_88: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_2: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -13141,7 +13667,7 @@ impl<'g> Resources<'g> {
                 exponent_2 = wide_3.to_u32();
                 dimmed = ((wide_3 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_18.dot((toward_3 + view_15).normalize()).max(rt::Scalar(0f32));
+            let lobe = normal_18.dot((toward_4 + view_16).normalize()).max(rt::Scalar(0f32));
             let _e43 = self.surface_settings.specular;
             let _e45 = exponent_2;
             let _e46 = self.v_whole_power(lobe, _e45);
@@ -13156,11 +13682,11 @@ impl<'g> Resources<'g> {
         normal_19: impl rt::Into<rt::Vec3<f32>>,
         mean_1: impl rt::Into<rt::Scalar<f32>>,
         cosine_2: impl rt::Into<rt::Scalar<f32>>,
-        view_16: impl rt::Into<rt::Vec3<f32>>,
-        toward_4: impl rt::Into<rt::Vec3<f32>>,
+        view_17: impl rt::Into<rt::Vec3<f32>>,
+        toward_5: impl rt::Into<rt::Vec3<f32>>,
         color_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(normal_19), rt::into(mean_1), rt::into(cosine_2), rt::into(view_16), rt::into(toward_4), rt::into(color_8)))
+        rt::into(self.v_shade_stage(rt::into(normal_19), rt::into(mean_1), rt::into(cosine_2), rt::into(view_17), rt::into(toward_5), rt::into(color_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13169,68 +13695,68 @@ impl<'g> Resources<'g> {
         normal_19: rt::Vec3<f32>,
         mean_1: rt::Scalar<f32>,
         cosine_2: rt::Scalar<f32>,
-        view_16: rt::Vec3<f32>,
-        toward_4: rt::Vec3<f32>,
+        view_17: rt::Vec3<f32>,
+        toward_5: rt::Vec3<f32>,
         color_8: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e10 = rt::Scalar(self.surface_settings.choices[7usize].number);
         match rt::Scalar::into_inner(_e10) {
             _ => {
                 let _e15 = self.surface_settings.choices[7usize].params;
-                let _e16 = self.v_shade_blinn_phong(normal_19, mean_1, cosine_2, view_16, toward_4, color_8, _e15);
+                let _e16 = self.v_shade_blinn_phong(normal_19, mean_1, cosine_2, view_17, toward_5, color_8, _e15);
                 return _e16;
             }
         }
     }
     pub(crate) fn reflected_light(
         &self,
-        at_113: Entered,
-        hit_48: Hit,
-        seen_3: SeenNormals,
-        view_17: impl rt::Into<rt::Vec3<f32>>,
+        at_121: Entered,
+        hit_51: Hit,
+        seen_4: SeenNormals,
+        view_18: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_113, hit_48, seen_3, rt::into(view_17), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_121, hit_51, seen_4, rt::into(view_18), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_113: Entered,
-        hit_48: Hit,
-        seen_3: SeenNormals,
-        view_17: rt::Vec3<f32>,
+        at_121: Entered,
+        hit_51: Hit,
+        seen_4: SeenNormals,
+        view_18: rt::Vec3<f32>,
         color_9: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_16: rt::Vec3<f32>;
-        let mut k_29: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_36: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_113, hit_48, (seen_3.normal * rt::Scalar(seen_3.length)), view_17, diffuse);
+        let _e20 = self.v_ambient_stage(at_121, hit_51, (seen_4.normal * rt::Scalar(seen_4.length)), view_18, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_29;
+                let _e24 = k_36;
                 let _e27 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt(_e27)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e29 = k_29;
-                    let _e31 = self.v_toward_light(_e29, at_113.point);
-                    let _e33 = self.v_seen_cosine(at_113, seen_3, _e31.direction);
-                    let _e37 = self.v_shade_stage(seen_3.normal, rt::Scalar(seen_3.length), _e33, view_17, _e31.direction, diffuse);
+                    let _e29 = k_36;
+                    let _e31 = self.v_toward_light(_e29, at_121.point);
+                    let _e33 = self.v_seen_cosine(at_121, seen_4, _e31.direction);
+                    let _e37 = self.v_shade_stage(seen_4.normal, rt::Scalar(seen_4.length), _e33, view_18, _e31.direction, diffuse);
                     let _e38 = light_16;
-                    let _e41 = k_29;
+                    let _e41 = k_36;
                     let _e44 = self.frame.lights[rt::Scalar::into_array_index(_e41)].color;
-                    let _e48 = k_29;
+                    let _e48 = k_36;
                     light_16 = (_e38 + ((_e37 * _e44.xyz()) * (rt::Scalar(_e31.falloff) * visible[rt::Scalar::into_array_index(_e48)].x())));
-                    let _e54 = k_29;
-                    k_29 = (_e54 + rt::Scalar(1u32));
+                    let _e54 = k_36;
+                    k_36 = (_e54 + rt::Scalar(1u32));
                 }
             }
         }
@@ -13239,39 +13765,43 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_color(
         &self,
-        at_114: Entered,
-        hit_49: Hit,
-        view_18: impl rt::Into<rt::Vec3<f32>>,
+        at_122: Entered,
+        hit_52: Hit,
+        view_19: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_surface_color(at_114, hit_49, rt::into(view_18)))
+        rt::into(self.v_surface_color(at_122, hit_52, rt::into(view_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_color(
         &self,
-        at_114: Entered,
-        hit_49: Hit,
-        view_18: rt::Vec3<f32>,
+        at_122: Entered,
+        hit_52: Hit,
+        view_19: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let mut local_86: rt::Scalar<bool>;
+        let mut local_88: rt::Scalar<bool>;
 
         let _e5 = rt::Scalar(self.surface_settings.images);
         if rt::Scalar::into_branch_condition((!_e5.elementwise_eq(rt::Scalar(0u32)))) {
             let _e13 = rt::Scalar(self.surface_settings.has_color);
-            local_86 = _e13.elementwise_ne(rt::Scalar(1u32));
+            local_88 = _e13.elementwise_ne(rt::Scalar(1u32));
         } else {
-            local_86 = rt::Scalar(true);
+            local_88 = rt::Scalar(true);
         }
-        let _e17 = local_86;
+        let _e17 = local_88;
         if rt::Scalar::into_branch_condition(_e17) {
-            let _e20 = self.v_color_or_white(hit_49.uv, rt::Scalar(at_114.footprint));
+            let _e20 = self.v_color_or_white(hit_52.uv, rt::Scalar(at_122.footprint));
             return _e20;
         }
         let how = self.surface_settings.choices[3usize].params.z();
         if rt::Scalar::into_branch_condition(how.elementwise_eq(rt::Scalar(2f32))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         }
-        let _e35 = self.v_object_color(at_114, view_18, how.elementwise_eq(rt::Scalar(1f32)));
-        return _e35;
+        if rt::Scalar::into_branch_condition(how.elementwise_eq(rt::Scalar(3f32))) {
+            let _e35 = self.v_color_of_frames(at_122, view_19);
+            return _e35;
+        }
+        let _e38 = self.v_object_color(at_122, view_19, how.elementwise_eq(rt::Scalar(1f32)));
+        return _e38;
     }
     pub(crate) fn z_of(&self, depth_6: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_z_of(rt::into(depth_6)))
@@ -13292,100 +13822,100 @@ impl<'g> Resources<'g> {
     pub(crate) fn shade_hit(
         &self,
         origin_2: impl rt::Into<rt::Vec3<f32>>,
-        at_115: Entered,
-        hit_50: Hit,
+        at_123: Entered,
+        hit_53: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_2), at_115, hit_50, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_2), at_123, hit_53, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(
         &self,
         origin_2: rt::Vec3<f32>,
-        at_115: Entered,
-        hit_50: Hit,
+        at_123: Entered,
+        hit_53: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_50.found).elementwise_eq(rt::Scalar(0u32))) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_50.cost.x(), hit_50.cost.y(), hit_50.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_53.found).elementwise_eq(rt::Scalar(0u32))) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_53.cost.x(), hit_53.cost.y(), hit_53.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_50.uv, rt::Scalar(at_115.level));
-        let view_21 = (origin_2 - at_115.point).normalize();
-        let _e49 = self.v_mesostructure_normals(at_115, hit_50.uv, view_21);
-        let _e50 = self.v_surface_color(at_115, hit_50, view_21);
-        let _e51 = self.v_reflected_light(at_115, hit_50, _e49, view_21, _e50, visible_1);
+        let _e44 = self.v_height_at(hit_53.uv, rt::Scalar(at_123.level));
+        let view_22 = (origin_2 - at_123.point).normalize();
+        let _e49 = self.v_mesostructure_normals(at_123, hit_53.uv, view_22);
+        let _e50 = self.v_surface_color(at_123, hit_53, view_22);
+        let _e51 = self.v_reflected_light(at_123, hit_53, _e49, view_22, _e50, visible_1);
         let _e56 = self.frame.forward;
-        let depth_9 = (at_115.point - origin_2).dot(_e56.xyz());
+        let depth_9 = (at_123.point - origin_2).dot(_e56.xyz());
         let _e61 = self.v_height_size(rt::Scalar(0u32));
-        let _e67 = self.v_cell_of(((hit_50.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e87 = self.v_z_of(rt::Scalar(at_115.depth));
+        let _e67 = self.v_cell_of(((hit_53.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e87 = self.v_z_of(rt::Scalar(at_123.depth));
         let _e90 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_50.exhausted), hit_50.uv, _e44, at_115.point, _e49.normal, depth_9, rt::Scalar(hit_50.t), _e67.to_i32(), hit_50.cost.x(), hit_50.cost.y(), hit_50.cost.z(), visible_1[0usize].x(), rt::Scalar(at_115.level), _e87, _e90);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_53.exhausted), hit_53.uv, _e44, at_123.point, _e49.normal, depth_9, rt::Scalar(hit_53.t), _e67.to_i32(), hit_53.cost.x(), hit_53.cost.y(), hit_53.cost.z(), visible_1[0usize].x(), rt::Scalar(at_123.level), _e87, _e90);
     }
     pub(crate) fn visible_light(
         &self,
-        at_116: Entered,
-        hit_51: Hit,
+        at_124: Entered,
+        hit_54: Hit,
         number_15: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_116, hit_51, rt::into(number_15)))
+        rt::into(self.v_visible_light(at_124, hit_54, rt::into(number_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_visible_light(
         &self,
-        at_116: Entered,
-        hit_51: Hit,
+        at_124: Entered,
+        hit_54: Hit,
         number_15: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_15, at_116.point);
-        let _e5 = self.v_shadow_stage(at_116, hit_51, _e4);
+        let _e4 = self.v_toward_light(number_15, at_124.point);
+        let _e5 = self.v_shadow_stage(at_124, hit_54, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_117: Entered, hit_52: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_117, hit_52))
+    pub(crate) fn visible_lights(&self, at_125: Entered, hit_55: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_125, hit_55))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_117: Entered, hit_52: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_125: Entered, hit_55: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut k_30: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_37: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_52.found).elementwise_eq(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_55.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
             return _e7;
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_30;
+                let _e10 = k_37;
                 let _e13 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e10.elementwise_lt(_e13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_30;
-                    let _e17 = k_30;
-                    let _e18 = self.v_visible_light(at_117, hit_52, _e17);
+                    let _e15 = k_37;
+                    let _e17 = k_37;
+                    let _e18 = self.v_visible_light(at_125, hit_55, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e23 = k_30;
-                    k_30 = (_e23 + rt::Scalar(1u32));
+                    let _e23 = k_37;
+                    k_37 = (_e23 + rt::Scalar(1u32));
                 }
             }
         }
         let _e26 = visible_2;
         return _e26;
     }
-    pub(crate) fn shade_pixel(&self, pixel_90: PixelIn) -> PixelOut {
-        rt::into(self.v_shade_pixel(pixel_90))
+    pub(crate) fn shade_pixel(&self, pixel_97: PixelIn) -> PixelOut {
+        rt::into(self.v_shade_pixel(pixel_97))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shade_pixel(&self, pixel_90: PixelIn) -> PixelOut {
-        let _e1 = self.v_enter_relief(pixel_90);
-        let _e2 = self.v_first_hit(pixel_90, _e1);
-        let _e5 = self.v_place_hit(pixel_90, _e1, rt::Scalar(_e2.segment), _e2.hit);
+    fn v_shade_pixel(&self, pixel_97: PixelIn) -> PixelOut {
+        let _e1 = self.v_enter_relief(pixel_97);
+        let _e2 = self.v_first_hit(pixel_97, _e1);
+        let _e5 = self.v_place_hit(pixel_97, _e1, rt::Scalar(_e2.segment), _e2.hit);
         let _e9 = self.v_visible_lights(_e5, _e2.hit);
-        let _e10 = self.v_shade_hit(pixel_90.origin, _e5, _e2.hit, _e9);
+        let _e10 = self.v_shade_hit(pixel_97.origin, _e5, _e2.hit, _e9);
         return _e10;
     }
     pub(crate) fn weighted_site(
@@ -13413,10 +13943,10 @@ impl<'g> Resources<'g> {
         a_16: BaseSite,
         b_16: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
-        at_118: impl rt::Into<rt::Scalar<u32>>,
+        at_126: impl rt::Into<rt::Scalar<u32>>,
         parts_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_118), rt::into(parts_2)))
+        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_126), rt::into(parts_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13425,13 +13955,13 @@ impl<'g> Resources<'g> {
         a_16: BaseSite,
         b_16: BaseSite,
         shares: rt::Vec2<f32>,
-        at_118: rt::Scalar<u32>,
+        at_126: rt::Scalar<u32>,
         parts_2: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_2 - at_118).to_f32() * shares.x());
-        let of_b = (at_118.to_f32() * shares.y());
-        let sum_7 = (of_a + of_b);
-        let _e17 = self.v_weighted_site(a_16, b_16, b_16, <rt::Vec3<f32>>::from_scalars((of_a / sum_7), (of_b / sum_7), rt::Scalar(0f32)));
+        let of_a = ((parts_2 - at_126).to_f32() * shares.x());
+        let of_b = (at_126.to_f32() * shares.y());
+        let sum_10 = (of_a + of_b);
+        let _e17 = self.v_weighted_site(a_16, b_16, b_16, <rt::Vec3<f32>>::from_scalars((of_a / sum_10), (of_b / sum_10), rt::Scalar(0f32)));
         return _e17;
     }
     pub(crate) fn site_inside(
@@ -13455,17 +13985,17 @@ impl<'g> Resources<'g> {
         weights_5: rt::Vec3<f32>,
     ) -> BaseSite {
         let shared_out = (weights_5 * shares_1);
-        let sum_8 = ((shared_out.x() + shared_out.y()) + shared_out.z());
-        let _e13 = self.v_weighted_site(a_17, b_17, c_11, (shared_out / rt::Vec3::splat_from_scalar(sum_8)));
+        let sum_11 = ((shared_out.x() + shared_out.y()) + shared_out.z());
+        let _e13 = self.v_weighted_site(a_17, b_17, c_11, (shared_out / rt::Vec3::splat_from_scalar(sum_11)));
         return _e13;
     }
-    pub(crate) fn site_of_vertex(&self, vertex: BaseVertex, seen_4: BaseVertex, voxel: Voxel) -> BaseSite {
-        rt::into(self.v_site_of_vertex(vertex, seen_4, voxel))
+    pub(crate) fn site_of_vertex(&self, vertex: BaseVertex, seen_5: BaseVertex, voxel: Voxel) -> BaseSite {
+        rt::into(self.v_site_of_vertex(vertex, seen_5, voxel))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_site_of_vertex(&self, vertex: BaseVertex, seen_4: BaseVertex, voxel: Voxel) -> BaseSite {
-        return <BaseSite>::new(vertex.position, vertex.direction, seen_4.uv, vertex.uv, rt::Scalar(seen_4.texels_per_m), (rt::Scalar(1f32) / rt::Scalar(voxel.share)), vertex.normal, vertex.tangent, vertex.bitangent, vertex.turn_u, vertex.turn_v);
+    fn v_site_of_vertex(&self, vertex: BaseVertex, seen_5: BaseVertex, voxel: Voxel) -> BaseSite {
+        return <BaseSite>::new(vertex.position, vertex.direction, seen_5.uv, vertex.uv, rt::Scalar(seen_5.texels_per_m), (rt::Scalar(1f32) / rt::Scalar(voxel.share)), vertex.normal, vertex.tangent, vertex.bitangent, vertex.turn_u, vertex.turn_v);
     }
     pub(crate) fn voxel_of(
         &self,
@@ -13485,22 +14015,22 @@ impl<'g> Resources<'g> {
 
         let from_eye = (position_2 - grid_11.eye.xyz());
         let depth_10 = grid_11.forward.xyz().dot(from_eye);
-        let seen_5 = depth_10.max(rt::Scalar(grid_11.near_m));
+        let seen_7 = depth_10.max(rt::Scalar(grid_11.near_m));
         away = (depth_10 * rt::Scalar(grid_11.per_m));
         if rt::Scalar::into_branch_condition(rt::Scalar(grid_11.is_parallel).elementwise_eq(rt::Scalar(0u32))) {
-            share = (rt::Scalar(1f32) / seen_5);
-            let _e22 = self.v_log2_of((seen_5 / rt::Scalar(grid_11.near_m)));
+            share = (rt::Scalar(1f32) / seen_7);
+            let _e22 = self.v_log2_of((seen_7 / rt::Scalar(grid_11.near_m)));
             away = (_e22 * rt::Scalar(grid_11.per_doubling));
         }
         let _e30 = share;
-        let right_4 = (((grid_11.right.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e30) + grid_11.middle.x());
+        let right_5 = (((grid_11.right.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e30) + grid_11.middle.x());
         let _e42 = share;
         let down_3 = (grid_11.middle.y() - ((grid_11.up.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e42));
         let far_14 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_124 = <rt::Vec3<f32>>::from_scalars(right_4, down_3, _e49).clamp((-far_14), far_14);
+        let at_133 = <rt::Vec3<f32>>::from_scalars(right_5, down_3, _e49).clamp((-far_14), far_14);
         let _e60 = share;
-        return <Voxel>::new((at_124 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
+        return <Voxel>::new((at_133 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
     }
 }
 

@@ -57,6 +57,10 @@ pub const MODULES: &[Module] = &[
 //
 // Made from the rays of the neighbouring pixels, not from derivatives, so that any ray has a footprint.
 "# },
+    Module { path: "shared/frames", head: r#"// The frames of a grid in the order of an octahedral mapping, three of which are around each direction.
+//
+// Engelhardt and Dachsbacher 2008; Brucks 2018.
+"# },
     Module { path: "shared/height", head: r#"// The one module that reads the textures of a surface: heights, holes, colours and normals.
 //
 // `exact` loads texels and interpolates in plain arithmetic, which gives the same bits on every machine.
@@ -100,6 +104,10 @@ pub const MODULES: &[Module] = &[
     Module { path: "shared/numbered", head: r#"// The base triangles of a surface, by their number.
 "# },
     Module { path: "shared/object", head: r#"// Images of an object, and what colour it has.
+"# },
+    Module { path: "shared/object_path", head: r#"// Rays on their way through images of an object, each of which is a relief on a plane of its own.
+//
+// Kautz and Seidel 2001, section 4.
 "# },
     Module { path: "shared/path", head: r#"// Points of a path, and the hit that a refinement makes of one.
 "# },
@@ -151,6 +159,9 @@ pub const MODULES: &[Module] = &[
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 3: what is displaced vertex by vertex is drawn as any mesh is,
 // with normals that are interpolated over its triangles.
+"# },
+    Module { path: "surface/frames", head: r#"// The frames of a grid that looks from all around, of which a ray goes through the three that look along it
+// most. Its segments are its ways through these, as in the surface `object`.
 "# },
     Module { path: "surface/object", head: r#"// Images of an object. The segments of a ray are its ways through the images, each of which is a relief: they
 // are not parts of one way, and what they make together is the stage `object`'s.
@@ -215,6 +226,12 @@ pub const MODULES: &[Module] = &[
     Module { path: "slice/inside", head: r#"// A slice is drawn where the relief is higher. Height 0 is never drawn, so that zeros mask parts out.
 //
 // Kautz and Seidel 2001, section 3.2.
+"# },
+    Module { path: "object/blend", head: r#"// An impostor as game engines draw it: in each of the three frames that look along the ray most the ray meets
+// the plane through the middle, is moved some times to the plane of the height that the frame shows there, and
+// what all three show is blended by their weights, whether there is something and how far away.
+//
+// Brucks 2018. Frames do not agree on what is seen, so that outlines are mixed and depths lie between them.
 "# },
     Module { path: "object/depth", head: r#"// The object that all images say may be there: the ray goes on to where it first comes into an image's solid,
 // from there to where it first does in the next one's, round and round until all have the same place.
@@ -1116,6 +1133,20 @@ pub const DECLARATIONS: &[Declaration] = &[
         sampling: None,
         uses: &[],
         text: r#"const EMPTY_HEIGHT = 1e-5;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "LEAST_FRAME_FACING",
+        sampling: None,
+        uses: &[],
+        text: r#"const LEAST_FRAME_FACING = 0.05;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "LEAST_FRAME_COVER",
+        sampling: None,
+        uses: &[],
+        text: r#"const LEAST_FRAME_COVER = 0.5;"#,
     },
     Declaration {
         module: "constants",
@@ -2882,6 +2913,137 @@ fn depth_in_samples(pixel: PixelIn, at: Entered) -> f32 {
 }"#,
     },
     Declaration {
+        module: "shared/frames",
+        name: "FRAMES",
+        sampling: None,
+        uses: &[],
+        text: r#"// How many frames are around a direction.
+const FRAMES = 3u;"#,
+    },
+    Declaration {
+        module: "shared/frames",
+        name: "Frames",
+        sampling: None,
+        uses: &[],
+        text: r#"// Their numbers, and the weight of each: barycentric coordinates of the direction between them.
+struct Frames {
+    numbers: vec3u,
+    weights: vec3f,
+}"#,
+    },
+    Declaration {
+        module: "shared/frames",
+        name: "frames_around",
+        sampling: None,
+        uses: &["Frames", "LEAST_SUM", "object_texel", "surface_settings"],
+        text: r#"// Of the grid, in the row of the map of images after the last image: where the axes of the mapping lie in the
+// world; behind these how many frames a side has, and 1 where only the upper half is mapped.
+fn frames_around(toward: vec3f) -> Frames {
+    let row = i32(surface_settings.images);
+    let axis_x = object_texel(vec2i(0, row));
+    let axis_y = object_texel(vec2i(1, row));
+    let axis_z = object_texel(vec2i(2, row));
+    let last = max(axis_x.w - 1.0, 1.0);
+    let is_hemi = axis_y.w > 0.0;
+    let up = dot(axis_y.xyz, toward);
+    let y = select(up, max(up, 0.0), is_hemi);
+    let right = dot(axis_x.xyz, toward);
+    let front = dot(axis_z.xyz, toward);
+    let sum = max(abs(right) + abs(y) + abs(front), LEAST_SUM);
+    var x = right / sum;
+    var z = front / sum;
+    if (y < 0.0) {
+        // What lies below is folded outward over the diagonals.
+        let folded_x = (1.0 - abs(z)) * select(-1.0, 1.0, x >= 0.0);
+        let folded_z = (1.0 - abs(x)) * select(-1.0, 1.0, z >= 0.0);
+        x = folded_x;
+        z = folded_z;
+    }
+    let across = select(x + 1.0, x + z + 1.0, is_hemi) * (0.5 * last);
+    let along = select(z + 1.0, z - x + 1.0, is_hemi) * (0.5 * last);
+    let place = clamp(vec2f(across, along), vec2f(0.0, 0.0), vec2f(last, last));
+    let cell = min(floor(place), vec2f(last - 1.0, last - 1.0));
+    let part = place - cell;
+    let side = u32(last) + 1u;
+    let first = u32(cell.y) * side + u32(cell.x);
+    let beside = select(first + side, first + 1u, part.x > part.y);
+    let least = min(part.x, part.y);
+    let most = max(part.x, part.y);
+    return Frames(vec3u(first, beside, first + side + 1u), vec3f(1.0 - most, most - least, least));
+}"#,
+    },
+    Declaration {
+        module: "shared/frames",
+        name: "LEAST_SUM",
+        sampling: None,
+        uses: &[],
+        text: r#"// No unit direction has a smaller sum of parts, but for one straight from below where the lower half is not
+// mapped.
+const LEAST_SUM = 0.000001;"#,
+    },
+    Declaration {
+        module: "shared/frames",
+        name: "frame_number",
+        sampling: None,
+        uses: &["Frames"],
+        text: r#"fn frame_number(frames: Frames, k: u32) -> u32 {
+    return select(select(frames.numbers.z, frames.numbers.y, k == 1u), frames.numbers.x, k == 0u);
+}"#,
+    },
+    Declaration {
+        module: "shared/frames",
+        name: "frame_weight",
+        sampling: None,
+        uses: &["Frames"],
+        text: r#"fn frame_weight(frames: Frames, k: u32) -> f32 {
+    return select(select(frames.weights.z, frames.weights.y, k == 1u), frames.weights.x, k == 0u);
+}"#,
+    },
+    Declaration {
+        module: "shared/frames",
+        name: "color_of_frames",
+        sampling: None,
+        uses: &["Entered", "FRAMES", "color_at", "frame_number", "frame_weight", "frames_around", "image_of_object", "place_in_image"],
+        text: r#"// The colour that they have at a point, by their weights.
+fn color_of_frames(at: Entered, view: vec3f) -> vec3f {
+    let frames = frames_around(view);
+    var sum = vec3f(0.0, 0.0, 0.0);
+    var k = 0u;
+    while (k < FRAMES) {
+        let image = image_of_object(frame_number(frames, k));
+        sum = sum + color_at(place_in_image(image, at.point).xy, 0u).xyz * frame_weight(frames, k);
+        k = k + 1u;
+    }
+    return sum;
+}"#,
+    },
+    Declaration {
+        module: "shared/frames",
+        name: "normal_of_frames",
+        sampling: None,
+        uses: &["Entered", "FRAMES", "Frames", "bitangent_of_image", "finest_normal", "frame_number", "frame_weight", "image_of_object", "place_in_image", "tangent_of_image"],
+        text: r#"// The normal that they have there.
+fn normal_of_frames(at: Entered, frames: Frames) -> vec3f {
+    var sum = vec3f(0.0, 0.0, 0.0);
+    var k = 0u;
+    while (k < FRAMES) {
+        let image = image_of_object(frame_number(frames, k));
+        var seen = at;
+        seen.tangent = tangent_of_image(image);
+        seen.bitangent = bitangent_of_image(image);
+        seen.normal = image.toward;
+        let uv = place_in_image(image, at.point).xy;
+        sum = sum + finest_normal(seen, uv) * frame_weight(frames, k);
+        k = k + 1u;
+    }
+    let square = dot(sum, sum);
+    if (square > 0.0) {
+        return sum / sqrt(square);
+    }
+    return at.normal;
+}"#,
+    },
+    Declaration {
         module: "shared/height",
         name: "CELL_LIMIT",
         sampling: None,
@@ -3932,6 +4094,25 @@ struct Image {
     },
     Declaration {
         module: "shared/object",
+        name: "tangent_of_image",
+        sampling: None,
+        uses: &["Image"],
+        text: r#"// What one of an image's tiles, which are as large as all images together, is long in the world.
+fn tangent_of_image(image: Image) -> vec3f {
+    return image.u.xyz / (dot(image.u.xyz, image.u.xyz) * image.extent.x);
+}"#,
+    },
+    Declaration {
+        module: "shared/object",
+        name: "bitangent_of_image",
+        sampling: None,
+        uses: &["Image"],
+        text: r#"fn bitangent_of_image(image: Image) -> vec3f {
+    return image.v.xyz / (dot(image.v.xyz, image.v.xyz) * image.extent.y);
+}"#,
+    },
+    Declaration {
+        module: "shared/object",
         name: "SEEN_TEXELS",
         sampling: None,
         uses: &[],
@@ -4100,6 +4281,117 @@ fn first_in_all(pixel: PixelIn, at: Entered) -> FirstHit {
     first.hit.exhausted = select(0u, 1u, agreed < at.segments);
     first.hit.cost = cost;
     return first;
+}"#,
+    },
+    Declaration {
+        module: "shared/object_path",
+        name: "within_bounds",
+        sampling: None,
+        uses: &["NEVER"],
+        text: r#"// The part of an interval in which x + dx t is between two bounds.
+fn within_bounds(x: f32, dx: f32, low: f32, high: f32, interval: vec2f) -> vec2f {
+    if (dx == 0.0) {
+        if (x < low || x > high) {
+            return vec2f(NEVER, 0.0);
+        }
+        return interval;
+    }
+    let a = (low - x) / dx;
+    let b = (high - x) / dx;
+    return vec2f(max(interval.x, min(a, b)), min(interval.y, max(a, b)));
+}"#,
+    },
+    Declaration {
+        module: "shared/object_path",
+        name: "path_through_image",
+        sampling: None,
+        uses: &["CELLS_MASK", "EMPTY_HEIGHT", "NEVER", "Path", "PixelIn", "RAY_VIEW", "bitangent_of_image", "height_size", "image_of_object", "surface_settings", "tangent_of_image", "within_bounds"],
+        text: r#"// A ray's way through the image of that number, which the path has in place of a base.
+fn path_through_image(pixel: PixelIn, k: u32) -> Path {
+    let along = normalize(pixel.direction);
+    let image = image_of_object(k);
+    let u = dot(image.u.xyz, pixel.origin) + image.u.w;
+    let v = dot(image.v.xyz, pixel.origin) + image.v.w;
+    let h = dot(image.height.xyz, pixel.origin) + image.height.w;
+    let du = dot(image.u.xyz, along);
+    let dv = dot(image.v.xyz, along);
+    let dh = dot(image.height.xyz, along);
+    // Between the centres of the texels around the image, which see nothing.
+    let beyond = vec2f(0.5, 0.5) / (image.extent * height_size(0u));
+    var interval = vec2f(0.0, NEVER);
+    interval = within_bounds(u, du, 0.0 - beyond.x, 1.0 + beyond.x, interval);
+    interval = within_bounds(v, dv, 0.0 - beyond.y, 1.0 + beyond.y, interval);
+    interval = within_bounds(h, dh, EMPTY_HEIGHT, 1.0, interval);
+    let start = interval.x;
+    var height = vec3f(h + dh * start, dh, 0.0);
+    if (surface_settings.cells == CELLS_MASK) {
+        // What is asked is where the mask is a half.
+        height = vec3f(0.5, 0.0, 0.0);
+    }
+    let tangent = tangent_of_image(image);
+    let bitangent = bitangent_of_image(image);
+    return Path(
+        image.corner + image.extent * vec2f(u + du * start, v + dv * start),
+        image.extent * vec2f(du, dv),
+        height,
+        interval.y - start,
+        f32(k),
+        vec4f(
+            dot(tangent, tangent),
+            dot(tangent, bitangent),
+            dot(bitangent, bitangent),
+            surface_settings.scale_m,
+        ),
+        RAY_VIEW,
+        0u,
+        start,
+        1.0,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/object_path",
+        name: "normal_of_mask",
+        sampling: None,
+        uses: &["Hit", "Image", "Path", "cell_of", "grid_cell", "grid_of"],
+        text: r#"// The normal of a silhouette: beside the view, away from where the mask grows; along it where the ray begins
+// inside.
+fn normal_of_mask(image: Image, path: Path, hit: Hit) -> vec3f {
+    let grid = grid_of(path);
+    let at = grid.origin + grid.step * hit.t;
+    let cell = cell_of(at);
+    let h = grid_cell(vec2i(cell), 0u);
+    let part = at - cell;
+    let rise_u = (h.y - h.x) * (1.0 - part.y) + (h.w - h.z) * part.y;
+    let rise_v = (h.z - h.x) * (1.0 - part.x) + (h.w - h.y) * part.x;
+    let outward = vec3f(0.0, 0.0, 0.0) - normalize(image.u.xyz) * rise_u - normalize(image.v.xyz) * rise_v;
+    let square = dot(outward, outward);
+    if (square > 0.0) {
+        return outward / sqrt(square);
+    }
+    return image.toward;
+}"#,
+    },
+    Declaration {
+        module: "shared/object_path",
+        name: "placed_in_image",
+        sampling: None,
+        uses: &["CELLS_MASK", "Entered", "Hit", "Path", "PixelIn", "bitangent_of_image", "image_of_object", "normal_of_mask", "surface_settings", "tangent_of_image"],
+        text: r#"// A hit of such a path: on the ray, in the image's own frame.
+fn placed_in_image(pixel: PixelIn, at: Entered, path: Path, hit: Hit) -> Entered {
+    let image = image_of_object(u32(path.base));
+    var placed = at;
+    placed.point = pixel.origin + normalize(pixel.direction) * (path.start + hit.t);
+    placed.uv = hit.uv;
+    placed.tangent = tangent_of_image(image);
+    placed.bitangent = bitangent_of_image(image);
+    placed.normal = image.toward;
+    if (surface_settings.cells == CELLS_MASK) {
+        placed.normal = normal_of_mask(image, path, hit);
+    }
+    placed.metric = path.metric;
+    placed.facing = image.toward;
+    return placed;
 }"#,
     },
     Declaration {
@@ -4455,7 +4747,7 @@ fn place_on_segment(pixel: PixelIn, at: Entered, path: Path, hit: Hit) -> Entere
         module: "shared/pixel",
         name: "surface_color",
         sampling: None,
-        uses: &["Entered", "Hit", "STAGE_OBJECT", "color_or_white", "object_color", "surface_settings"],
+        uses: &["Entered", "Hit", "STAGE_OBJECT", "color_of_frames", "color_or_white", "object_color", "surface_settings"],
         text: r#"// The colour of a hit's material, seen along `view`.
 fn surface_color(at: Entered, hit: Hit, view: vec3f) -> vec3f {
     if (surface_settings.images == 0u || surface_settings.has_color != 1u) {
@@ -4464,6 +4756,9 @@ fn surface_color(at: Entered, hit: Hit, view: vec3f) -> vec3f {
     let how = surface_settings.choices[STAGE_OBJECT].params.z;
     if (how == 2.0) {
         return vec3f(1.0, 1.0, 1.0);
+    }
+    if (how == 3.0) {
+        return color_of_frames(at, view);
     }
     return object_color(at, view, how == 1.0);
 }"#,
@@ -6932,6 +7227,50 @@ fn surface_facets_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) ->
 }"#,
     },
     Declaration {
+        module: "surface/frames",
+        name: "surface_frames_enter",
+        sampling: None,
+        uses: &["Entered", "FRAMES", "PixelIn", "passed_by"],
+        text: r#"fn surface_frames_enter(pixel: PixelIn, params: vec4f) -> Entered {
+    var at = passed_by();
+    at.segments = FRAMES;
+    at.point = pixel.origin;
+    return at;
+}"#,
+    },
+    Declaration {
+        module: "surface/frames",
+        name: "surface_frames_segment",
+        sampling: None,
+        uses: &["Entered", "Path", "PixelIn", "frame_number", "frames_around", "path_through_image"],
+        text: r#"fn surface_frames_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
+    return path_through_image(pixel, frame_number(frames_around(-normalize(pixel.direction)), k));
+}"#,
+    },
+    Declaration {
+        module: "surface/frames",
+        name: "surface_frames_polish",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn"],
+        text: r#"fn surface_frames_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Hit {
+    return hit;
+}"#,
+    },
+    Declaration {
+        module: "surface/frames",
+        name: "surface_frames_place",
+        sampling: None,
+        uses: &["CELLS_MASK", "Entered", "Hit", "Path", "PixelIn", "frames_around", "normal_of_frames", "placed_in_image", "surface_settings"],
+        text: r#"fn surface_frames_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
+    var placed = placed_in_image(pixel, at, path, hit);
+    // Of a relief or a silhouette the path knows it.
+    if (surface_settings.has_vertex_normals == 1u && surface_settings.cells != CELLS_MASK) {
+        placed.normal = normal_of_frames(placed, frames_around(-normalize(pixel.direction)));
+    }
+    return placed;
+}"#,
+    },
+    Declaration {
         module: "surface/object",
         name: "surface_object_enter",
         sampling: None,
@@ -6945,67 +7284,11 @@ fn surface_facets_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) ->
     },
     Declaration {
         module: "surface/object",
-        name: "within_bounds",
-        sampling: None,
-        uses: &["NEVER"],
-        text: r#"// The part of an interval in which x + dx t is between two bounds.
-fn within_bounds(x: f32, dx: f32, low: f32, high: f32, interval: vec2f) -> vec2f {
-    if (dx == 0.0) {
-        if (x < low || x > high) {
-            return vec2f(NEVER, 0.0);
-        }
-        return interval;
-    }
-    let a = (low - x) / dx;
-    let b = (high - x) / dx;
-    return vec2f(max(interval.x, min(a, b)), min(interval.y, max(a, b)));
-}"#,
-    },
-    Declaration {
-        module: "surface/object",
         name: "surface_object_segment",
         sampling: None,
-        uses: &["CELLS_MASK", "EMPTY_HEIGHT", "Entered", "NEVER", "Path", "PixelIn", "RAY_VIEW", "height_size", "image_of_object", "surface_settings", "within_bounds"],
+        uses: &["Entered", "Path", "PixelIn", "path_through_image"],
         text: r#"fn surface_object_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
-    let along = normalize(pixel.direction);
-    let image = image_of_object(k);
-    let u = dot(image.u.xyz, pixel.origin) + image.u.w;
-    let v = dot(image.v.xyz, pixel.origin) + image.v.w;
-    let h = dot(image.height.xyz, pixel.origin) + image.height.w;
-    let du = dot(image.u.xyz, along);
-    let dv = dot(image.v.xyz, along);
-    let dh = dot(image.height.xyz, along);
-    // Between the centres of the texels around the image, which see nothing.
-    let beyond = vec2f(0.5, 0.5) / (image.extent * height_size(0u));
-    var interval = vec2f(0.0, NEVER);
-    interval = within_bounds(u, du, 0.0 - beyond.x, 1.0 + beyond.x, interval);
-    interval = within_bounds(v, dv, 0.0 - beyond.y, 1.0 + beyond.y, interval);
-    interval = within_bounds(h, dh, EMPTY_HEIGHT, 1.0, interval);
-    let start = interval.x;
-    var height = vec3f(h + dh * start, dh, 0.0);
-    if (surface_settings.cells == CELLS_MASK) {
-        // What is asked is where the mask is a half.
-        height = vec3f(0.5, 0.0, 0.0);
-    }
-    let tangent = image.u.xyz / (dot(image.u.xyz, image.u.xyz) * image.extent.x);
-    let bitangent = image.v.xyz / (dot(image.v.xyz, image.v.xyz) * image.extent.y);
-    return Path(
-        image.corner + image.extent * vec2f(u + du * start, v + dv * start),
-        image.extent * vec2f(du, dv),
-        height,
-        interval.y - start,
-        f32(k),
-        vec4f(
-            dot(tangent, tangent),
-            dot(tangent, bitangent),
-            dot(bitangent, bitangent),
-            surface_settings.scale_m,
-        ),
-        RAY_VIEW,
-        0u,
-        start,
-        1.0,
-    );
+    return path_through_image(pixel, k);
 }"#,
     },
     Declaration {
@@ -7019,47 +7302,11 @@ fn within_bounds(x: f32, dx: f32, low: f32, high: f32, interval: vec2f) -> vec2f
     },
     Declaration {
         module: "surface/object",
-        name: "normal_of_mask",
-        sampling: None,
-        uses: &["Hit", "Image", "Path", "cell_of", "grid_cell", "grid_of"],
-        text: r#"// The normal of a silhouette: beside the view, away from where the mask grows; along it where the ray begins
-// inside.
-fn normal_of_mask(image: Image, path: Path, hit: Hit) -> vec3f {
-    let grid = grid_of(path);
-    let at = grid.origin + grid.step * hit.t;
-    let cell = cell_of(at);
-    let h = grid_cell(vec2i(cell), 0u);
-    let part = at - cell;
-    let rise_u = (h.y - h.x) * (1.0 - part.y) + (h.w - h.z) * part.y;
-    let rise_v = (h.z - h.x) * (1.0 - part.x) + (h.w - h.y) * part.x;
-    let outward = vec3f(0.0, 0.0, 0.0) - normalize(image.u.xyz) * rise_u - normalize(image.v.xyz) * rise_v;
-    let square = dot(outward, outward);
-    if (square > 0.0) {
-        return outward / sqrt(square);
-    }
-    return image.toward;
-}"#,
-    },
-    Declaration {
-        module: "surface/object",
         name: "surface_object_place",
         sampling: None,
-        uses: &["CELLS_MASK", "Entered", "Hit", "Path", "PixelIn", "image_of_object", "normal_of_mask", "surface_settings"],
-        text: r#"// On the ray, in the frame of the image that shows the hit, whose number the path has in place of a base.
-fn surface_object_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
-    let image = image_of_object(u32(path.base));
-    var placed = at;
-    placed.point = pixel.origin + normalize(pixel.direction) * (path.start + hit.t);
-    placed.uv = hit.uv;
-    placed.tangent = image.u.xyz / (dot(image.u.xyz, image.u.xyz) * image.extent.x);
-    placed.bitangent = image.v.xyz / (dot(image.v.xyz, image.v.xyz) * image.extent.y);
-    placed.normal = image.toward;
-    if (surface_settings.cells == CELLS_MASK) {
-        placed.normal = normal_of_mask(image, path, hit);
-    }
-    placed.metric = path.metric;
-    placed.facing = image.toward;
-    return placed;
+        uses: &["Entered", "Hit", "Path", "PixelIn", "placed_in_image"],
+        text: r#"fn surface_object_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
+    return placed_in_image(pixel, at, path, hit);
 }"#,
     },
     Declaration {
@@ -8362,6 +8609,114 @@ fn surface_tetrahedra_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, p
         uses: &[],
         text: r#"fn slice_inside(map: f32, slice: f32, spacing: f32, params: vec4f) -> bool {
     return map > slice;
+}"#,
+    },
+    Declaration {
+        module: "object/blend",
+        name: "MIDDLE_HEIGHT",
+        sampling: None,
+        uses: &[],
+        text: r#"// The height of the plane through the middle of the ball that all frames show.
+const MIDDLE_HEIGHT = 0.5;"#,
+    },
+    Declaration {
+        module: "object/blend",
+        name: "LOOK",
+        sampling: None,
+        uses: &["HEIGHTS_READ", "STEP"],
+        text: r#"// What it costs to look at a frame once.
+const LOOK = HEIGHTS_READ + STEP;"#,
+    },
+    Declaration {
+        module: "object/blend",
+        name: "look_into_frame",
+        sampling: None,
+        uses: &["EMPTY_HEIGHT", "cell_of", "height_cell", "height_size"],
+        text: r#"// The part of the four texels around a place that show something, and the height that these have.
+fn look_into_frame(uv: vec2f) -> vec2f {
+    let at = uv * height_size(0u) - vec2f(0.5, 0.5);
+    let cell = cell_of(at);
+    let part = at - cell;
+    let h = height_cell(vec2i(cell), 0u);
+    let x = 1.0 - part.x;
+    let y = 1.0 - part.y;
+    let weights = vec4f(
+        select(0.0, x * y, h.x > EMPTY_HEIGHT),
+        select(0.0, part.x * y, h.y > EMPTY_HEIGHT),
+        select(0.0, x * part.y, h.z > EMPTY_HEIGHT),
+        select(0.0, part.x * part.y, h.w > EMPTY_HEIGHT),
+    );
+    let cover = (weights.x + weights.y) + (weights.z + weights.w);
+    if (cover > 0.0) {
+        return vec2f(cover, dot(weights, h) / cover);
+    }
+    return vec2f(0.0, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "object/blend",
+        name: "look_along",
+        sampling: None,
+        uses: &["Image", "MIDDLE_HEIGHT", "Path", "height_size", "look_into_frame", "path_uv"],
+        text: r#"// What a frame shows of a ray after so many steps, as above.
+fn look_along(path: Path, image: Image, steps: u32) -> vec2f {
+    // Around the frame nothing is seen.
+    let beyond = vec2f(0.5, 0.5) / height_size(0u);
+    let low = image.corner - beyond;
+    let high = image.corner + image.extent + beyond;
+    var height = MIDDLE_HEIGHT;
+    var cover = 0.0;
+    var step = 0u;
+    while (step <= steps) {
+        let uv = path_uv(path, (height - path.h.x) / path.h.y);
+        let look = look_into_frame(clamp(uv, low, high));
+        cover = look.x;
+        height = select(height, look.y, cover > 0.0);
+        step = step + 1u;
+    }
+    return vec2f(cover, height);
+}"#,
+    },
+    Declaration {
+        module: "object/blend",
+        name: "object_blend",
+        sampling: None,
+        uses: &["Entered", "FRAMES", "FirstHit", "Hit", "LEAST_FRAME_COVER", "LEAST_FRAME_FACING", "LOOK", "NO_COST", "PixelIn", "frame_number", "frame_weight", "frames_around", "hit_on_segment", "image_of_object", "look_along", "miss", "path_height", "path_uv", "segment_of"],
+        text: r#"fn object_blend(pixel: PixelIn, at: Entered, params: vec4f) -> FirstHit {
+    let toward = -normalize(pixel.direction);
+    let frames = frames_around(toward);
+    var cost = NO_COST;
+    var cover = 0.0;
+    var along = 0.0;
+    var heaviest = 0u;
+    var most = 0.0;
+    var k = 0u;
+    while (k < FRAMES) {
+        let image = image_of_object(frame_number(frames, k));
+        let weight = frame_weight(frames, k);
+        if (dot(image.toward, toward) >= LEAST_FRAME_FACING) {
+            let path = segment_of(pixel, at, k);
+            let look = look_along(path, image, u32(params.w));
+            let seen = weight * look.x;
+            cost = cost + LOOK * (u32(params.w) + 1u);
+            cover = cover + seen;
+            along = along + seen * (path.start + (look.y - path.h.x) / path.h.y);
+            if (seen > most) {
+                most = seen;
+                heaviest = k;
+            }
+        }
+        k = k + 1u;
+    }
+    var first = FirstHit(miss(cost), 0u, 0.0);
+    if (cover < LEAST_FRAME_COVER || along < 0.0) {
+        return first;
+    }
+    // A hit of the frame that shows most of it.
+    let path = segment_of(pixel, at, heaviest);
+    let t = along / cover - path.start;
+    let hit = Hit(1u, 0u, path_uv(path, t), path_height(path, t), t, cost);
+    return hit_on_segment(pixel, at, path, hit, heaviest);
 }"#,
     },
     Declaration {

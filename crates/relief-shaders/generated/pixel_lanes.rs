@@ -228,6 +228,24 @@ lanes! { fn zero_first_hit() -> FirstHit {
 } }
 
 #[derive(Clone, Copy)]
+pub struct Frames {
+    pub numbers: Vec3<U>,
+    pub weights: Vec3<F>,
+}
+lanes! { fn sel_frames(m: M, a: &Frames, b: &Frames) -> Frames {
+    Frames {
+        numbers: Vec3 { x: sel_u(m, a.numbers.x, b.numbers.x), y: sel_u(m, a.numbers.y, b.numbers.y), z: sel_u(m, a.numbers.z, b.numbers.z) },
+        weights: Vec3 { x: sel(m, a.weights.x, b.weights.x), y: sel(m, a.weights.y, b.weights.y), z: sel(m, a.weights.z, b.weights.z) },
+    }
+} }
+lanes! { fn zero_frames() -> Frames {
+    Frames {
+        numbers: Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) },
+        weights: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
 pub struct Grid {
     pub origin: Vec2<F>,
     pub step: Vec2<F>,
@@ -1649,6 +1667,10 @@ lanes! { fn bent_exit(r: &Resources<'_>, within: M, h_a0: Vec3<F>) -> F {
     let e_71 = exit_v0;
     return e_71;
 } }
+lanes! { fn bitangent_of_image(r: &Resources<'_>, image_a0: &Image) -> Vec3<F> {
+    let e_10 = mul(add(add(add(mul(image_a0.v.x, image_a0.v.x), mul(image_a0.v.y, image_a0.v.y)), mul(image_a0.v.z, image_a0.v.z)), splat(0.0f32)), image_a0.extent.y);
+    return Vec3 { x: div(image_a0.v.x, e_10), y: div(image_a0.v.y, e_10), z: div(image_a0.v.z, e_10) };
+} }
 lanes! { fn path_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
@@ -1805,6 +1827,114 @@ lanes! { fn color_at_ls(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: 
     let e_35 = color_texel(&r.color_map, at_6.columns.y, at_6.rows.y, 0i32, k_7);
     let e_37 = bilinear(r, e_14, e_21, e_28, e_35, Vec2 { x: at_6.part.x, y: at_6.part.y });
     return e_37;
+} }
+lanes! { fn object_texel_l(r: &Resources<'_>, place_a0: Vec2<I>) -> Vec4<F> {
+    let e_4 = map_texel(&r.object_map, place_a0.x, place_a0.y, 0i32, 0i32);
+    return e_4;
+} }
+lanes! { fn object_texel_s(r: &Resources<'_>, place_a0: Vec2<i32>) -> Vec4<F> {
+    let e_4 = map_texel(&r.object_map, splat_i(place_a0.x), splat_i(place_a0.y), 0i32, 0i32);
+    return e_4;
+} }
+lanes! { fn frames_around(r: &Resources<'_>, within: M, toward_a0: Vec3<F>) -> Frames {
+    let mut ex = within;
+    let mut ret: Frames = zero_frames();
+    let mut x_v0: F = splat(0f32);
+    let mut z_v1: F = splat(0f32);
+    let row_4 = (r.surface_settings.images as i32);
+    let axis_x_7 = object_texel_s(r, Vec2 { x: 0i32, y: row_4 });
+    let axis_y_10 = object_texel_s(r, Vec2 { x: 1i32, y: row_4 });
+    let axis_z_13 = object_texel_s(r, Vec2 { x: 2i32, y: row_4 });
+    let last_18 = max_with(sub(axis_x_7.w, splat(1.0f32)), splat(1.0f32));
+    let is_hemi_21 = gt(axis_y_10.w, splat(0.0f32));
+    let up_23 = add(add(add(mul(axis_y_10.x, toward_a0.x), mul(axis_y_10.y, toward_a0.y)), mul(axis_y_10.z, toward_a0.z)), splat(0.0f32));
+    let y_26 = sel(is_hemi_21, max_with(up_23, splat(0.0f32)), up_23);
+    let right_28 = add(add(add(mul(axis_x_7.x, toward_a0.x), mul(axis_x_7.y, toward_a0.y)), mul(axis_x_7.z, toward_a0.z)), splat(0.0f32));
+    let front_30 = add(add(add(mul(axis_z_13.x, toward_a0.x), mul(axis_z_13.y, toward_a0.y)), mul(axis_z_13.z, toward_a0.z)), splat(0.0f32));
+    let sum_37 = max_with(add(add(abs(right_28), abs(y_26)), abs(front_30)), splat(1e-6f32));
+    x_v0 = div(right_28, sum_37);
+    z_v1 = div(front_30, sum_37);
+    let (b1, c2) = (ex, lt(y_26, splat(0.0f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_44 = z_v1;
+        let e_48 = x_v0;
+        let folded_x_54 = mul(sub(splat(1.0f32), abs(e_44)), sel(ge(e_48, splat(0.0f32)), splat(1.0f32), splat((-1.0f32))));
+        let e_55 = x_v0;
+        let e_59 = z_v1;
+        let folded_z_65 = mul(sub(splat(1.0f32), abs(e_55)), sel(ge(e_59, splat(0.0f32)), splat(1.0f32), splat((-1.0f32))));
+        x_v0 = sel(ex, folded_x_54, x_v0);
+        z_v1 = sel(ex, folded_z_65, z_v1);
+    }
+    ex = b1;
+    let e_66 = x_v0;
+    let e_69 = x_v0;
+    let e_70 = z_v1;
+    let across_77 = mul(sel(is_hemi_21, add(add(e_69, e_70), splat(1.0f32)), add(e_66, splat(1.0f32))), mul(splat(0.5f32), last_18));
+    let e_78 = z_v1;
+    let e_81 = z_v1;
+    let e_82 = x_v0;
+    let along_89 = mul(sel(is_hemi_21, add(sub(e_81, e_82), splat(1.0f32)), add(e_78, splat(1.0f32))), mul(splat(0.5f32), last_18));
+    let place_95 = Vec2 { x: min(max_with(across_77, splat(0.0f32)), last_18), y: min(max_with(along_89, splat(0.0f32)), last_18) };
+    let cell_102 = Vec2 { x: min(floor(place_95.x), sub(last_18, splat(1.0f32))), y: min(floor(place_95.y), sub(last_18, splat(1.0f32))) };
+    let part_103 = Vec2 { x: sub(place_95.x, cell_102.x), y: sub(place_95.y, cell_102.y) };
+    let side_106 = add_u(u_of_f(last_18), splat_u(1u32));
+    let first_112 = add_u(mul_u(u_of_f(cell_102.y), side_106), u_of_f(cell_102.x));
+    let beside_119 = sel_u(gt(part_103.x, part_103.y), add_u(first_112, splat_u(1u32)), add_u(first_112, side_106));
+    let least_122 = min(part_103.x, part_103.y);
+    let most_125 = max(part_103.x, part_103.y);
+    return Frames { numbers: Vec3 { x: first_112, y: beside_119, z: add_u(add_u(first_112, side_106), splat_u(1u32)) }, weights: Vec3 { x: sub(splat(1.0f32), most_125), y: sub(most_125, least_122), z: least_122 }, };
+} }
+lanes! { fn image_of_object_l(r: &Resources<'_>, number_a0: U) -> Image {
+    let row_1 = i_of_u(number_a0);
+    let place_4 = object_texel_l(r, Vec2 { x: splat_i(3i32), y: row_1 });
+    let e_7 = object_texel_l(r, Vec2 { x: splat_i(0i32), y: row_1 });
+    let e_10 = object_texel_l(r, Vec2 { x: splat_i(1i32), y: row_1 });
+    let e_13 = object_texel_l(r, Vec2 { x: splat_i(2i32), y: row_1 });
+    let e_20 = object_texel_l(r, Vec2 { x: splat_i(4i32), y: row_1 });
+    return Image { u: e_7, v: e_10, height: e_13, corner: Vec2 { x: place_4.x, y: place_4.y }, extent: Vec2 { x: place_4.z, y: place_4.w }, toward: Vec3 { x: e_20.x, y: e_20.y, z: e_20.z }, };
+} }
+lanes! { fn image_of_object_s(r: &Resources<'_>, number_a0: u32) -> Image {
+    let row_1 = (number_a0 as i32);
+    let place_4 = object_texel_s(r, Vec2 { x: 3i32, y: row_1 });
+    let e_7 = object_texel_s(r, Vec2 { x: 0i32, y: row_1 });
+    let e_10 = object_texel_s(r, Vec2 { x: 1i32, y: row_1 });
+    let e_13 = object_texel_s(r, Vec2 { x: 2i32, y: row_1 });
+    let e_20 = object_texel_s(r, Vec2 { x: 4i32, y: row_1 });
+    return Image { u: e_7, v: e_10, height: e_13, corner: Vec2 { x: place_4.x, y: place_4.y }, extent: Vec2 { x: place_4.z, y: place_4.w }, toward: Vec3 { x: e_20.x, y: e_20.y, z: e_20.z }, };
+} }
+lanes! { fn frame_number(r: &Resources<'_>, frames_a0: &Frames, k_a1: u32) -> U {
+    return sel_u(splat_m((k_a1 == 0u32)), frames_a0.numbers.x, sel_u(splat_m((k_a1 == 1u32)), frames_a0.numbers.y, frames_a0.numbers.z));
+} }
+lanes! { fn frame_weight(r: &Resources<'_>, frames_a0: &Frames, k_a1: u32) -> F {
+    return sel(splat_m((k_a1 == 0u32)), frames_a0.weights.x, sel(splat_m((k_a1 == 1u32)), frames_a0.weights.y, frames_a0.weights.z));
+} }
+stage! { fn color_of_frames(r: &Resources<'_>, within: M, at_a0: &Entered, view_a1: Vec3<F>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut sum_v0: Vec3<F> = Vec3 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32) };
+    let mut k_v1: u32 = 0u32;
+    let frames_2 = frames_around(r, ex, view_a1);
+    'l1: loop {
+        let e_10 = k_v1;
+        if (e_10 < 3u32) {
+        } else {
+            break 'l1;
+        }
+        let e_13 = k_v1;
+        let e_14 = frame_number(r, &frames_2, e_13);
+        let image_15 = image_of_object_l(r, e_14);
+        let e_16 = sum_v0;
+        let e_18 = place_in_image(r, &image_15, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
+        let e_21 = color_at_ls(r, ex, Vec2 { x: e_18.x, y: e_18.y }, 0u32);
+        let e_23 = k_v1;
+        let e_24 = frame_weight(r, &frames_2, e_23);
+        sum_v0 = Vec3 { x: add(e_16.x, mul(e_21.x, e_24)), y: add(e_16.y, mul(e_21.y, e_24)), z: add(e_16.z, mul(e_21.z, e_24)) };
+        let e_27 = k_v1;
+        k_v1 = e_27.wrapping_add(1u32);
+    }
+    let e_30 = sum_v0;
+    return e_30;
 } }
 lanes! { fn color_or_white(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, footprint_a1: F) -> Vec3<F> {
     let mut ex = within;
@@ -2172,6 +2302,15 @@ lanes! { fn surface_object_enter(r: &Resources<'_>, pixel_a0: &PixelIn, params_a
     let e_10 = at_v0;
     return e_10;
 } }
+lanes! { fn surface_frames_enter(r: &Resources<'_>, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
+    let mut at_v0: Entered = zero_entered();
+    let e_2 = passed_by(r);
+    at_v0 = e_2;
+    at_v0.segments = splat_u(3u32);
+    at_v0.point = Vec3 { x: pixel_a0.origin.x, y: pixel_a0.origin.y, z: pixel_a0.origin.z };
+    let e_8 = at_v0;
+    return e_8;
+} }
 lanes! { fn surface_enter_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn) -> Entered {
     let mut ex = within;
     let mut ret: Entered = zero_entered();
@@ -2204,9 +2343,13 @@ lanes! { fn surface_enter_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn
             let e_47 = surface_slices_enter(r, ex, pixel_a0, r.surface_settings.choices[1].params);
             return e_47;
         }
-        _ => {
+        7u32 => {
             let e_53 = surface_object_enter(r, pixel_a0, r.surface_settings.choices[1].params);
             return e_53;
+        }
+        _ => {
+            let e_59 = surface_frames_enter(r, pixel_a0, r.surface_settings.choices[1].params);
+            return e_59;
         }
     }
 } }
@@ -2698,32 +2841,6 @@ lanes! { fn surface_slices_segment(r: &Resources<'_>, within: M, pixel_a0: &Pixe
     let lead_28 = sel(gt(before_20.w, splat(0.0f32)), min(before_20.w, far_8), mul(far_8, splat(5e-7f32)));
     return Path { uv: Vec2 { x: add(at_a1.uv.x, mul(before_20.x, lead_28)), y: add(at_a1.uv.y, mul(before_20.y, lead_28)) }, duv: Vec2 { x: sub(splat(0.0f32), before_20.x), y: sub(splat(0.0f32), before_20.y) }, h: Vec3 { x: add(at_a1.of_surface.x, mul(before_20.z, lead_28)), y: sub(splat(0.0f32), before_20.z), z: splat(0.0f32) }, exit: sel(passes_19, lead_28, splat(0.0f32)), base: lead_28, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: sub(far_8, lead_28), share: splat(1.0f32), };
 } }
-lanes! { fn object_texel_l(r: &Resources<'_>, place_a0: Vec2<I>) -> Vec4<F> {
-    let e_4 = map_texel(&r.object_map, place_a0.x, place_a0.y, 0i32, 0i32);
-    return e_4;
-} }
-lanes! { fn object_texel_s(r: &Resources<'_>, place_a0: Vec2<i32>) -> Vec4<F> {
-    let e_4 = map_texel(&r.object_map, splat_i(place_a0.x), splat_i(place_a0.y), 0i32, 0i32);
-    return e_4;
-} }
-lanes! { fn image_of_object_l(r: &Resources<'_>, number_a0: U) -> Image {
-    let row_1 = i_of_u(number_a0);
-    let place_4 = object_texel_l(r, Vec2 { x: splat_i(3i32), y: row_1 });
-    let e_7 = object_texel_l(r, Vec2 { x: splat_i(0i32), y: row_1 });
-    let e_10 = object_texel_l(r, Vec2 { x: splat_i(1i32), y: row_1 });
-    let e_13 = object_texel_l(r, Vec2 { x: splat_i(2i32), y: row_1 });
-    let e_20 = object_texel_l(r, Vec2 { x: splat_i(4i32), y: row_1 });
-    return Image { u: e_7, v: e_10, height: e_13, corner: Vec2 { x: place_4.x, y: place_4.y }, extent: Vec2 { x: place_4.z, y: place_4.w }, toward: Vec3 { x: e_20.x, y: e_20.y, z: e_20.z }, };
-} }
-lanes! { fn image_of_object_s(r: &Resources<'_>, number_a0: u32) -> Image {
-    let row_1 = (number_a0 as i32);
-    let place_4 = object_texel_s(r, Vec2 { x: 3i32, y: row_1 });
-    let e_7 = object_texel_s(r, Vec2 { x: 0i32, y: row_1 });
-    let e_10 = object_texel_s(r, Vec2 { x: 1i32, y: row_1 });
-    let e_13 = object_texel_s(r, Vec2 { x: 2i32, y: row_1 });
-    let e_20 = object_texel_s(r, Vec2 { x: 4i32, y: row_1 });
-    return Image { u: e_7, v: e_10, height: e_13, corner: Vec2 { x: place_4.x, y: place_4.y }, extent: Vec2 { x: place_4.z, y: place_4.w }, toward: Vec3 { x: e_20.x, y: e_20.y, z: e_20.z }, };
-} }
 lanes! { fn within_bounds(r: &Resources<'_>, within: M, x_a0: F, dx_a1: F, low_a2: F, high_a3: F, interval_a4: Vec2<F>) -> Vec2<F> {
     let mut ex = within;
     let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
@@ -2750,43 +2867,97 @@ lanes! { fn within_bounds(r: &Resources<'_>, within: M, x_a0: F, dx_a1: F, low_a
     let y6 = Vec2 { x: max(interval_a4.x, min(a_18, b_20)), y: min(interval_a4.y, max(a_18, b_20)) };
     return Vec2 { x: sel(ex, y6.x, ret.x), y: sel(ex, y6.y, ret.y) };
 } }
-lanes! { fn surface_object_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+lanes! { fn tangent_of_image(r: &Resources<'_>, image_a0: &Image) -> Vec3<F> {
+    let e_10 = mul(add(add(add(mul(image_a0.u.x, image_a0.u.x), mul(image_a0.u.y, image_a0.u.y)), mul(image_a0.u.z, image_a0.u.z)), splat(0.0f32)), image_a0.extent.x);
+    return Vec3 { x: div(image_a0.u.x, e_10), y: div(image_a0.u.y, e_10), z: div(image_a0.u.z, e_10) };
+} }
+lanes! { fn path_through_image_ll(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, k_a1: U) -> Path {
     let mut ex = within;
     let mut ret: Path = zero_path();
     let mut interval_v0: Vec2<F> = Vec2 { x: splat(0.0f32), y: splat(3e38f32) };
     let mut height_v1: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
     let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
-    let along_5 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
-    let image_6 = image_of_object_s(r, k_a2);
-    let u_13 = add(add(add(add(mul(image_6.u.x, pixel_a0.origin.x), mul(image_6.u.y, pixel_a0.origin.y)), mul(image_6.u.z, pixel_a0.origin.z)), splat(0.0f32)), image_6.u.w);
-    let v_20 = add(add(add(add(mul(image_6.v.x, pixel_a0.origin.x), mul(image_6.v.y, pixel_a0.origin.y)), mul(image_6.v.z, pixel_a0.origin.z)), splat(0.0f32)), image_6.v.w);
-    let h_27 = add(add(add(add(mul(image_6.height.x, pixel_a0.origin.x), mul(image_6.height.y, pixel_a0.origin.y)), mul(image_6.height.z, pixel_a0.origin.z)), splat(0.0f32)), image_6.height.w);
-    let du_30 = add(add(add(mul(image_6.u.x, along_5.x), mul(image_6.u.y, along_5.y)), mul(image_6.u.z, along_5.z)), splat(0.0f32));
-    let dv_33 = add(add(add(mul(image_6.v.x, along_5.x), mul(image_6.v.y, along_5.y)), mul(image_6.v.z, along_5.z)), splat(0.0f32));
-    let dh_36 = add(add(add(mul(image_6.height.x, along_5.x), mul(image_6.height.y, along_5.y)), mul(image_6.height.z, along_5.z)), splat(0.0f32));
-    let e_42 = height_size(r, splat_u(0u32));
-    let beyond_44 = Vec2 { x: div(splat(0.5f32), mul(image_6.extent.x, e_42.x)), y: div(splat(0.5f32), mul(image_6.extent.y, e_42.y)) };
-    let e_55 = interval_v0;
-    let e_56 = within_bounds(r, ex, u_13, du_30, sub(splat(0.0f32), beyond_44.x), add(splat(1.0f32), beyond_44.x), e_55);
-    interval_v0 = e_56;
-    let e_63 = interval_v0;
-    let e_64 = within_bounds(r, ex, v_20, dv_33, sub(splat(0.0f32), beyond_44.y), add(splat(1.0f32), beyond_44.y), e_63);
-    interval_v0 = e_64;
-    let e_67 = interval_v0;
-    let e_68 = within_bounds(r, ex, h_27, dh_36, splat(1e-5f32), splat(1.0f32), e_67);
-    interval_v0 = e_68;
-    let start_70 = interval_v0.x;
-    height_v1 = Vec3 { x: add(h_27, mul(dh_36, start_70)), y: dh_36, z: splat(0.0f32) };
+    let along_3 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+    let image_4 = image_of_object_l(r, k_a1);
+    let u_11 = add(add(add(add(mul(image_4.u.x, pixel_a0.origin.x), mul(image_4.u.y, pixel_a0.origin.y)), mul(image_4.u.z, pixel_a0.origin.z)), splat(0.0f32)), image_4.u.w);
+    let v_18 = add(add(add(add(mul(image_4.v.x, pixel_a0.origin.x), mul(image_4.v.y, pixel_a0.origin.y)), mul(image_4.v.z, pixel_a0.origin.z)), splat(0.0f32)), image_4.v.w);
+    let h_25 = add(add(add(add(mul(image_4.height.x, pixel_a0.origin.x), mul(image_4.height.y, pixel_a0.origin.y)), mul(image_4.height.z, pixel_a0.origin.z)), splat(0.0f32)), image_4.height.w);
+    let du_28 = add(add(add(mul(image_4.u.x, along_3.x), mul(image_4.u.y, along_3.y)), mul(image_4.u.z, along_3.z)), splat(0.0f32));
+    let dv_31 = add(add(add(mul(image_4.v.x, along_3.x), mul(image_4.v.y, along_3.y)), mul(image_4.v.z, along_3.z)), splat(0.0f32));
+    let dh_34 = add(add(add(mul(image_4.height.x, along_3.x), mul(image_4.height.y, along_3.y)), mul(image_4.height.z, along_3.z)), splat(0.0f32));
+    let e_40 = height_size(r, splat_u(0u32));
+    let beyond_42 = Vec2 { x: div(splat(0.5f32), mul(image_4.extent.x, e_40.x)), y: div(splat(0.5f32), mul(image_4.extent.y, e_40.y)) };
+    let e_53 = interval_v0;
+    let e_54 = within_bounds(r, ex, u_11, du_28, sub(splat(0.0f32), beyond_42.x), add(splat(1.0f32), beyond_42.x), e_53);
+    interval_v0 = e_54;
+    let e_61 = interval_v0;
+    let e_62 = within_bounds(r, ex, v_18, dv_31, sub(splat(0.0f32), beyond_42.y), add(splat(1.0f32), beyond_42.y), e_61);
+    interval_v0 = e_62;
+    let e_65 = interval_v0;
+    let e_66 = within_bounds(r, ex, h_25, dh_34, splat(1e-5f32), splat(1.0f32), e_65);
+    interval_v0 = e_66;
+    let start_68 = interval_v0.x;
+    height_v1 = Vec3 { x: add(h_25, mul(dh_34, start_68)), y: dh_34, z: splat(0.0f32) };
     if (r.surface_settings.cells == 4u32) {
         height_v1 = Vec3 { x: splat(0.5f32), y: splat(0.0f32), z: splat(0.0f32) };
     }
-    let e_94 = mul(add(add(add(mul(image_6.u.x, image_6.u.x), mul(image_6.u.y, image_6.u.y)), mul(image_6.u.z, image_6.u.z)), splat(0.0f32)), image_6.extent.x);
-    let tangent_96 = Vec3 { x: div(image_6.u.x, e_94), y: div(image_6.u.y, e_94), z: div(image_6.u.z, e_94) };
-    let e_106 = mul(add(add(add(mul(image_6.v.x, image_6.v.x), mul(image_6.v.y, image_6.v.y)), mul(image_6.v.z, image_6.v.z)), splat(0.0f32)), image_6.extent.y);
-    let bitangent_108 = Vec3 { x: div(image_6.v.x, e_106), y: div(image_6.v.y, e_106), z: div(image_6.v.z, e_106) };
-    let e_121 = height_v1;
-    let e_123 = interval_v0.y;
-    return Path { uv: Vec2 { x: add(image_6.corner.x, mul(image_6.extent.x, add(u_13, mul(du_30, start_70)))), y: add(image_6.corner.y, mul(image_6.extent.y, add(v_20, mul(dv_33, start_70)))) }, duv: Vec2 { x: mul(image_6.extent.x, du_30), y: mul(image_6.extent.y, dv_33) }, h: e_121, exit: sub(e_123, start_70), base: splat((k_a2 as f32)), metric: Vec4 { x: add(add(add(mul(tangent_96.x, tangent_96.x), mul(tangent_96.y, tangent_96.y)), mul(tangent_96.z, tangent_96.z)), splat(0.0f32)), y: add(add(add(mul(tangent_96.x, bitangent_108.x), mul(tangent_96.y, bitangent_108.y)), mul(tangent_96.z, bitangent_108.z)), splat(0.0f32)), z: add(add(add(mul(bitangent_108.x, bitangent_108.x), mul(bitangent_108.y, bitangent_108.y)), mul(bitangent_108.z, bitangent_108.z)), splat(0.0f32)), w: splat(r.surface_settings.scale_m) }, ray: splat_u(0u32), level: splat_u(0u32), start: start_70, share: splat(1.0f32), };
+    let tangent_83 = tangent_of_image(r, &image_4);
+    let bitangent_84 = bitangent_of_image(r, &image_4);
+    let e_97 = height_v1;
+    let e_99 = interval_v0.y;
+    return Path { uv: Vec2 { x: add(image_4.corner.x, mul(image_4.extent.x, add(u_11, mul(du_28, start_68)))), y: add(image_4.corner.y, mul(image_4.extent.y, add(v_18, mul(dv_31, start_68)))) }, duv: Vec2 { x: mul(image_4.extent.x, du_28), y: mul(image_4.extent.y, dv_31) }, h: e_97, exit: sub(e_99, start_68), base: f_of_u(k_a1), metric: Vec4 { x: add(add(add(mul(tangent_83.x, tangent_83.x), mul(tangent_83.y, tangent_83.y)), mul(tangent_83.z, tangent_83.z)), splat(0.0f32)), y: add(add(add(mul(tangent_83.x, bitangent_84.x), mul(tangent_83.y, bitangent_84.y)), mul(tangent_83.z, bitangent_84.z)), splat(0.0f32)), z: add(add(add(mul(bitangent_84.x, bitangent_84.x), mul(bitangent_84.y, bitangent_84.y)), mul(bitangent_84.z, bitangent_84.z)), splat(0.0f32)), w: splat(r.surface_settings.scale_m) }, ray: splat_u(0u32), level: splat_u(0u32), start: start_68, share: splat(1.0f32), };
+} }
+lanes! { fn path_through_image_ls(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, k_a1: u32) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let mut interval_v0: Vec2<F> = Vec2 { x: splat(0.0f32), y: splat(3e38f32) };
+    let mut height_v1: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let along_3 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+    let image_4 = image_of_object_s(r, k_a1);
+    let u_11 = add(add(add(add(mul(image_4.u.x, pixel_a0.origin.x), mul(image_4.u.y, pixel_a0.origin.y)), mul(image_4.u.z, pixel_a0.origin.z)), splat(0.0f32)), image_4.u.w);
+    let v_18 = add(add(add(add(mul(image_4.v.x, pixel_a0.origin.x), mul(image_4.v.y, pixel_a0.origin.y)), mul(image_4.v.z, pixel_a0.origin.z)), splat(0.0f32)), image_4.v.w);
+    let h_25 = add(add(add(add(mul(image_4.height.x, pixel_a0.origin.x), mul(image_4.height.y, pixel_a0.origin.y)), mul(image_4.height.z, pixel_a0.origin.z)), splat(0.0f32)), image_4.height.w);
+    let du_28 = add(add(add(mul(image_4.u.x, along_3.x), mul(image_4.u.y, along_3.y)), mul(image_4.u.z, along_3.z)), splat(0.0f32));
+    let dv_31 = add(add(add(mul(image_4.v.x, along_3.x), mul(image_4.v.y, along_3.y)), mul(image_4.v.z, along_3.z)), splat(0.0f32));
+    let dh_34 = add(add(add(mul(image_4.height.x, along_3.x), mul(image_4.height.y, along_3.y)), mul(image_4.height.z, along_3.z)), splat(0.0f32));
+    let e_40 = height_size(r, splat_u(0u32));
+    let beyond_42 = Vec2 { x: div(splat(0.5f32), mul(image_4.extent.x, e_40.x)), y: div(splat(0.5f32), mul(image_4.extent.y, e_40.y)) };
+    let e_53 = interval_v0;
+    let e_54 = within_bounds(r, ex, u_11, du_28, sub(splat(0.0f32), beyond_42.x), add(splat(1.0f32), beyond_42.x), e_53);
+    interval_v0 = e_54;
+    let e_61 = interval_v0;
+    let e_62 = within_bounds(r, ex, v_18, dv_31, sub(splat(0.0f32), beyond_42.y), add(splat(1.0f32), beyond_42.y), e_61);
+    interval_v0 = e_62;
+    let e_65 = interval_v0;
+    let e_66 = within_bounds(r, ex, h_25, dh_34, splat(1e-5f32), splat(1.0f32), e_65);
+    interval_v0 = e_66;
+    let start_68 = interval_v0.x;
+    height_v1 = Vec3 { x: add(h_25, mul(dh_34, start_68)), y: dh_34, z: splat(0.0f32) };
+    if (r.surface_settings.cells == 4u32) {
+        height_v1 = Vec3 { x: splat(0.5f32), y: splat(0.0f32), z: splat(0.0f32) };
+    }
+    let tangent_83 = tangent_of_image(r, &image_4);
+    let bitangent_84 = bitangent_of_image(r, &image_4);
+    let e_97 = height_v1;
+    let e_99 = interval_v0.y;
+    return Path { uv: Vec2 { x: add(image_4.corner.x, mul(image_4.extent.x, add(u_11, mul(du_28, start_68)))), y: add(image_4.corner.y, mul(image_4.extent.y, add(v_18, mul(dv_31, start_68)))) }, duv: Vec2 { x: mul(image_4.extent.x, du_28), y: mul(image_4.extent.y, dv_31) }, h: e_97, exit: sub(e_99, start_68), base: splat((k_a1 as f32)), metric: Vec4 { x: add(add(add(mul(tangent_83.x, tangent_83.x), mul(tangent_83.y, tangent_83.y)), mul(tangent_83.z, tangent_83.z)), splat(0.0f32)), y: add(add(add(mul(tangent_83.x, bitangent_84.x), mul(tangent_83.y, bitangent_84.y)), mul(tangent_83.z, bitangent_84.z)), splat(0.0f32)), z: add(add(add(mul(bitangent_84.x, bitangent_84.x), mul(bitangent_84.y, bitangent_84.y)), mul(bitangent_84.z, bitangent_84.z)), splat(0.0f32)), w: splat(r.surface_settings.scale_m) }, ray: splat_u(0u32), level: splat_u(0u32), start: start_68, share: splat(1.0f32), };
+} }
+lanes! { fn surface_object_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let e_4 = path_through_image_ls(r, ex, pixel_a0, k_a2);
+    return e_4;
+} }
+lanes! { fn surface_frames_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let e_5 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+    let e_7 = frames_around(r, ex, Vec3 { x: neg(e_5.x), y: neg(e_5.y), z: neg(e_5.z) });
+    let e_8 = frame_number(r, &e_7, k_a2);
+    let e_9 = path_through_image_ll(r, ex, pixel_a0, e_8);
+    return e_9;
 } }
 lanes! { fn surface_segment_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32) -> Path {
     let mut ex = within;
@@ -2820,9 +2991,13 @@ lanes! { fn surface_segment_stage(r: &Resources<'_>, within: M, pixel_a0: &Pixel
             let e_49 = surface_slices_segment(r, ex, pixel_a0, at_a1, k_a2, r.surface_settings.choices[1].params);
             return e_49;
         }
-        _ => {
+        7u32 => {
             let e_55 = surface_object_segment(r, ex, pixel_a0, at_a1, k_a2, r.surface_settings.choices[1].params);
             return e_55;
+        }
+        _ => {
+            let e_61 = surface_frames_segment(r, ex, pixel_a0, at_a1, k_a2, r.surface_settings.choices[1].params);
+            return e_61;
         }
     }
 } }
@@ -2932,6 +3107,9 @@ lanes! { fn surface_slices_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: 
 lanes! { fn surface_object_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
     return *hit_a3;
 } }
+lanes! { fn surface_frames_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
+    return *hit_a3;
+} }
 lanes! { fn surface_polish_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
@@ -2964,9 +3142,13 @@ lanes! { fn surface_polish_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelI
             let e_50 = surface_slices_polish(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
             return e_50;
         }
-        _ => {
+        7u32 => {
             let e_56 = surface_object_polish(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
             return e_56;
+        }
+        _ => {
+            let e_62 = surface_frames_polish(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_62;
         }
     }
 } }
@@ -3677,6 +3859,48 @@ lanes! { fn shadow_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: 
         }
     }
 } }
+stage! { fn normal_of_frames(r: &Resources<'_>, within: M, at_a0: &Entered, frames_a1: &Frames) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut sum_v0: Vec3<F> = Vec3 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32) };
+    let mut k_v1: u32 = 0u32;
+    let mut seen_v2: Entered = zero_entered();
+    'l1: loop {
+        let e_9 = k_v1;
+        if (e_9 < 3u32) {
+        } else {
+            break 'l1;
+        }
+        let e_12 = k_v1;
+        let e_13 = frame_number(r, frames_a1, e_12);
+        let image_14 = image_of_object_l(r, e_13);
+        seen_v2 = *at_a0;
+        let e_17 = tangent_of_image(r, &image_14);
+        seen_v2.tangent = e_17;
+        let e_19 = bitangent_of_image(r, &image_14);
+        seen_v2.bitangent = e_19;
+        seen_v2.normal = Vec3 { x: image_14.toward.x, y: image_14.toward.y, z: image_14.toward.z };
+        let e_23 = place_in_image(r, &image_14, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
+        let e_25 = sum_v0;
+        let e_26 = seen_v2;
+        let e_27 = finest_normal(r, ex, &e_26, Vec2 { x: e_23.x, y: e_23.y });
+        let e_28 = k_v1;
+        let e_29 = frame_weight(r, frames_a1, e_28);
+        sum_v0 = Vec3 { x: add(e_25.x, mul(e_27.x, e_29)), y: add(e_25.y, mul(e_27.y, e_29)), z: add(e_25.z, mul(e_27.z, e_29)) };
+        let e_32 = k_v1;
+        k_v1 = e_32.wrapping_add(1u32);
+    }
+    let e_35 = sum_v0;
+    let e_36 = sum_v0;
+    let square_37 = add(add(add(mul(e_35.x, e_36.x), mul(e_35.y, e_36.y)), mul(e_35.z, e_36.z)), splat(0.0f32));
+    let c2 = gt(square_37, splat(0.0f32));
+    let e_40 = sum_v0;
+    let e_41 = sqrt(square_37);
+    ret = Vec3 { x: div(e_40.x, e_41), y: div(e_40.y, e_41), z: div(e_40.z, e_41) };
+    ex = and_not(ex, c2);
+    let y3 = Vec3 { x: at_a0.normal.x, y: at_a0.normal.y, z: at_a0.normal.z };
+    return Vec3 { x: sel(ex, y3.x, ret.x), y: sel(ex, y3.y, ret.y), z: sel(ex, y3.z, ret.z) };
+} }
 lanes! { fn normal_of_mask(r: &Resources<'_>, within: M, image_a0: &Image, path_a1: &Path, hit_a2: &Hit) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
@@ -3960,30 +4184,60 @@ lanes! { fn surface_slices_place(r: &Resources<'_>, within: M, pixel_a0: &PixelI
     let e_6 = placed_over(r, ex, at_a1, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y });
     return e_6;
 } }
-lanes! { fn surface_object_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+lanes! { fn placed_in_image(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Entered {
     let mut ex = within;
     let mut ret: Entered = zero_entered();
     let mut placed_v0: Entered = zero_entered();
-    let image_7 = image_of_object_l(r, u_of_f(path_a2.base));
+    let image_6 = image_of_object_l(r, u_of_f(path_a2.base));
     placed_v0 = *at_a1;
     let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
-    let e_12 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
-    let e_15 = add(path_a2.start, hit_a3.t);
-    placed_v0.point = Vec3 { x: add(pixel_a0.origin.x, mul(e_12.x, e_15)), y: add(pixel_a0.origin.y, mul(e_12.y, e_15)), z: add(pixel_a0.origin.z, mul(e_12.z, e_15)) };
+    let e_11 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+    let e_14 = add(path_a2.start, hit_a3.t);
+    placed_v0.point = Vec3 { x: add(pixel_a0.origin.x, mul(e_11.x, e_14)), y: add(pixel_a0.origin.y, mul(e_11.y, e_14)), z: add(pixel_a0.origin.z, mul(e_11.z, e_14)) };
     placed_v0.uv = Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y };
-    let e_30 = mul(add(add(add(mul(image_7.u.x, image_7.u.x), mul(image_7.u.y, image_7.u.y)), mul(image_7.u.z, image_7.u.z)), splat(0.0f32)), image_7.extent.x);
-    placed_v0.tangent = Vec3 { x: div(image_7.u.x, e_30), y: div(image_7.u.y, e_30), z: div(image_7.u.z, e_30) };
-    let e_43 = mul(add(add(add(mul(image_7.v.x, image_7.v.x), mul(image_7.v.y, image_7.v.y)), mul(image_7.v.z, image_7.v.z)), splat(0.0f32)), image_7.extent.y);
-    placed_v0.bitangent = Vec3 { x: div(image_7.v.x, e_43), y: div(image_7.v.y, e_43), z: div(image_7.v.z, e_43) };
-    placed_v0.normal = Vec3 { x: image_7.toward.x, y: image_7.toward.y, z: image_7.toward.z };
+    let e_20 = tangent_of_image(r, &image_6);
+    placed_v0.tangent = e_20;
+    let e_22 = bitangent_of_image(r, &image_6);
+    placed_v0.bitangent = e_22;
+    placed_v0.normal = Vec3 { x: image_6.toward.x, y: image_6.toward.y, z: image_6.toward.z };
     if (r.surface_settings.cells == 4u32) {
-        let e_54 = normal_of_mask(r, ex, &image_7, path_a2, hit_a3);
-        placed_v0.normal = e_54;
+        let e_31 = normal_of_mask(r, ex, &image_6, path_a2, hit_a3);
+        placed_v0.normal = e_31;
     }
     placed_v0.metric = Vec4 { x: path_a2.metric.x, y: path_a2.metric.y, z: path_a2.metric.z, w: path_a2.metric.w };
-    placed_v0.facing = Vec3 { x: image_7.toward.x, y: image_7.toward.y, z: image_7.toward.z };
-    let e_59 = placed_v0;
-    return e_59;
+    placed_v0.facing = Vec3 { x: image_6.toward.x, y: image_6.toward.y, z: image_6.toward.z };
+    let e_36 = placed_v0;
+    return e_36;
+} }
+lanes! { fn surface_object_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let e_5 = placed_in_image(r, ex, pixel_a0, at_a1, path_a2, hit_a3);
+    return e_5;
+} }
+lanes! { fn surface_frames_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut placed_v0: Entered = zero_entered();
+    let mut both_v1: bool = false;
+    let e_5 = placed_in_image(r, ex, pixel_a0, at_a1, path_a2, hit_a3);
+    placed_v0 = e_5;
+    if (r.surface_settings.has_vertex_normals == 1u32) {
+        both_v1 = (r.surface_settings.cells != 4u32);
+    } else {
+        both_v1 = false;
+    }
+    let e_20 = both_v1;
+    if e_20 {
+        let e_22 = placed_v0;
+        let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+        let e_24 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+        let e_26 = frames_around(r, ex, Vec3 { x: neg(e_24.x), y: neg(e_24.y), z: neg(e_24.z) });
+        let e_27 = normal_of_frames(r, ex, &e_22, &e_26);
+        placed_v0.normal = e_27;
+    }
+    let e_28 = placed_v0;
+    return e_28;
 } }
 lanes! { fn surface_place_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Entered {
     let mut ex = within;
@@ -4017,9 +4271,13 @@ lanes! { fn surface_place_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn
             let e_50 = surface_slices_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
             return e_50;
         }
-        _ => {
+        7u32 => {
             let e_56 = surface_object_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
             return e_56;
+        }
+        _ => {
+            let e_62 = surface_frames_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_62;
         }
     }
 } }
@@ -4231,8 +4489,12 @@ lanes! { fn surface_color(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1:
     if (r.surface_settings.choices[3].params.z == 2.0f32) {
         return Vec3 { x: splat(1.0f32), y: splat(1.0f32), z: splat(1.0f32) };
     }
-    let e_35 = object_color(r, ex, at_a0, view_a2, (r.surface_settings.choices[3].params.z == 1.0f32));
-    return e_35;
+    if (r.surface_settings.choices[3].params.z == 3.0f32) {
+        let e_35 = color_of_frames(r, ex, at_a0, view_a2);
+        return e_35;
+    }
+    let e_38 = object_color(r, ex, at_a0, view_a2, (r.surface_settings.choices[3].params.z == 1.0f32));
+    return e_38;
 } }
 lanes! { fn z_of(r: &Resources<'_>, depth_a0: F) -> F {
     if (r.frame.clip.y == 0.0f32) {

@@ -287,7 +287,7 @@ pub const METHODS: &[Method] = &[
         name: "depth-object",
         summary: "an object of images with depth: what all of them see",
         geometry: geometry::OBJECT,
-        search: "cells",
+        search: "pyramid",
         refine: "patch",
         settings: object::OF_DEPTH,
         publication: Publication { paper: DEPTH_OBJECTS, section: "4" },
@@ -300,6 +300,15 @@ pub const METHODS: &[Method] = &[
         refine: "patch",
         settings: object::OF_SILHOUETTES,
         publication: Publication { paper: DEPTH_OBJECTS, section: "5" },
+    },
+    Method {
+        name: "impostor-blend",
+        summary: "an octahedral impostor as engines draw it: three frames, blended",
+        geometry: geometry::OBJECT,
+        search: "none",
+        refine: "none",
+        settings: object::OF_FRAMES,
+        publication: Publication { paper: "Brucks 2018, Octahedral Impostors", section: "" },
     },
 ];
 

@@ -1,6 +1,7 @@
 //! A variant chosen for every stage, with its settings.
 
 mod error;
+mod object;
 
 use relief_core::HeightMap;
 use relief_core::mesh::QuadricCoefficients;
@@ -11,7 +12,7 @@ use relief_core::registry::{
 pub use self::error::SelectionError;
 use crate::Method;
 use crate::geometry::{self, Geometry};
-use crate::object::ObjectCells;
+use crate::object::Solid;
 use crate::slice::Slices;
 use crate::stages::{
     AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, Stage,
@@ -99,14 +100,7 @@ impl Selection {
     fn with_stages_for_geometry(mut self) -> Self {
         let shown = self.shown_by_geometry();
         if shown == Shown::Object {
-            self = Self::exact_over(self);
-            self.choices[SURFACE] = Choice::new(&STAGES[SURFACE], IMAGES);
-            self.choices[OBJECT] = Choice::new(&STAGES[OBJECT], OF_DEPTH);
-            self.choices[SHADOW] = Choice::new(&STAGES[SHADOW], LIGHT_MAP);
-            if let Some((place, _)) = self.choices[SHADOW].entry.param("size") {
-                self.choices[SHADOW].params[place] = OBJECT_SHADOW_SIZE;
-            }
-            return self.with_search_for_shadows();
+            return self.with_stages_for_object();
         }
         self.choices[OBJECT] = Choice::new(&STAGES[OBJECT], 0);
         if shown == Shown::Relief {
@@ -157,13 +151,6 @@ impl Selection {
             geometry::SLICES => Some(Geometry::Slices(Slices::of(self.choices[SLICES].params))),
             _ => None,
         }
-    }
-
-    /// How the images of an object are read, where one is shown.
-    pub fn object_cells(&self) -> Option<ObjectCells> {
-        let is_shown = self.shown_by_geometry() == Shown::Object;
-        let Choice { entry, params, .. } = &self.choices[OBJECT];
-        is_shown.then(|| ObjectCells::of(entry.name, *params))
     }
 
     /// A method by name, with its settings.
@@ -229,6 +216,9 @@ impl Selection {
             // Its variants have the same parameters.
             let chosen = Choice::new(stage, number);
             self.choices[place] = Choice { params: self.choices[place].params, ..chosen };
+            if place == OBJECT {
+                *self = self.with_search_for_object();
+            }
             return Ok(());
         }
         let [view, shadow] = [SEARCH, SHADOW_SEARCH].map(|stage| &self.choices[stage]);
@@ -245,6 +235,9 @@ impl Selection {
         }
         if (place, name) == (SLICES, "refine") && self.shown_by_geometry() == Shown::Slices {
             *self = self.with_refinement_of_slices();
+        }
+        if place == OBJECT {
+            *self = self.with_search_for_object();
         }
         Ok(())
     }
@@ -335,7 +328,8 @@ impl Selection {
 
     /// Whether normals are those of a relief, not of triangles or silhouettes.
     pub fn has_normals_of_relief(&self) -> bool {
-        self.paths().has_normals_of_relief() && !self.object_cells().is_some_and(|object| object.is_hull)
+        self.paths().has_normals_of_relief()
+            && !self.object_cells().is_some_and(|object| object.solid == Solid::Hull)
     }
 
     /// Whether all other stages make something of the surface's segments.
@@ -360,13 +354,16 @@ impl Selection {
             (false, true) => return error(OBJECT, "there are no images that it could be made of".to_owned()),
             _ => {}
         }
+        if let Some((place, reason)) = self.at_odds_with_object() {
+            return error(place, reason.to_owned());
+        }
         for (place, (stage, choice)) in STAGES.iter().zip(&self.choices).enumerate() {
             let of_stage = refused.iter().filter(|refused| refused.stage == stage.key);
             if let Some(refused) = of_stage.into_iter().find(|it| it.names.contain(choice.entry.name)) {
                 return error(place, refused.reason.to_owned());
             }
         }
-        for place in [SEARCH, REFINE] {
+        for place in [SEARCH, REFINE].into_iter().filter(|_| !self.blends_normals()) {
             let promises = self.choices[place].promises();
             let impossible = |rays: &&RayClass| promises.of(**rays) == Guarantee::Impossible;
             if let Some(rays) = rays.iter().find(impossible) {
@@ -532,6 +529,12 @@ const OBJECT_SHADOW_SIZE: f32 = 512.0;
 
 /// The number of the surface `object`.
 const IMAGES: usize = entry_place(STAGES[SURFACE].entries, "object");
+
+/// The number of the surface `frames`.
+const FRAMES: usize = entry_place(STAGES[SURFACE].entries, "frames");
+
+/// The number of the search `pyramid`.
+const PYRAMID: usize = entry_place(STAGES[SEARCH].entries, "pyramid");
 
 /// The number of the object `depth`.
 const OF_DEPTH: usize = entry_place(STAGES[OBJECT].entries, "depth");

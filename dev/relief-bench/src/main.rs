@@ -1,6 +1,6 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
-//! `embree`, `frame`, `judge`, `lanes`, `levels`, `mesh`, `probe`, `pyramid`, `quadrics`, `remesh`, `shadow`,
-//! `sheet`, `slices`, `surfaces` and `trace`. Results are kept in `docs/`.
+//! `embree`, `frame`, `impostors`, `judge`, `lanes`, `levels`, `mesh`, `probe`, `pyramid`, `quadrics`,
+//! `remesh`, `shadow`, `sheet`, `slices`, `surfaces` and `trace`. Results are kept in `docs/`.
 
 use std::process::ExitCode;
 
@@ -16,6 +16,7 @@ mod cracks;
 mod detail;
 mod embree;
 mod frame;
+mod impostors;
 mod judge;
 mod lanes;
 mod levels;
@@ -86,6 +87,8 @@ enum Command {
     Shadow(shadow::Arguments),
     /// What a new user sees of every map in a folder
     Sheet(sheet::Arguments),
+    /// How near objects of images come to the meshes that they were captured from, and engines' blends
+    Impostors(impostors::Arguments),
     /// How near slices through the relief come to the truth, and how many a pixel shows
     Slices(slices::Arguments),
     /// How near every surface comes to the exact judge on curved meshes
@@ -116,6 +119,7 @@ fn main() -> ExitCode {
         Command::Remesh(arguments) => remesh::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Shadow(arguments) => shadow::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Sheet(arguments) => sheet::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Impostors(arguments) => impostors::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Slices(arguments) => slices::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Surfaces(arguments) => surfaces::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Trace(arguments) => trace::run(&arguments).map(|()| ExitCode::SUCCESS),

@@ -1,7 +1,7 @@
 //! An object that is known in closed form: some spheres, seen by parallel rays from around.
 
 use relief_core::camera::Ray;
-use relief_core::object::{ImageObject, JumpCells, View};
+use relief_core::object::{GridMapping, ImageObject, JumpCells, View};
 use relief_core::{HeightMap, Wrap};
 use relief_render::glam::DVec3;
 
@@ -51,4 +51,12 @@ pub fn object_of_spheres(directions: &[DVec3], side: u32, cells: JumpCells) -> I
         views.push(view);
     }
     ImageObject::new(views, &maps, cells, 4.0).expect("an object")
+}
+
+/// The same of a grid of so many frames a side.
+pub fn grid_of_spheres(mapping: GridMapping, frames: u32, side: u32) -> ImageObject {
+    let part = |at: u32| f64::from(at) / f64::from(frames - 1);
+    let from = |at: u32| mapping.direction([part(at % frames), part(at / frames)]);
+    let directions: Vec<DVec3> = (0..frames * frames).map(from).collect();
+    object_of_spheres(&directions, side, JumpCells::Highest)
 }

@@ -1,7 +1,7 @@
 //! Everything runs within the limits that small devices have, on a device that the caller has opened.
 
 use relief_core::Wrap;
-use relief_core::object::JumpCells;
+use relief_core::object::GridMapping;
 use relief_maps::Maps;
 use relief_render::Renderer;
 use relief_render::gpu::{Gpu, block_on};
@@ -12,7 +12,7 @@ use relief_shaders::wgsl::Sampling;
 use relief_shaders::{METHODS, SLICES, Selection, ambient, detail, shadow, surface};
 use relief_tests::adapter::has_adapter;
 use relief_tests::maps;
-use relief_tests::spheres::{CUBE, object_of_spheres};
+use relief_tests::spheres::grid_of_spheres;
 
 /// A device of exactly those limits, and no feature.
 fn opened(limits: Limits) -> Option<Gpu> {
@@ -77,7 +77,7 @@ fn runs_within(limits: Limits, in_all: bool) {
             let surface = match selection.object_cells() {
                 None => Surface::new(torus(32, 16).expect("a mesh"), map.clone()),
                 Some(_) => {
-                    let object = object_of_spheres(&CUBE, 32, JumpCells::Highest);
+                    let object = grid_of_spheres(GridMapping::Octahedral, 6, 32);
                     Surface::of_object(object).expect("something to see")
                 }
             };

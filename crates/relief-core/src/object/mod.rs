@@ -10,6 +10,8 @@
 
 mod atlas;
 mod cells;
+mod frames;
+mod grid;
 mod hull;
 mod intervals;
 mod patch;
@@ -17,6 +19,8 @@ mod rounds;
 mod view;
 
 pub use atlas::AtlasLayout;
+pub use frames::{LEAST_COVER, LEAST_FACING, ObjectFrames};
+pub use grid::{FrameGrid, GridMapping};
 pub use hull::SilhouetteError;
 pub use patch::{AGREEMENT, MAX_DISTANCE};
 pub use rounds::ObjectHit;

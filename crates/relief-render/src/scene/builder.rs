@@ -261,7 +261,10 @@ impl SceneBuilder {
             match (surface.object(), surface.selection().object_cells()) {
                 (None, Some(_)) => return Err(ValueProblem::NoObject.of("method")),
                 (Some(_), None) => return Err(ValueProblem::Object.of("method")),
-                _ => {}
+                (Some(object), Some(_)) => object
+                    .check(surface.selection())
+                    .map_err(|error| ValueProblem::from(error).of("object"))?,
+                (None, None) => {}
             }
             if !surface.selection().has_normals_of_relief() {
                 if surface.normal_map().is_some() {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
 use relief_core::encoding::code::Codes;
-use relief_core::object::{ImageObject, JumpCells, View};
+use relief_core::object::{FrameGrid, GridMapping, ImageObject, JumpCells, View};
 use relief_core::{BakedMap, HeightMap, MapFormat, MapIdentity, MapLayout, MapTexels, Wrap};
 use relief_shaders::Selection;
 use relief_shaders::object::{IMAGE_TEXELS, MAX_IMAGES};
@@ -24,8 +24,17 @@ pub struct SceneObject {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ObjectProblem {
     /// All of too many images would be asked at each step of a ray.
-    #[error("an object has at most {MAX_IMAGES} images where all of them are asked, this one {0}")]
+    #[error(
+        "an object has at most {MAX_IMAGES} images where all of them are asked, this one {0}: capture fewer, \
+         or choose the surface 'frames' or the method 'impostor-blend' for a grid of them"
+    )]
     TooMany(usize),
+    /// The images make no grid of frames.
+    #[error(
+        "its images make no octahedral grid of frames by parallel rays, row by row, of which three could be \
+         taken: capture it with one, or choose 'depth-object'"
+    )]
+    NoGrid,
     /// Rays are straight in perspective images in a way that the shaders do not know.
     #[error("image {0} is perspective: only images by parallel rays can be shown")]
     Perspective(usize),
@@ -44,12 +53,14 @@ pub enum ObjectProblem {
 }
 
 impl SceneObject {
-    /// What stands for the object of a file that has not been read: a texel of a single image.
+    /// What stands for the object of a file that has not been read: a grid of images of one texel.
     pub(super) fn stand_in() -> Result<ImageObject, ObjectProblem> {
-        let view = View::orthographic(DVec3::ZERO, 1.0, DVec3::Z, None, [1, 1]);
+        let from = GridMapping::Octahedral.direction([0.0, 0.0]);
+        let view = View::orthographic(DVec3::ZERO, 1.0, from, None, [1, 1]);
+        let views = view.map_or(Vec::new(), |view| vec![view; 4]);
         let map = HeightMap::new(1, 1, vec![1.0], Wrap::Clamp)?;
-        let object = view.ok().map(|view| ImageObject::new(vec![view], &[map], JumpCells::default(), 0.0));
-        object.and_then(Result::ok).ok_or(ObjectProblem::Nothing)
+        let maps = vec![map; views.len()];
+        ImageObject::new(views, &maps, JumpCells::default(), 0.0).map_err(|_| ObjectProblem::Nothing)
     }
 
     /// The object.
@@ -58,9 +69,27 @@ impl SceneObject {
     }
 
     /// How its images look at it, as the shaders read it: a row for each, of what makes of a point `u`, `v`
-    /// and a height, where it lies among the others, and the direction toward its viewer.
+    /// and a height, where it lies among the others, and the direction toward its viewer. After these a row
+    /// of the grid that they make: its axes, with the frames of a side behind the first and 1 behind the
+    /// second where only the upper half is mapped; zeros where they make none.
     pub fn images(&self) -> &Arc<BakedMap> {
         &self.images
+    }
+
+    /// Whether it has the images that a selection asks for.
+    ///
+    /// # Errors
+    ///
+    /// When all of more than [`MAX_IMAGES`] images would be asked, or a grid of frames that there is not.
+    pub(super) fn check(&self, selection: &Selection) -> Result<(), ObjectProblem> {
+        let count = self.object.views().len();
+        if selection.asks_all_images() && count > MAX_IMAGES {
+            return Err(ObjectProblem::TooMany(count));
+        }
+        if selection.needs_grid() && self.object.grid().is_none() {
+            return Err(ObjectProblem::NoGrid);
+        }
+        Ok(())
     }
 }
 
@@ -71,14 +100,11 @@ impl Surface {
     ///
     /// # Errors
     ///
-    /// When the object has more than [`MAX_IMAGES`] images, a perspective one, or images of balls of several
-    /// sizes, or there is nothing that all of them see.
+    /// When the object has a perspective image, or images of balls of several sizes, or there is nothing that
+    /// all of them see.
     pub fn of_object(object: impl Into<Arc<ImageObject>>) -> Result<Self, ObjectProblem> {
         let object = object.into();
         let views = object.views();
-        if views.len() > MAX_IMAGES {
-            return Err(ObjectProblem::TooMany(views.len()));
-        }
         if let Some(number) = views.iter().position(|view| view.eye().is_some()) {
             return Err(ObjectProblem::Perspective(number));
         }
@@ -111,7 +137,7 @@ fn box_around([low, high]: [DVec3; 2]) -> Option<Mesh> {
     is_solid.then(|| Mesh::new(vertices, unit.triangles().to_vec()).ok()).flatten()
 }
 
-/// How the images look at the object, a row for each.
+/// How the images look at the object, a row for each, and the grid that they make.
 fn images_of(object: &ImageObject) -> Option<BakedMap> {
     let all = object.layout().size().map(f64::from);
     let places = object.layout().places();
@@ -122,8 +148,15 @@ fn images_of(object: &ImageObject) -> Option<BakedMap> {
         let [_, _, toward] = view.axes();
         [u, v, height, [x, y, width, tall], toward.extend(0.0).to_array()]
     });
-    let values = values.flatten().map(|value| value as f32).collect();
-    let rows = object.views().len() as u32;
+    let mut last = [[0.0; 4]; IMAGE_TEXELS as usize];
+    if let Some(FrameGrid { side, mapping, axes }) = object.grid() {
+        let behind = [f64::from(side), f64::from(mapping == GridMapping::HemiOctahedral), 0.0];
+        for ((texel, axis), behind) in last.iter_mut().zip(axes).zip(behind) {
+            *texel = axis.extend(behind).to_array();
+        }
+    }
+    let values = values.chain(last).flatten().map(|value| value as f32).collect();
+    let rows = object.views().len() as u32 + 1;
     let size = [IMAGE_TEXELS, rows];
     let layout = MapLayout { size, levels: 1, layers: 1, channels: 4, format: MapFormat::F32 };
     let codes = [Codes { low: 0.0, step: 0.0 }; 4];

@@ -186,7 +186,7 @@ impl SurfaceSettings {
             has_normal: 0,
             has_holes: 0,
             has_creases: 0,
-            has_vertex_normals: u32::from(!selection.has_normals_of_relief()),
+            has_vertex_normals: u32::from(!selection.has_normals_of_relief() || selection.blends_normals()),
             has_shadows: u32::from(selection.has_shadows()),
             scale_m: map.scale_m() as f32,
             bias_m: map.bias_m() as f32,

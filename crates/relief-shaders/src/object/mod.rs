@@ -6,12 +6,13 @@ use relief_core::registry::{Entry, Param};
 
 use crate::stages::entry_place;
 
+mod blend;
 mod depth;
 mod hull;
 mod none;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[none::ENTRY, depth::ENTRY, hull::ENTRY];
+pub const ENTRIES: &[Entry] = &[none::ENTRY, depth::ENTRY, hull::ENTRY, blend::ENTRY];
 
 /// Most images of an object that all of them are asked of.
 pub const MAX_IMAGES: usize = 64;
@@ -51,9 +52,19 @@ const PARAMS: &[Param] = &[
     Param::of_names(
         "color",
         "of the three images that look along the view most; of those alone that see the place; of none, but \
-         light on the images' normals",
-        &["three", "seen", "normals"],
+         light on the images' normals; blend: of the three frames of a grid that are around the view",
+        &["three", "seen", "normals", "blend"],
     ),
+    Param {
+        name: "steps",
+        summary: "of blended frames: how often a place is moved by the depth that is seen there",
+        unit: "steps",
+        min: 0.0,
+        max: 16.0,
+        default: 3.0,
+        integer: true,
+        names: &[],
+    },
 ];
 
 /// How the images of an object are read.
@@ -63,17 +74,44 @@ pub struct ObjectCells {
     pub cells: JumpCells,
     /// By how many texels' width heights differ there.
     pub jump_texels: f32,
-    /// Whether only silhouettes count.
-    pub is_hull: bool,
+    /// What is made of them.
+    pub solid: Solid,
+    /// Whether colours are those of a grid's frames, blended.
+    pub has_blended_colors: bool,
+}
+
+/// What is made of the images of an object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Solid {
+    /// The intersection of what they see.
+    Depth,
+    /// That of their silhouettes.
+    Hull,
+    /// A blend of three frames.
+    Blend,
 }
 
 impl ObjectCells {
     /// Those of the settings, in the order of these.
-    pub(crate) fn of(name: &str, [cells, jump_texels, ..]: [f32; 4]) -> Self {
+    pub(crate) fn of(name: &str, [cells, jump_texels, color, _]: [f32; 4]) -> Self {
         let cells = JumpCells::ALL.get(cells as usize).copied().unwrap_or_default();
-        Self { cells, jump_texels, is_hull: name == hull::ENTRY.name }
+        let solid = match name {
+            _ if name == hull::ENTRY.name => Solid::Hull,
+            _ if name == blend::ENTRY.name => Solid::Blend,
+            _ => Solid::Depth,
+        };
+        Self { cells, jump_texels, solid, has_blended_colors: color == BLENDED_COLORS }
+    }
+
+    /// Whether no cell is higher than the highest of its corners' texels says, and cells lie between the
+    /// centres of texels: so that what bounds texels bounds them.
+    pub(crate) fn is_under_texels(&self) -> bool {
+        self.solid == Solid::Depth && matches!(self.cells, JumpCells::Bilinear | JumpCells::Highest)
     }
 }
+
+/// The value of the setting `object.color` for those of blended frames.
+const BLENDED_COLORS: f32 = 3.0;
 
 /// What the shaders call cells of silhouettes, after those of [`JumpCells`].
 pub const MASK_CELLS: u32 = JumpCells::ALL.len() as u32;
@@ -83,3 +121,7 @@ pub(crate) const OF_SILHOUETTES: &[(&str, f32)] = &[("object.solid", entry_place
 
 /// The settings of objects of images with depth.
 pub(crate) const OF_DEPTH: &[(&str, f32)] = &[("object.solid", entry_place(ENTRIES, "depth") as f32)];
+
+/// The settings of blended impostors.
+pub(crate) const OF_FRAMES: &[(&str, f32)] =
+    &[("object.solid", entry_place(ENTRIES, "blend") as f32), ("object.color", BLENDED_COLORS)];

@@ -188,3 +188,50 @@ fn objects_are_of_images_and_reliefs_are_not() {
         assert_eq!((selection.check(), selection.object_cells()), (Ok(()), None));
     }
 }
+
+#[test]
+fn objects_have_a_search_that_serves_what_is_made_of_their_images() {
+    let with = |method: &str, settings: &[(&str, f64)]| {
+        let mut selection = Selection::method(method).expect("a method");
+        for (key, value) in settings {
+            selection.set(key, *value).expect("a listed value");
+        }
+        assert_eq!(selection.check(), Ok(()), "{method} {settings:?}");
+        let names = [SURFACE, SEARCH, REFINE].map(|stage| selection.choices[stage].entry.name);
+        (names, selection)
+    };
+    let (pyramid, cells) = (["object", "pyramid", "patch"], ["object", "cells", "patch"]);
+    let blend = ["frames", "none", "none"];
+    // By place: highest and step cells; depth, hull and blend.
+    for (method, settings, names) in [
+        ("depth-object", &[][..], pyramid),
+        ("depth-object", &[("object.cells", 1.0)], cells),
+        ("depth-object", &[("object.solid", 2.0)], cells),
+        ("depth-object", &[("object.solid", 3.0)], blend),
+        ("visual-hull", &[], cells),
+        ("impostor-blend", &[], blend),
+        ("impostor-blend", &[("object.solid", 1.0)], ["frames", "pyramid", "patch"]),
+        ("impostor-blend", &[("object.solid", 2.0)], ["frames", "cells", "patch"]),
+    ] {
+        assert_eq!(with(method, settings).0, names, "{method} {settings:?}");
+    }
+    for (method, stage, name) in [
+        ("impostor-blend", "surface", "object"),
+        ("impostor-blend", "search", "cells"),
+        ("impostor-blend", "refine", "patch"),
+        ("depth-object", "search", "none"),
+        ("depth-object", "refine", "none"),
+        ("visual-hull", "search", "pyramid"),
+    ] {
+        let (_, mut selection) = with(method, &[]);
+        selection.choose(stage, name).expect("a listed name");
+        assert!(matches!(selection.check(), Err(SelectionError::Surface { .. })), "{method} {name}");
+    }
+    let asks = |method: &str| {
+        let selection = with(method, &[]).1;
+        (selection.asks_all_images(), selection.needs_grid())
+    };
+    assert_eq!(asks("depth-object"), (true, false));
+    assert_eq!(asks("impostor-blend"), (false, true));
+    assert_eq!(asks("exact"), (false, false));
+}

@@ -6,6 +6,7 @@ use relief_core::registry::{Entry, Param, RayClass};
 use crate::SURVEY;
 
 mod facets;
+mod frames;
 mod object;
 mod plane;
 mod prism;
@@ -24,6 +25,7 @@ pub const ENTRIES: &[Entry] = &[
     facets::ENTRY,
     slices::ENTRY,
     object::ENTRY,
+    frames::ENTRY,
 ];
 
 /// What each of them makes of rays, in the same order.
@@ -36,6 +38,7 @@ pub const PATHS: &[Paths] = &[
     facets::PATHS,
     slices::PATHS,
     object::PATHS,
+    frames::PATHS,
 ];
 
 /// What is added to the order of a shell's corners where the shell overlaps itself.
@@ -73,7 +76,9 @@ impl Shown {
         match self {
             Shown::Relief => "only the surface 'slices' goes with the geometry 'slices'",
             Shown::Slices => "its triangles run through the relief, which the surface 'slices' alone shows",
-            Shown::Object => "its box holds what images see, which the surface 'object' alone shows",
+            Shown::Object => {
+                "its box holds what images see, which the surfaces 'object' and 'frames' alone show"
+            }
             Shown::Triangles => {
                 "its triangles are displaced already, and only the surface 'facets' shows them as they are"
             }
@@ -115,6 +120,35 @@ const SEGMENTS_REFUSE: &[Refused] = &[
         reason: "a segment may begin anywhere in the relief there, and a flatter one may be above it",
     },
     NO_ENTRY_OF_LIGHT,
+];
+
+/// What surfaces of an object's images refuse.
+const OF_IMAGES_REFUSE: &[Refused] = &[
+    Refused {
+        stage: "search",
+        names: Names::AllBut(&["cells", "pyramid", "none"]),
+        reason: "rays come into images from all sides: choose 'cells' or 'pyramid'",
+    },
+    Refused {
+        stage: "refine",
+        names: Names::AllBut(&["patch", "none"]),
+        reason: "heights of images jump from cell to cell: choose 'patch'",
+    },
+    Refused {
+        stage: "detail",
+        names: Names::AllBut(&["none"]),
+        reason: "images lie side by side in one, and would be mixed in coarser levels",
+    },
+    Refused {
+        stage: "shadow",
+        names: Names::AllBut(&["none", "map", "scene"]),
+        reason: "one image alone does not know the object: choose 'map', 'scene' or 'none'",
+    },
+    Refused {
+        stage: "ambient",
+        names: Names::AllBut(&["constant", "environment"]),
+        reason: "one image alone does not know what is around a point of the object",
+    },
 ];
 
 /// What all surfaces refuse on which the relief bends with the mesh.

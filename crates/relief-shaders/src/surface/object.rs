@@ -2,7 +2,7 @@
 
 use relief_core::registry::{Entry, Guarantee, Guarantees, Publication, RayClass};
 
-use super::{Names, Paths, Proposal, Refused, Shown};
+use super::{OF_IMAGES_REFUSE, Paths, Proposal, Shown};
 
 /// Images of an object, each of which is a relief on a plane of its own.
 pub const ENTRY: Entry = Entry {
@@ -24,31 +24,5 @@ pub const PATHS: Paths = Paths {
     rays: &[RayClass::View, RayClass::Shadow],
     proposal: Proposal::Shells,
     shown: Shown::Object,
-    refused: &[
-        Refused {
-            stage: "search",
-            names: Names::AllBut(&["cells", "pyramid"]),
-            reason: "rays come into images from all sides: choose 'cells' or 'pyramid'",
-        },
-        Refused {
-            stage: "refine",
-            names: Names::AllBut(&["patch"]),
-            reason: "heights of images jump from cell to cell: choose 'patch'",
-        },
-        Refused {
-            stage: "detail",
-            names: Names::AllBut(&["none"]),
-            reason: "images lie side by side in one, and would be mixed in coarser levels",
-        },
-        Refused {
-            stage: "shadow",
-            names: Names::AllBut(&["none", "map", "scene"]),
-            reason: "one image alone does not know the object: choose 'map', 'scene' or 'none'",
-        },
-        Refused {
-            stage: "ambient",
-            names: Names::AllBut(&["constant", "environment"]),
-            reason: "one image alone does not know what is around a point of the object",
-        },
-    ],
+    refused: OF_IMAGES_REFUSE,
 };

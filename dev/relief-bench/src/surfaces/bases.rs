@@ -90,7 +90,8 @@ fn sheared(mesh: &Mesh) -> Result<Mesh, MeshError> {
 }
 
 /// The mesh of the file, as large as the others.
-fn spot() -> Result<Option<Mesh>, String> {
+/// The mesh spot; none, which is said, where the folder of real data is missing.
+pub fn spot() -> Result<Option<Mesh>, String> {
     match data_dir().map(|folder| folder.join(SPOT)).filter(|path| path.is_file()) {
         Some(path) => from_file(&path).map(Some),
         None => {

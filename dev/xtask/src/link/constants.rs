@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use relief_core::encoding::cone::HALF_RATIO;
 use relief_core::encoding::seen_normal;
-use relief_core::object::{EMPTY_HEIGHT, JumpCells};
+use relief_core::object::{EMPTY_HEIGHT, JumpCells, LEAST_COVER, LEAST_FACING};
 use relief_core::{FoundState, RayUse, SliceAxis, Wrap};
 use relief_shaders::object::MASK_CELLS;
 use relief_shaders::{LightRayState, MAX_LIGHT_VIEWS, MAX_LIGHTS, MapSlot, OBJECT, STAGES, surface, wgsl};
@@ -54,6 +54,8 @@ pub fn module() -> String {
     constant("STAGE_OBJECT", OBJECT as u32);
     constant("STAGES", STAGES.len() as u32);
     let _ = writeln!(text, "const EMPTY_HEIGHT = {:?};", EMPTY_HEIGHT as f32);
+    let _ = writeln!(text, "const LEAST_FRAME_FACING = {:?};", LEAST_FACING as f32);
+    let _ = writeln!(text, "const LEAST_FRAME_COVER = {:?};", LEAST_COVER as f32);
     let _ = writeln!(text, "const CONE_HALF_RATIO = {HALF_RATIO:?};");
     text
 }

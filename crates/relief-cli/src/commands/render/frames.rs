@@ -171,7 +171,8 @@ impl Sequence<'_> {
         if !self.numbering.has_frames(self.spec) {
             return Err(Failure::usage(
                 "--frames: nothing in the scene is another in each frame: give the number a place in the \
-                 name of a file, as in --height height_%04d.png or the key object = \"walk/%04d/object.toml\"",
+                 name of a file, as in --height height_%04d.png or the key \
+                 object = \"walk/%04d/object.toml\"",
             ));
         }
         let in_files_of_meshes = self.numbering.has_frames_of_meshes(self.spec);

@@ -115,8 +115,8 @@ impl Picture<'_> {
             } else {
                 writeln!(
                     out,
-                    "scale {scale_m} m: by the metres that the height map's file states it is deeper than any \
-                     ground, perhaps for a wrong unit; --scale {exact_m} is true to them"
+                    "scale {scale_m} m: by the metres that the height map's file states it is deeper than \
+                     any ground, perhaps for a wrong unit; --scale {exact_m} is true to them"
                 )?;
             }
         }
@@ -136,7 +136,8 @@ impl Picture<'_> {
         if exhausted > 0 {
             writeln!(
                 out,
-                "{exhausted} of {covered} pixels ran out of steps: raise search.limit or search.steps with --set"
+                "{exhausted} of {covered} pixels ran out of steps: raise search.limit or search.steps \
+                 with --set"
             )?;
         }
         Ok(())

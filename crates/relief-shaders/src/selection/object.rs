@@ -1,0 +1,87 @@
+//! What goes with objects of images.
+
+use super::{
+    CELLS, Choice, FRAMES, IMAGES, LIGHT_MAP, NO_REFINEMENT, NO_SEARCH, OBJECT, OBJECT_SHADOW_SIZE, OF_DEPTH,
+    PATCH, PYRAMID, REFINE, SEARCH, SHADOW, STAGES, SURFACE, Selection, Shown,
+};
+use crate::object::{ObjectCells, Solid};
+
+impl Selection {
+    /// How the images of an object are read, where one is shown.
+    pub fn object_cells(&self) -> Option<ObjectCells> {
+        let is_shown = self.shown_by_geometry() == Shown::Object;
+        let Choice { entry, params, .. } = &self.choices[OBJECT];
+        is_shown.then(|| ObjectCells::of(entry.name, *params))
+    }
+
+    /// Whether all images of an object are asked, and not only some of them that a grid tells.
+    pub fn asks_all_images(&self) -> bool {
+        self.object_cells().is_some() && self.choices[SURFACE].number as usize == IMAGES
+    }
+
+    /// Whether frames of a grid are asked, which an object's images must make.
+    pub fn needs_grid(&self) -> bool {
+        let is_of_frames = self.choices[SURFACE].number as usize == FRAMES;
+        self.object_cells().is_some_and(|object| is_of_frames || object.has_blended_colors)
+    }
+
+    /// Whether normals are blended of several images'.
+    pub fn blends_normals(&self) -> bool {
+        self.object_cells().is_some_and(|object| object.solid == Solid::Blend)
+    }
+
+    /// The same with a surface, a search and a shadow for the intersection of what images see.
+    pub(super) fn with_stages_for_object(mut self) -> Self {
+        for (stage, number) in
+            [(SURFACE, IMAGES), (OBJECT, OF_DEPTH), (SEARCH, PYRAMID), (REFINE, PATCH), (SHADOW, LIGHT_MAP)]
+        {
+            self.choices[stage] = Choice::new(&STAGES[stage], number);
+        }
+        if let Some((place, _)) = self.choices[SHADOW].entry.param("size") {
+            self.choices[SHADOW].params[place] = OBJECT_SHADOW_SIZE;
+        }
+        self.with_search_for_shadows()
+    }
+
+    /// The same with a surface and a search that serve what is made of the images, where those that are chosen
+    /// do not.
+    pub(super) fn with_search_for_object(mut self) -> Self {
+        let Some(object) = self.object_cells() else { return self };
+        let mut choose = |stage: usize, number: usize| {
+            self.choices[stage] = Choice::new(&STAGES[stage], number);
+        };
+        if object.solid == Solid::Blend {
+            choose(SURFACE, FRAMES);
+            choose(SEARCH, NO_SEARCH);
+            choose(REFINE, NO_REFINEMENT);
+            return self.with_search_for_shadows();
+        }
+        let search = self.choices[SEARCH].number as usize;
+        if search == NO_SEARCH || (search == PYRAMID && !object.is_under_texels()) {
+            let number = if object.is_under_texels() { PYRAMID } else { CELLS };
+            self.choices[SEARCH] = Choice::new(&STAGES[SEARCH], number);
+            self.choices[REFINE] = Choice::new(&STAGES[REFINE], PATCH);
+            return self.with_search_for_shadows();
+        }
+        self
+    }
+
+    /// The stage that does not go with what is made of the images, and why.
+    pub(super) fn at_odds_with_object(&self) -> Option<(usize, &'static str)> {
+        let object = self.object_cells()?;
+        let [surface, search, refine] = [SURFACE, SEARCH, REFINE].map(|at| self.choices[at].number as usize);
+        if object.solid == Solid::Blend {
+            let blended = "frames are blended without one: choose 'none'";
+            return (surface != FRAMES)
+                .then_some((OBJECT, "only the surface 'frames' has frames that can be blended"))
+                .or((search != NO_SEARCH).then_some((SEARCH, blended)))
+                .or((refine != NO_REFINEMENT).then_some((REFINE, blended)));
+        }
+        let nodes = "its nodes bound heights between texels, not silhouettes or steps: choose 'cells'";
+        (search == NO_SEARCH)
+            .then_some((SEARCH, "images are searched: choose 'cells' or 'pyramid'"))
+            .or((refine == NO_REFINEMENT)
+                .then_some((REFINE, "heights jump from cell to cell: choose 'patch'")))
+            .or((search == PYRAMID && !object.is_under_texels()).then_some((SEARCH, nodes)))
+    }
+}
