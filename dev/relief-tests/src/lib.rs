@@ -16,6 +16,7 @@ pub mod glb;
 pub mod judge;
 pub mod maps;
 pub mod mesh_distance;
+pub mod object_pictures;
 pub mod objects;
 pub mod one_source;
 pub mod outline;

@@ -1,8 +1,8 @@
 //! What goes with objects of images.
 
 use super::{
-    CELLS, Choice, FRAMES, IMAGES, LIGHT_MAP, NO_REFINEMENT, NO_SEARCH, OBJECT, OBJECT_SHADOW_SIZE, OF_DEPTH,
-    PATCH, PYRAMID, REFINE, SEARCH, SHADOW, STAGES, SURFACE, Selection, Shown,
+    CELLS, Choice, FRAMES, IMAGES, LIGHT_MAP, NO_REFINEMENT, NO_SEARCH, NO_SHADOW, OBJECT,
+    OBJECT_SHADOW_SIZE, OF_DEPTH, PATCH, PYRAMID, REFINE, SEARCH, SHADOW, STAGES, SURFACE, Selection, Shown,
 };
 use crate::object::{ObjectCells, Solid};
 
@@ -47,14 +47,18 @@ impl Selection {
     /// do not.
     pub(super) fn with_search_for_object(mut self) -> Self {
         let Some(object) = self.object_cells() else { return self };
-        let mut choose = |stage: usize, number: usize| {
-            self.choices[stage] = Choice::new(&STAGES[stage], number);
-        };
-        if object.solid == Solid::Blend {
-            choose(SURFACE, FRAMES);
-            choose(SEARCH, NO_SEARCH);
-            choose(REFINE, NO_REFINEMENT);
+        let is_blended = self.choices[SEARCH].number as usize == NO_SEARCH;
+        if object.solid == Solid::Blend && !is_blended {
+            // What lights see of blends lies elsewhere than what eyes do, and would shade all of it.
+            let chosen =
+                [(SURFACE, FRAMES), (SEARCH, NO_SEARCH), (REFINE, NO_REFINEMENT), (SHADOW, NO_SHADOW)];
+            for (stage, number) in chosen {
+                self.choices[stage] = Choice::new(&STAGES[stage], number);
+            }
             return self.with_search_for_shadows();
+        }
+        if object.solid == Solid::Blend {
+            return self;
         }
         let search = self.choices[SEARCH].number as usize;
         if search == NO_SEARCH || (search == PYRAMID && !object.is_under_texels()) {

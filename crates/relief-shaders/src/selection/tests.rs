@@ -227,6 +227,12 @@ fn objects_have_a_search_that_serves_what_is_made_of_their_images() {
         selection.choose(stage, name).expect("a listed name");
         assert!(matches!(selection.check(), Err(SelectionError::Surface { .. })), "{method} {name}");
     }
+    // A shadow that was chosen for a blend stays.
+    let (_, mut selection) = with("impostor-blend", &[]);
+    assert!(!selection.has_shadows());
+    selection.choose("shadow", "map").expect("a listed name");
+    selection.set("object.steps", 1.0).expect("a setting");
+    assert!(selection.has_shadows() && selection.check().is_ok());
     let asks = |method: &str| {
         let selection = with(method, &[]).1;
         (selection.asks_all_images(), selection.needs_grid())
