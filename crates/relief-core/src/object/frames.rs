@@ -6,7 +6,8 @@ use super::patch::Solid;
 use super::{EMPTY_HEIGHT, FrameGrid, ImageObject, ObjectHit};
 use crate::raycast::Ray;
 
-/// The least cosine between a frame's direction and the ray's for the frame to count: others are seen edge on.
+/// The least cosine between a frame's direction and the ray's for the frame to count: others are seen edge
+/// on.
 pub const LEAST_FACING: f64 = 0.05;
 
 /// The part of three frames, by their weights, that must show something.
@@ -41,9 +42,9 @@ impl ObjectFrames<'_> {
 
     /// Where a ray meets the impostor that game engines draw, in units of its direction, from 0 on.
     ///
-    /// In each frame the ray meets the plane through the ball's middle. From there it is moved so many steps to
-    /// the plane of the height that the frame shows where it is (parallax mapping). What the three frames show
-    /// there is blended by their weights: whether there is something, and how far along the ray. An
+    /// In each frame the ray meets the plane through the ball's middle. From there it is moved so many steps
+    /// to the plane of the height that the frame shows where it is (parallax mapping). What the three frames
+    /// show there is blended by their weights: whether there is something, and how far along the ray. An
     /// approximation without any bound (Brucks 2018): frames do not agree on what is seen, and their outlines
     /// are mixed.
     pub fn blended(&self, ray: &Ray, steps: u32) -> Option<f64> {

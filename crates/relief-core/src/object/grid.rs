@@ -7,8 +7,8 @@ use super::View;
 /// How a square of frames is folded over the directions that they look from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum GridMapping {
-    /// From all around: places from -1 to 1 are `x` and `z` of `(x, 1 - |x| - |z|, z)`, and what lies below is
-    /// folded over the diagonals of the lower half (Engelhardt and Dachsbacher 2008).
+    /// From all around: places from -1 to 1 are `x` and `z` of `(x, 1 - |x| - |z|, z)`, and what lies below
+    /// is folded over the diagonals of the lower half (Engelhardt and Dachsbacher 2008).
     Octahedral,
     /// From above and from the horizon: with places `a` and `b` from 0 to 1, `x = a - b` and `z = a + b - 1`,
     /// and as above.

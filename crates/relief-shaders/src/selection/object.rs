@@ -43,8 +43,8 @@ impl Selection {
         self.with_search_for_shadows()
     }
 
-    /// The same with a surface and a search that serve what is made of the images, where those that are chosen
-    /// do not.
+    /// The same with a surface and a search that serve what is made of the images, where those that are
+    /// chosen do not.
     pub(super) fn with_search_for_object(mut self) -> Self {
         let Some(object) = self.object_cells() else { return self };
         let is_blended = self.choices[SEARCH].number as usize == NO_SEARCH;
