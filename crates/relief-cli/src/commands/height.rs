@@ -1,10 +1,12 @@
-//! `relief height`: height maps from normal maps, photographs and pairs of meshes, and for a mesh.
+//! `relief height`: height maps from normal maps, photographs, pairs of meshes and images of objects, and for
+//! a mesh.
 
 mod described;
 mod for_mesh;
 mod from_meshes;
 mod from_normals;
 mod from_photos;
+mod from_view;
 mod lights;
 mod output;
 
@@ -38,6 +40,8 @@ enum Origin {
     FromPhotos(Box<from_photos::Arguments>),
     /// Find the heights that displace a simple mesh onto a detailed one
     FromMeshes(Box<from_meshes::Arguments>),
+    /// Take an image of a captured object for a height map
+    FromView(Box<from_view::Arguments>),
     /// Make of a height map one for a mesh: over its smooth base, or without what it does not show
     ForMesh(Box<for_mesh::Arguments>),
 }
@@ -45,7 +49,8 @@ enum Origin {
 const AFTER_HELP: &str = "Examples:\n  relief height from-normals rock_normal.png -o rock.exr\n  \
     relief height from-normals wall_dx.png --green down --wrap clamp --texel-size 0.002 -o wall.png\n  \
     relief height from-photos lights.toml -o coin.exr --normals coin_normal.png --albedo coin_color.png\n  \
-    relief height from-meshes --low rock_low.glb --high rock_scan.ply --size 2048x2048 -o rock.exr\n\n\
+    relief height from-meshes --low rock_low.glb --high rock_scan.ply --size 2048x2048 -o rock.exr\n  \
+    relief height from-view spot/object.toml --view 5 -o front.exr\n\n\
     `relief height from-photos --help` shows a file of lights.";
 
 /// What a height map says of its texels, at the end of both helps.
@@ -142,6 +147,7 @@ impl Arguments {
             Origin::FromNormals(arguments) => arguments.files(),
             Origin::FromPhotos(arguments) => arguments.files(),
             Origin::FromMeshes(arguments) => arguments.files(),
+            Origin::FromView(arguments) => arguments.files(),
             Origin::ForMesh(arguments) => arguments.files(),
         }
     }
@@ -152,6 +158,7 @@ impl Arguments {
             Origin::FromNormals(arguments) => arguments.common.json,
             Origin::FromPhotos(arguments) => arguments.common.json,
             Origin::FromMeshes(arguments) => arguments.json,
+            Origin::FromView(arguments) => arguments.json,
             Origin::ForMesh(arguments) => arguments.json,
         }
     }
@@ -163,6 +170,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Origin::FromNormals(arguments) => from_normals::run(arguments),
         Origin::FromPhotos(arguments) => from_photos::run(arguments),
         Origin::FromMeshes(arguments) => from_meshes::run(arguments),
+        Origin::FromView(arguments) => from_view::run(arguments),
         Origin::ForMesh(arguments) => for_mesh::run(arguments),
     }
 }

@@ -14,14 +14,14 @@ use relief_core::raycast::RayCaster;
 use relief_core::{ByteSize, HeightMap, Wrap};
 use relief_io::file_set::is_same_file;
 use relief_io::{
-    DEFAULT_MAX_BYTES, HeightNote, MeshOptions, Metadata, ReadError, ReadProblem, read_mesh, read_raw_mesh,
+    DEFAULT_MAX_BYTES, HeightNote, MeshOptions, ReadError, ReadProblem, read_mesh, read_raw_mesh,
 };
 use relief_render::scene::MeshChoice;
 use serde_json::json;
 
 use super::check_memory;
 use super::described::{Described, SURVEYED};
-use super::output::{Content, Format, Output};
+use super::output::{Content, Format, NORMAL_SPACE, Output, coded, metadata};
 use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::interrupt::{self, cancelled};
@@ -300,24 +300,11 @@ impl Arguments {
         described.content(output)
     }
 
-    /// Normals as a file of that format holds them: fractions in PNG, themselves in EXR.
-    fn normals_content(&self, mut planes: [Vec<f32>; 3], output: &Output) -> Result<Content, Failure> {
-        if output.format == Format::Png {
-            planes.iter_mut().flatten().for_each(|value| *value = 0.5 * *value + 0.5);
-        }
-        let [width, height] = self.size;
-        let entries = [
-            ("kind", "mesh-normal".to_owned()),
-            ("mesh", self.low.to_string()),
-            ("detailed_mesh", self.high.to_string()),
-            ("size", format!("{width} {height} 1")),
-            ("note.space", "tangent, +y up in the picture".to_owned()),
-            ("published", SURVEYED.to_owned()),
-            ("generator", concat!("relief ", env!("CARGO_PKG_VERSION")).to_owned()),
-        ];
-        let entries = entries.map(|(name, value)| (format!("relief.{name}"), value));
-        let metadata = Metadata::new(entries.into()).map_err(|problem| Failure::Work(problem.to_string()))?;
-        Ok(Content { size: self.size, names: &["R", "G", "B"], planes: planes.into(), bits: 16, metadata })
+    fn normals_content(&self, planes: [Vec<f32>; 3], output: &Output) -> Result<Content, Failure> {
+        let meshes = vec![("mesh", self.low.to_string()), ("detailed_mesh", self.high.to_string())];
+        let metadata = metadata("mesh-normal", meshes, self.size, NORMAL_SPACE, SURVEYED)?;
+        let planes = coded(planes, output.format);
+        Ok(Content { size: self.size, names: &["R", "G", "B"], planes, bits: 16, metadata })
     }
 
     fn tell(

@@ -10,10 +10,10 @@ use relief_bake::from_normals::{Integration, NormalSlopes, heights_from_slopes};
 use relief_bake::kind::normal::Axes;
 use relief_bake::photometric::{ColourAlbedo, Photo, PhotometricError, Photometry, normals_from_photos};
 use relief_io::file_set::is_same_file;
-use relief_io::{Metadata, Picture, linear_to_srgb, read_picture_as};
+use relief_io::{Picture, read_picture_as};
 
 use super::lights::Lights;
-use super::output::{Content, Format, Output};
+use super::output::{Content, Format, NORMAL_SPACE, Output, coded, color_space, encoded, metadata};
 use super::{Common, Relief, WRITTEN, of_integration, of_photos};
 use crate::advice;
 use crate::commands::staged::Staged;
@@ -284,37 +284,14 @@ fn colours(
         albedo.add(photo, &picture.texels);
     }
     let planes = albedo.finish(size).into();
-    let transfer = if output.format == Format::Png { "sRGB" } else { "linear" };
-    let metadata = metadata("albedo", size, transfer)?;
+    let metadata = metadata("albedo", Vec::new(), size, color_space(output.format), PUBLISHED)?;
     Ok(Content { size, names: &["R", "G", "B"], planes, bits: 8, metadata })
 }
 
-/// Colours as a file of that format holds them.
-fn encoded(mut content: Content, format: Format) -> Content {
-    if format == Format::Png {
-        let values = content.planes.iter_mut().flatten();
-        values.for_each(|value| *value = linear_to_srgb(f64::from(value.clamp(0.0, 1.0))) as f32);
-    }
-    content
+fn normal_map(planes: [Vec<f32>; 3], size: [u32; 2], format: Format) -> Result<Content, Failure> {
+    let metadata = metadata("photometric-normal", Vec::new(), size, NORMAL_SPACE, PUBLISHED)?;
+    Ok(Content { size, names: &["R", "G", "B"], planes: coded(planes, format), bits: 16, metadata })
 }
 
-/// Normals as a file of that format holds them: fractions in PNG, themselves in EXR.
-fn normal_map(mut planes: [Vec<f32>; 3], size: [u32; 2], format: Format) -> Result<Content, Failure> {
-    if format == Format::Png {
-        planes.iter_mut().flatten().for_each(|value| *value = 0.5 * *value + 0.5);
-    }
-    let metadata = metadata("photometric-normal", size, "tangent, +y up in the picture")?;
-    Ok(Content { size, names: &["R", "G", "B"], planes: planes.into(), bits: 16, metadata })
-}
-
-fn metadata(kind: &str, [width, height]: [u32; 2], space: &str) -> Result<Metadata, Failure> {
-    let entries = [
-        ("kind", kind.to_owned()),
-        ("size", format!("{width} {height} 1")),
-        ("note.space", space.to_owned()),
-        ("published", "Woodham 1980".to_owned()),
-        ("generator", concat!("relief ", env!("CARGO_PKG_VERSION")).to_owned()),
-    ];
-    let entries = entries.map(|(name, value)| (format!("relief.{name}"), value));
-    Metadata::new(entries.into()).map_err(|problem| Failure::Work(problem.to_string()))
-}
+/// Where albedo and normals of photographs were published.
+const PUBLISHED: &str = "Woodham 1980";

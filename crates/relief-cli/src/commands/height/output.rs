@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::ValueEnum;
-use relief_io::{Metadata, PngTexture, write_exr_rows, write_png_rows};
+use relief_io::{Metadata, PngTexture, linear_to_srgb, write_exr_rows, write_png_rows};
 
 use crate::commands::staged::{Staged, format_of};
 use crate::failure::Failure;
@@ -25,6 +25,54 @@ impl Format {
             Self::Png => "png",
             Self::Exr => "exr",
         }
+    }
+}
+
+/// Colours of linear light as a file of that format holds them: in sRGB in PNG, themselves in EXR.
+pub fn encoded(mut content: Content, format: Format) -> Content {
+    if format == Format::Png {
+        let values = content.planes.iter_mut().flatten();
+        values.for_each(|value| *value = linear_to_srgb(f64::from(value.clamp(0.0, 1.0))) as f32);
+    }
+    content
+}
+
+/// Normals as a file of that format holds them: fractions in PNG, themselves in EXR.
+pub fn coded(mut planes: [Vec<f32>; 3], format: Format) -> Vec<Vec<f32>> {
+    if format == Format::Png {
+        planes.iter_mut().flatten().for_each(|value| *value = 0.5 * *value + 0.5);
+    }
+    planes.into()
+}
+
+/// What is said of a picture that goes with a height map, and `more` of what it was made of.
+pub fn metadata(
+    kind: &str,
+    more: Vec<(&str, String)>,
+    [width, height]: [u32; 2],
+    space: &str,
+    published: &str,
+) -> Result<Metadata, Failure> {
+    let kind = [("kind", kind.to_owned())];
+    let rest = [
+        ("size", format!("{width} {height} 1")),
+        ("note.space", space.to_owned()),
+        ("published", published.to_owned()),
+        ("generator", concat!("relief ", env!("CARGO_PKG_VERSION")).to_owned()),
+    ];
+    let entries = kind.into_iter().chain(more).chain(rest);
+    let entries = entries.map(|(name, value)| (format!("relief.{name}"), value)).collect();
+    Metadata::new(entries).map_err(|problem| Failure::Work(problem.to_string()))
+}
+
+/// The space of normals, as metadata say it.
+pub const NORMAL_SPACE: &str = "tangent, +y up in the picture";
+
+/// How colours are stored in a file of that format, as metadata say it.
+pub const fn color_space(format: Format) -> &'static str {
+    match format {
+        Format::Png => "sRGB",
+        Format::Exr => "linear",
     }
 }
 
