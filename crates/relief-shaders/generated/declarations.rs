@@ -228,8 +228,8 @@ pub const MODULES: &[Module] = &[
 // Kautz and Seidel 2001, section 3.2.
 "# },
     Module { path: "object/blend", head: r#"// An impostor as game engines draw it: in each of the three frames that look along the ray most the ray meets
-// the plane through the middle, is moved some times to the plane of the height that the frame shows there, and
-// what all three show is blended by their weights, whether there is something and how far away.
+// the plane through the middle, and is moved some times to the plane of the height that it shows there. What
+// all three show is blended by their weights: whether there is something, and how far away.
 //
 // Brucks 2018. Frames do not agree on what is seen, so that outlines are mixed and depths lie between them.
 "# },
