@@ -12,7 +12,6 @@ use relief_bake::from_meshes::{
 use relief_core::mesh::{FramingError, Mesh, UvProjection};
 use relief_core::raycast::RayCaster;
 use relief_core::{ByteSize, HeightMap, Wrap};
-use relief_io::file_set::is_same_file;
 use relief_io::{
     DEFAULT_MAX_BYTES, HeightNote, MeshOptions, ReadError, ReadProblem, read_mesh, read_raw_mesh,
 };
@@ -21,7 +20,7 @@ use serde_json::json;
 
 use super::check_memory;
 use super::described::{Described, SURVEYED};
-use super::output::{Content, Format, NORMAL_SPACE, Output, coded, metadata};
+use super::output::{Content, Format, NORMAL_SPACE, Output, check_distinct, coded, metadata};
 use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::interrupt::{self, cancelled};
@@ -164,9 +163,7 @@ impl Arguments {
     /// Where normals go.
     fn normals_output(&self) -> Result<Option<Output>, Failure> {
         let Some(path) = &self.normals else { return Ok(None) };
-        if is_same_file(&self.output, path) {
-            return Err(Failure::Usage(format!("{} is named for two outputs", path.display())));
-        }
+        check_distinct([Some(&self.output), Some(path)])?;
         Output::new("--normals", path, &self.inputs()).map(Some)
     }
 

@@ -9,11 +9,12 @@ use relief_bake::Progress as BakeProgress;
 use relief_bake::from_normals::{Integration, NormalSlopes, heights_from_slopes};
 use relief_bake::kind::normal::Axes;
 use relief_bake::photometric::{ColourAlbedo, Photo, PhotometricError, Photometry, normals_from_photos};
-use relief_io::file_set::is_same_file;
 use relief_io::{Picture, read_picture_as};
 
 use super::lights::Lights;
-use super::output::{Content, Format, NORMAL_SPACE, Output, coded, color_space, encoded, metadata};
+use super::output::{
+    Content, Format, NORMAL_SPACE, Output, check_distinct, coded, color_space, encoded, metadata,
+};
 use super::{Common, Relief, WRITTEN, of_integration, of_photos};
 use crate::advice;
 use crate::commands::staged::Staged;
@@ -191,13 +192,7 @@ impl Arguments {
             normals: optional("--normals", &self.normals)?,
             albedo: optional("--albedo", &self.albedo)?,
         };
-        let named = [Some(&self.output), self.normals.as_ref(), self.albedo.as_ref()];
-        for (at, path) in named.iter().enumerate() {
-            let Some(path) = path else { continue };
-            if named[..at].iter().flatten().any(|other| is_same_file(other, path)) {
-                return Err(Failure::Usage(format!("{} is named for two outputs", path.display())));
-            }
-        }
+        check_distinct([Some(&self.output), self.normals.as_ref(), self.albedo.as_ref()])?;
         Ok(outputs)
     }
 }

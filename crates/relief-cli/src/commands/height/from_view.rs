@@ -7,14 +7,15 @@ use std::time::Instant;
 use clap::Args;
 use relief_core::object::{ImageObject, View};
 use relief_core::{ByteSize, Wrap};
-use relief_io::file_set::is_same_file;
 use relief_io::{DEFAULT_MAX_BYTES, HeightNote};
 use relief_object::{ObjectFile, ObjectOptions, read_object};
 use serde_json::json;
 
 use super::check_memory;
 use super::described::{Described, SURVEYED};
-use super::output::{Content, Format, NORMAL_SPACE, Output, coded, color_space, encoded, metadata};
+use super::output::{
+    Content, Format, NORMAL_SPACE, Output, check_distinct, coded, color_space, encoded, metadata,
+};
 use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -59,11 +60,10 @@ pub struct Arguments {
 const AFTER_HELP: &str = "Examples:\n  \
     relief height from-view spot/object.toml --view 5 -o front.exr --albedo front.png\n  \
     relief height from-view spot/object.toml --view 5 --holes -o front.exr\n\n\
-    The map is as deep as it is wide, and lies below its plane. On the built-in `plane`, which is a metre long, \
-    `relief render --height front.exr --wrap clamp` shows what the image saw; on one of another size scale and bias go \
-    with it. Where it saw \
-    nothing is the floor, or with --holes no value, which `relief render --holes` sees through; only EXR \
-    holds that.";
+    The map is as deep as it is wide, and lies below its plane. On the built-in `plane`, which is a metre \
+    long, `relief render --height front.exr --wrap clamp` shows what the image saw; on one of another size \
+    scale and bias go with it. Where it saw nothing is the floor, or with --holes no value, which `relief \
+    render --holes` sees through; only EXR holds that.";
 
 /// Reads and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -102,9 +102,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             let about = json!({
                 "object": arguments.object.display().to_string(), "view": arguments.view,
                 "output": outputs.heights.path.display().to_string(), "normals": name(&arguments.normals),
-                "albedo": name(&arguments.albedo), "width": width, "height": height, "seen": seen, "width_m": image.width_m(),
-                "scale_m": scale_m, "bias_m": bias_m, "tile_m": tile_m, "from": image.view.axes()[2].to_array(),
-                "seconds": seconds,
+                "albedo": name(&arguments.albedo), "width": width, "height": height, "seen": seen,
+                "width_m": image.width_m(), "scale_m": scale_m, "bias_m": bias_m, "tile_m": tile_m,
+                "from": image.view.axes()[2].to_array(), "seconds": seconds,
             });
             writeln!(out, "{about:#}")?;
             return Ok(());
@@ -161,8 +161,8 @@ impl Image<'_> {
         2.0 * self.view.ball().1
     }
 
-    /// The texels from 0 to 1, those that see nothing without a value where these are holes, and what they are
-    /// on a plane whose longer side is a metre, as the built-in one's is: it lies above all of them.
+    /// The texels from 0 to 1, and what they are on a plane whose longer side is a metre, as the built-in
+    /// one's is: it lies above all of them. Where there are holes, texels that see nothing have no value.
     fn heights(&self, has_holes: bool) -> (Vec<f32>, HeightNote) {
         let is_valued = |texel: &f32| !has_holes || *texel > 0.0;
         let valued = || self.texels().filter(is_valued);
@@ -198,13 +198,7 @@ impl Arguments {
                 "a PNG holds no texels without a value, which --holes leaves: write an EXR",
             ));
         }
-        let named = [Some(&self.output), self.normals.as_ref(), self.albedo.as_ref()];
-        let named: Vec<&PathBuf> = named.into_iter().flatten().collect();
-        for (at, path) in named.iter().enumerate() {
-            if named[..at].iter().any(|other| is_same_file(other, path)) {
-                return Err(Failure::Usage(format!("{} is named for two outputs", path.display())));
-            }
-        }
+        check_distinct([Some(&self.output), self.normals.as_ref(), self.albedo.as_ref()])?;
         let optional = |flag: &str, path: &Option<PathBuf>| {
             path.as_ref().map(|path| Output::new(flag, path, &inputs)).transpose()
         };
@@ -225,8 +219,8 @@ impl Arguments {
         };
         if view.eye().is_some() {
             return Err(Failure::Work(format!(
-                "{}: image {} is perspective, and its heights go by inverse distances: a height map on a plane \
-                 has straight ones, as images by parallel rays have",
+                "{}: image {} is perspective, and its heights go by inverse distances: a height map on a \
+                 plane has straight ones, as images by parallel rays have",
                 self.object.display(),
                 self.view
             )));

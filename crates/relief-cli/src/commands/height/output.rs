@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::ValueEnum;
+use relief_io::file_set::is_same_file;
 use relief_io::{Metadata, PngTexture, linear_to_srgb, write_exr_rows, write_png_rows};
 
 use crate::commands::staged::{Staged, format_of};
@@ -26,6 +27,17 @@ impl Format {
             Self::Exr => "exr",
         }
     }
+}
+
+/// Refuses outputs of which two are the same file.
+pub fn check_distinct<const N: usize>(named: [Option<&PathBuf>; N]) -> Result<(), Failure> {
+    for (at, path) in named.iter().enumerate() {
+        let Some(path) = path else { continue };
+        if named[..at].iter().flatten().any(|other| is_same_file(other, path)) {
+            return Err(Failure::Usage(format!("{} is named for two outputs", path.display())));
+        }
+    }
+    Ok(())
 }
 
 /// Colours of linear light as a file of that format holds them: in sRGB in PNG, themselves in EXR.
