@@ -63,7 +63,9 @@ pub use interior::{INTERIORS, Interior, check_pair, interior};
 pub use mesher::Mesher;
 pub use relief_core::Watch;
 pub use settings::{MeshSettings, Part};
-pub use slices::{SliceAnchor, SliceBlock, SliceDirection, SliceError, SliceSettings, SliceVertex, Slicer};
+pub use slices::{
+    BoxSlice, BoxSlicer, SliceAnchor, SliceBlock, SliceDirection, SliceError, SliceSettings, SliceVertex, Slicer,
+};
 pub use stream::{Bounds, Rounded, Stream, Streamed};
 pub use triangles::{BaseTables, TableEdge, TablePatch, TableVertex};
 pub use view::{GridSpace, View};

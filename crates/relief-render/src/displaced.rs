@@ -5,6 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use relief_core::HeightMap;
 use relief_core::mesh::{Mesh, Vertex};
+use relief_core::object::ImageObject;
 use relief_mesh::{
     Cull, MeshSettings, Mesher, MesherError, Outside, SliceError, SliceSettings, Stream, StreamError, View,
     Watch,
@@ -68,6 +69,8 @@ pub enum GeometryError {
 struct DisplacedOf {
     mesh: Arc<Mesh>,
     map: Arc<HeightMap>,
+    /// What images look at where there are any.
+    object: Option<Arc<ImageObject>>,
     cut: Cut,
 }
 
@@ -81,6 +84,8 @@ enum Cut {
     Tessellated(View, u32, Cull),
     /// By slices through the relief.
     Sliced(SliceSettings),
+    /// By slices through the box around an object.
+    SlicedBox(SliceSettings),
 }
 
 impl DisplacedOf {
@@ -99,8 +104,10 @@ impl DisplacedOf {
                 Cut::Tessellated(view, selection.levels_of(map), cull)
             }
             Geometry::Slices(slices) => Cut::Sliced(sliced::settings(slices, scene)),
+            Geometry::ObjectSlices(slices) => Cut::SlicedBox(sliced::settings(slices, scene)),
         };
-        Some(Self { mesh: Arc::clone(surface.mesh()), map: Arc::clone(map), cut })
+        let object = surface.object().map(|object| Arc::clone(object.object()));
+        Some(Self { mesh: Arc::clone(surface.mesh()), map: Arc::clone(map), object, cut })
     }
 
     fn is(&self, other: &Self) -> bool {
@@ -120,7 +127,7 @@ impl DisplacedOf {
         match self.cut {
             Cut::Texels(_) => "a larger 'geometry.texels'",
             Cut::Seen(..) | Cut::Tessellated(..) => "a larger 'geometry.pixels'",
-            Cut::Sliced(_) => sliced::FEWER,
+            Cut::Sliced(_) | Cut::SlicedBox(_) => sliced::FEWER,
         }
     }
 
@@ -241,6 +248,10 @@ impl Displaced {
                     mesher.map_err(|error| of.error(error)).and_then(|mesher| made(&of, &mesher, left, watch))
                 }
                 Cut::Sliced(settings) => sliced::triangles(&of.mesh, &of.map, settings, left, &watch),
+                Cut::SlicedBox(settings) => match &of.object {
+                    Some(object) => sliced::triangles_of_object(&of.mesh, object, settings, left, &watch),
+                    None => Err(Some(GeometryError::Slices(SliceError::Together))),
+                },
                 Cut::Tessellated(view, levels, cull) => {
                     let known = self.bases.iter().find(|known| known.of.has_base_of(&of));
                     let base = match known.map(|known| Arc::clone(&known.base)) {

@@ -10,7 +10,6 @@ use relief_io::Picture;
 use relief_maps::{Account, Maps, MapsError, Watch};
 use relief_shaders::cpu::{Frame, Light as ShaderLight, SurfaceSettings};
 use relief_shaders::object::{MASK_CELLS, ObjectCells, Solid};
-use relief_shaders::surface::Shown;
 use relief_shaders::{MapNeed, MapSlot, SlotMaps};
 
 use crate::displaced::Displaced;
@@ -110,7 +109,7 @@ impl Preparer {
                 normal_map,
                 maps,
                 // Slices have no back.
-                two_sided: surface.two_sided() || surface.selection().paths().shown == Shown::Slices,
+                two_sided: surface.two_sided() || surface.selection().paths().is_sliced(),
             }
         });
         let surfaces: Vec<JobSurface> = surfaces.collect();

@@ -1,11 +1,14 @@
-//! Slices through relief: the triangles that the geometry `slices` makes of base meshes and height maps.
+//! Slices through relief: the triangles that the geometry `slices` makes of base meshes and height maps; and
+//! those through objects, which `object-slices` makes of the box around them.
 
 use std::sync::Arc;
 
+use glam::DVec3;
 use relief_core::HeightMap;
-use relief_core::mesh::Mesh;
+use relief_core::mesh::{Mesh, Vertex};
+use relief_core::object::ImageObject;
 use relief_mesh::{
-    SliceAnchor, SliceDirection as Slicing, SliceError, SliceSettings, SliceVertex, Slicer, Watch,
+    BoxSlicer, SliceAnchor, SliceDirection as Slicing, SliceError, SliceSettings, SliceVertex, Slicer, Watch,
 };
 use relief_shaders::cpu::{Corner, Shell};
 use relief_shaders::slice::{SliceDirection, Slices};
@@ -31,8 +34,8 @@ pub fn settings(Slices { count, direction, with_eye }: Slices, scene: &Scene) ->
     SliceSettings { count, direction }
 }
 
-/// Slices and the memory that they take, of which there are so many bytes left; the error is none where
-/// it was cancelled.
+/// Slices through a relief and the memory that they take, of which there are so many bytes left; the error is
+/// none where it was cancelled.
 pub fn triangles(
     mesh: &Mesh,
     map: &HeightMap,
@@ -40,30 +43,83 @@ pub fn triangles(
     left: u64,
     watch: &Watch,
 ) -> Result<(Arc<Triangles>, u64), Option<GeometryError>> {
-    let error = |error| match error {
+    let slicer = Slicer::new(mesh, map, settings).map_err(error)?;
+    let mut room = Room::of(slicer.vertices(), slicer.triangles(), left)?;
+    let made = slicer.each(watch, |block| {
+        room.take(block.vertices.iter().map(sliced), &block.triangles);
+    });
+    made.map_err(error)?;
+    Ok(room.triangles())
+}
+
+/// The same through an object, of which the mesh is the box around it.
+pub fn triangles_of_object(
+    mesh: &Mesh,
+    object: &ImageObject,
+    SliceSettings { count, direction }: SliceSettings,
+    left: u64,
+    watch: &Watch,
+) -> Result<(Arc<Triangles>, u64), Option<GeometryError>> {
+    let ball_m = 2.0 * object.views().first().map_or(0.0, |view| view.ball().1);
+    let spacing_m = if count == 0 { object.jump_of(1.0) * ball_m } else { ball_m / f64::from(count) };
+    let places = || mesh.vertices().iter().map(|vertex| vertex.position.as_dvec3());
+    let bounds = [places().fold(DVec3::INFINITY, DVec3::min), places().fold(DVec3::NEG_INFINITY, DVec3::max)];
+    let slicer = BoxSlicer::new(bounds, spacing_m, direction).map_err(error)?;
+    let most = |each: u64| slicer.slices().saturating_mul(each);
+    let mut room = Room::of(most(6), most(4), left)?;
+    let mut faces = Vec::new();
+    let made = slicer.each(watch, |slice| {
+        let at = |position: &DVec3| Vertex { position: position.as_vec3(), ..mesh.vertices()[0] };
+        faces.clear();
+        faces.extend((2..slice.len() as u32).map(|k| [0, k - 1, k]));
+        room.take(slice.iter().map(|position| corner(&at(position))), &faces);
+    });
+    made.map_err(error)?;
+    Ok(room.triangles())
+}
+
+fn error(error: SliceError) -> Option<GeometryError> {
+    match error {
         SliceError::Cancelled => None,
         SliceError::NotFinite => Some(GeometryError::NotFinite),
         error => Some(GeometryError::Slices(error)),
-    };
-    let slicer = Slicer::new(mesh, map, settings).map_err(error)?;
-    let (vertices, triangles) = (slicer.vertices(), slicer.triangles());
-    let [corners, faces] = [(vertices, BYTES_PER_VERTEX), (triangles, BYTES_PER_TRIANGLE)]
-        .map(|(count, bytes)| count.saturating_mul(bytes));
-    let needed = corners.saturating_add(faces);
-    // The numbers of corners fit 32 bits.
-    if needed > left || vertices > u64::from(u32::MAX) {
-        return Err(Some(GeometryError::Memory { triangles, needed, left, setting: FEWER }));
     }
-    let mut corners: Vec<Corner> = Vec::with_capacity(vertices as usize);
-    let mut faces: Vec<[u32; 3]> = Vec::with_capacity(triangles as usize);
-    let made = slicer.each(watch, |block| {
-        let first = corners.len() as u32;
-        corners.extend(block.vertices.iter().map(sliced));
-        faces.extend(block.triangles.iter().map(|triangle| triangle.map(|corner| first + corner)));
-    });
-    made.map_err(error)?;
-    let faces = faces.into_iter().zip(std::iter::repeat(Shell::whole()));
-    Ok((Arc::new(Triangles::new(corners, faces)), needed))
+}
+
+/// Triangles that come one after another, and what they take of the memory.
+struct Room {
+    corners: Vec<Corner>,
+    faces: Vec<[u32; 3]>,
+    needed: u64,
+}
+
+impl Room {
+    /// Room for so many at most, where there is so much memory left.
+    fn of(vertices: u64, triangles: u64, left: u64) -> Result<Self, Option<GeometryError>> {
+        let [corners, faces] = [(vertices, BYTES_PER_VERTEX), (triangles, BYTES_PER_TRIANGLE)]
+            .map(|(count, bytes)| count.saturating_mul(bytes));
+        let needed = corners.saturating_add(faces);
+        // The numbers of corners fit 32 bits.
+        if needed > left || vertices > u64::from(u32::MAX) {
+            return Err(Some(GeometryError::Memory { triangles, needed, left, setting: FEWER }));
+        }
+        let (corners, faces) =
+            (Vec::with_capacity(vertices as usize), Vec::with_capacity(triangles as usize));
+        Ok(Self { corners, faces, needed })
+    }
+
+    /// Takes triangles that name corners beside them.
+    fn take(&mut self, corners: impl Iterator<Item = Corner>, faces: &[[u32; 3]]) {
+        let first = self.corners.len() as u32;
+        self.corners.extend(corners);
+        self.faces.extend(faces.iter().map(|face| face.map(|corner| first + corner)));
+    }
+
+    /// All of them, and the memory that they take.
+    fn triangles(self) -> (Arc<Triangles>, u64) {
+        let faces = self.faces.into_iter().zip(std::iter::repeat(Shell::whole()));
+        (Arc::new(Triangles::new(self.corners, faces)), self.needed)
+    }
 }
 
 /// A corner as the shaders have it.

@@ -702,6 +702,47 @@ impl Normals {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// A point as an image sees it: the texture coordinates, what is compared with the map, and the map.
+pub struct OnImage {
+    pub uv: rt::Vec2<f32>,
+    pub height: f32,
+    pub map: f32,
+    /// Whether it is in the space that the image looks at.
+    pub is_inside: bool,
+}
+impl OnImage {
+    pub fn new(
+        uv: impl rt::Into<rt::Vec2<f32>>,
+        height: impl rt::Into<f32>,
+        map: impl rt::Into<f32>,
+        is_inside: impl rt::Into<bool>,
+    ) -> Self {
+        Self { uv: rt::into(uv), height: rt::into(height), map: rt::into(map), is_inside: rt::into(is_inside) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A point of a slice in the image of which the surface is nearest to it.
+pub struct OnSlice {
+    /// Whether it is in the solids of all images.
+    pub passes: bool,
+    pub number: u32,
+    pub nearest: OnImage,
+    /// How far that surface is above it.
+    pub over: f32,
+}
+impl OnSlice {
+    pub fn new(
+        passes: impl rt::Into<bool>,
+        number: impl rt::Into<u32>,
+        nearest: impl rt::Into<OnImage>,
+        over: impl rt::Into<f32>,
+    ) -> Self {
+        Self { passes: rt::into(passes), number: rt::into(number), nearest: rt::into(nearest), over: rt::into(over) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// The space that the relief of a base triangle may take, between its corners moved along their normals.
 pub struct Shell {
     /// The least and the greatest height under the triangle.
@@ -1834,14 +1875,14 @@ impl<'g> Resources<'g> {
         uv: rt::Vec2<f32>,
         n_2: rt::Vec2<i32>,
     ) -> Around {
-        let point_13 = ((uv * n_2.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_13);
+        let point_16 = ((uv * n_2.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_16);
         let i_1 = _e8.to_i32();
         let _e12 = self.v_wrap_index(i_1.x(), n_2.x());
         let _e17 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_2.x());
         let _e21 = self.v_wrap_index(i_1.y(), n_2.y());
         let _e26 = self.v_wrap_index((i_1.y() + rt::Scalar(1i32)), n_2.y());
-        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_13 - _e8));
+        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_16 - _e8));
     }
     pub(crate) fn level_texels(
         &self,
@@ -1949,11 +1990,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_3);
         let _e3 = self.v_texels_around(uv_1, _e2);
-        let k_38 = level_3.to_i32();
-        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_38);
-        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_38);
-        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_38);
-        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_38);
+        let k_39 = level_3.to_i32();
+        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_39);
+        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_39);
+        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_39);
+        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_39);
         let _e34 = self.v_bilinear(_e11, _e18, _e25, _e32, _e3.part);
         return _e34;
     }
@@ -2161,16 +2202,16 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_face_place(direction_2);
         let _e5 = rt::Scalar(self.surface_settings.environment_side);
         let last_2 = ((_e5 >> level_6).to_i32().max(rt::Scalar(1i32)) - rt::Scalar(1i32));
-        let point_14 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
+        let point_17 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
         let most_3 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).to_f32();
-        let corner_3 = point_14.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_3, most_3));
+        let corner_3 = point_17.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_3, most_3));
         let texel_5 = corner_3.to_i32();
-        let k_39 = level_6.to_i32();
-        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_39);
-        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_39);
-        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_39);
-        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_39);
-        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_14 - corner_3));
+        let k_40 = level_6.to_i32();
+        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_40);
+        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_40);
+        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_40);
+        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_40);
+        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_17 - corner_3));
         return _e55.xyz();
     }
     pub(crate) fn environment_in_lobe(
@@ -2416,15 +2457,15 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_40 = level_8.to_i32();
+        let k_41 = level_8.to_i32();
         let _e6 = self.v_wrap_index(cell.x(), _e2.x());
         let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
         let _e14 = self.v_wrap_index(cell.y(), _e2.y());
         let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_40));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_40));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_40));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_40));
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_41));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_41));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_41));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_41));
         return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
     }
     pub(crate) fn height_at(
@@ -2442,9 +2483,9 @@ impl<'g> Resources<'g> {
         level_9: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
         let _e2 = self.v_height_size(level_9);
-        let point_15 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_15);
-        let f = (point_15 - _e8);
+        let point_18 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_18);
+        let f = (point_18 - _e8);
         let _e11 = self.v_height_cell(_e8.to_i32(), level_9);
         let top_2 = (_e11.x() + ((_e11.y() - _e11.x()) * f.x()));
         let bottom_1 = (_e11.z() + ((_e11.w() - _e11.z()) * f.x()));
@@ -2829,13 +2870,22 @@ impl<'g> Resources<'g> {
     fn v_between(&self, a_3: ShellPoint, b_3: ShellPoint) -> ShellPoint {
         return <ShellPoint>::new((rt::Scalar(0.5f32) * (a_3.weights + b_3.weights)), (rt::Scalar(0.5f32) * (rt::Scalar(a_3.height) + rt::Scalar(b_3.height))));
     }
-    pub(crate) fn bitangent_of_image(&self, image_2: Image) -> rt::Vec3<f32> {
-        rt::into(self.v_bitangent_of_image(image_2))
+    pub(crate) fn beyond_image(&self, image_2: Image) -> rt::Vec2<f32> {
+        rt::into(self.v_beyond_image(image_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_bitangent_of_image(&self, image_2: Image) -> rt::Vec3<f32> {
-        return (image_2.v.xyz() / rt::Vec3::splat_from_scalar((image_2.v.xyz().dot(image_2.v.xyz()) * image_2.extent.y())));
+    fn v_beyond_image(&self, image_2: Image) -> rt::Vec2<f32> {
+        let _e6 = self.v_height_size(rt::Scalar(0u32));
+        return (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / (image_2.extent * _e6));
+    }
+    pub(crate) fn bitangent_of_image(&self, image_3: Image) -> rt::Vec3<f32> {
+        rt::into(self.v_bitangent_of_image(image_3))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_bitangent_of_image(&self, image_3: Image) -> rt::Vec3<f32> {
+        return (image_3.v.xyz() / rt::Vec3::splat_from_scalar((image_3.v.xyz().dot(image_3.v.xyz()) * image_3.extent.y())));
     }
     pub(crate) fn both_roots(&self, c_2: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_both_roots(rt::into(c_2)))
@@ -2958,10 +3008,10 @@ impl<'g> Resources<'g> {
         let bx = (h_1.y() - h_1.x());
         let by_1 = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_127 = ((grid_1.origin - cell_2) + (grid_1.step * t_10));
+        let at_131 = ((grid_1.origin - cell_2) + (grid_1.step * t_10));
         let z_1 = (path_6.h.x() + (t_10 * (path_6.h.y() + (t_10 * path_6.h.z()))));
         let dz = (path_6.h.y() + ((rt::Scalar(2f32) * t_10) * path_6.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_1.x() + (bx * at_127.x())) + (by_1 * at_127.y())) + ((twist * at_127.x()) * at_127.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_127.x() * grid_1.step.y()) + (at_127.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_1.x() + (bx * at_131.x())) + (by_1 * at_131.y())) + ((twist * at_131.x()) * at_131.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_131.x() * grid_1.step.y()) + (at_131.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn grid_cell(
         &self,
@@ -3637,11 +3687,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_11);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_41 = level_11.to_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_41));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_41));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_41));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_41));
+        let k_42 = level_11.to_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_42));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_42));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_42));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_42));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -4145,11 +4195,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_14);
         let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_42 = (level_14 - SEEN_FIRST_LEVEL).to_i32();
-        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_42);
-        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_42);
-        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_42);
-        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_42);
+        let k_43 = (level_14 - SEEN_FIRST_LEVEL).to_i32();
+        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_43);
+        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_43);
+        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_43);
+        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_43);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e4.part);
         return _e33;
     }
@@ -4458,8 +4508,8 @@ impl<'g> Resources<'g> {
         let y_2 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(1u32)));
         let z_2 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(2u32)));
         let _e88 = self.v_dice_points_before(rows_9, rt::Scalar(place_8.row));
-        let number_16 = ((_e88 + rt::Scalar(place_8.at)) - rt::Scalar(1u32));
-        return <DicePoint>::new(DICE_INSIDE, number_16, <rt::Vec3<f32>>::from_scalars(x_4, y_2, z_2));
+        let number_18 = ((_e88 + rt::Scalar(place_8.at)) - rt::Scalar(1u32));
+        return <DicePoint>::new(DICE_INSIDE, number_18, <rt::Vec3<f32>>::from_scalars(x_4, y_2, z_2));
     }
     pub(crate) fn dice_triangles_before(
         &self,
@@ -4761,9 +4811,9 @@ impl<'g> Resources<'g> {
         level_15: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_height_size(level_15);
-        let point_16 = ((uv_6 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_16);
-        let f_1 = (point_16 - _e8);
+        let point_19 = ((uv_6 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_19);
+        let f_1 = (point_19 - _e8);
         let _e11 = self.v_height_cell(_e8.to_i32(), level_15);
         let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_3 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
@@ -4961,8 +5011,8 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_plane_normal(pixel_19);
         let _e5 = self.v_plane_distance(pixel_19, _e2);
-        let point_17 = (pixel_19.origin + (pixel_19.direction * _e5));
-        let _e8 = self.v_plane_weights(pixel_19, _e2, point_17);
+        let point_20 = (pixel_19.origin + (pixel_19.direction * _e5));
+        let _e8 = self.v_plane_weights(pixel_19, _e2, point_20);
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
@@ -4984,7 +5034,7 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_27;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_17, uv_30, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_20, uv_30, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -5096,9 +5146,9 @@ impl<'g> Resources<'g> {
         let third_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
         let uv_31 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_24, along_7);
-        let point_18 = (pixel_24.origin + (along_7 * _e17));
+        let point_21 = (pixel_24.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_24, along_7);
-        let _e21 = self.v_frame_at(pixel_24, third_1, point_18, uv_31, _e20);
+        let _e21 = self.v_frame_at(pixel_24, third_1, point_21, uv_31, _e20);
         at_24 = _e21;
         rt::Scalar(at_24.segments) = rt::Scalar(0u32);
         let _e25 = at_24;
@@ -6111,8 +6161,8 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_plane_normal(pixel_39);
         let _e5 = self.v_triangle_distance(pixel_39, _e2);
-        let point_19 = (pixel_39.origin + (pixel_39.direction * _e5));
-        let _e8 = self.v_triangle_weights(pixel_39, _e2, point_19);
+        let point_22 = (pixel_39.origin + (pixel_39.direction * _e5));
+        let _e8 = self.v_triangle_weights(pixel_39, _e2, point_22);
         let uv_33 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
         let tangent_3 = (((pixel_39.a.tangent * _e8.x()) + (pixel_39.b.tangent * _e8.y())) + (pixel_39.c.tangent * _e8.z()));
         let bitangent_2 = (((pixel_39.a.bitangent * _e8.x()) + (pixel_39.b.bitangent * _e8.y())) + (pixel_39.c.bitangent * _e8.z()));
@@ -6128,7 +6178,7 @@ impl<'g> Resources<'g> {
         }
         let _e79 = local_36;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_19, uv_33, tangent_3, bitangent_2, sum_8.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_22, uv_33, tangent_3, bitangent_2, sum_8.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
@@ -6148,20 +6198,20 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_plane_normal(pixel_40);
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
-        let point_20 = (pixel_40.origin + (pixel_40.direction * _e5));
-        let _e8 = self.v_triangle_weights(pixel_40, _e2, point_20);
+        let point_23 = (pixel_40.origin + (pixel_40.direction * _e5));
+        let _e8 = self.v_triangle_weights(pixel_40, _e2, point_23);
         let uv_34 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
         let tangent_4 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
         let bitangent_3 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
         let raw_ = (((pixel_40.a.normal * _e8.x()) + (pixel_40.b.normal * _e8.y())) + (pixel_40.c.normal * _e8.z()));
-        let slice_4 = (((pixel_40.a.of_surface * _e8.x()) + (pixel_40.b.of_surface * _e8.y())) + (pixel_40.c.of_surface * _e8.z()));
+        let slice_6 = (((pixel_40.a.of_surface * _e8.x()) + (pixel_40.b.of_surface * _e8.y())) + (pixel_40.c.of_surface * _e8.z()));
         let tt_2 = tangent_4.dot(tangent_4);
         let tb_2 = tangent_4.dot(bitangent_3);
         let bb_2 = bitangent_3.dot(bitangent_3);
         let area_4 = ((tt_2 * bb_2) - (tb_2 * tb_2));
         let _e87 = rt::Scalar(self.surface_settings.bias_m);
         let _e90 = rt::Scalar(self.surface_settings.scale_m);
-        let height_m = (_e87 + (_e90 * slice_4.x()));
+        let height_m = (_e87 + (_e90 * slice_6.x()));
         let normal_25 = raw_.normalize();
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
             local_37 = area_4.elementwise_gt(rt::Scalar(0f32));
@@ -6177,7 +6227,7 @@ impl<'g> Resources<'g> {
         }
         let _e110 = local_38;
         let _e116 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e110), (point_20 - (raw_ * height_m)), uv_34, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e116), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_4, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e110), (point_23 - (raw_ * height_m)), uv_34, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e116), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_object_enter(
         &self,
@@ -6226,80 +6276,110 @@ impl<'g> Resources<'g> {
         let _e8 = at_31;
         return _e8;
     }
-    pub(crate) fn surface_enter_stage(&self, pixel_43: PixelIn) -> Entered {
-        rt::into(self.v_surface_enter_stage(pixel_43))
+    pub(crate) fn surface_object_slices_enter(
+        &self,
+        pixel_43: PixelIn,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_object_slices_enter(pixel_43, rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_enter_stage(&self, pixel_43: PixelIn) -> Entered {
+    #[inline(always)]
+    fn v_surface_object_slices_enter(
+        &self,
+        pixel_43: PixelIn,
+        params_22: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut at_32: Entered;
+
+        let _e2 = self.v_plane_normal(pixel_43);
+        let _e3 = self.v_passed_by();
+        at_32 = _e3;
+        rt::Scalar(at_32.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e2.dot(_e2).elementwise_gt(rt::Scalar(0f32)));
+        let _e15 = self.v_triangle_distance(pixel_43, _e2);
+        at_32.point = (pixel_43.origin + (pixel_43.direction * _e15));
+        let _e18 = at_32;
+        return _e18;
+    }
+    pub(crate) fn surface_enter_stage(&self, pixel_44: PixelIn) -> Entered {
+        rt::into(self.v_surface_enter_stage(pixel_44))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_enter_stage(&self, pixel_44: PixelIn) -> Entered {
         let _e5 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[1usize].params;
-                let _e11 = self.v_surface_plane_enter(pixel_43, _e10);
+                let _e11 = self.v_surface_plane_enter(pixel_44, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[1usize].params;
-                let _e17 = self.v_surface_prism_enter(pixel_43, _e16);
+                let _e17 = self.v_surface_prism_enter(pixel_44, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[1usize].params;
-                let _e23 = self.v_surface_quadric_perpendicular_enter(pixel_43, _e22);
+                let _e23 = self.v_surface_quadric_perpendicular_enter(pixel_44, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[1usize].params;
-                let _e29 = self.v_surface_quadric_vertical_enter(pixel_43, _e28);
+                let _e29 = self.v_surface_quadric_vertical_enter(pixel_44, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[1usize].params;
-                let _e35 = self.v_surface_tetrahedra_enter(pixel_43, _e34);
+                let _e35 = self.v_surface_tetrahedra_enter(pixel_44, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[1usize].params;
-                let _e41 = self.v_surface_facets_enter(pixel_43, _e40);
+                let _e41 = self.v_surface_facets_enter(pixel_44, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[1usize].params;
-                let _e47 = self.v_surface_slices_enter(pixel_43, _e46);
+                let _e47 = self.v_surface_slices_enter(pixel_44, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[1usize].params;
-                let _e53 = self.v_surface_object_enter(pixel_43, _e52);
+                let _e53 = self.v_surface_object_enter(pixel_44, _e52);
                 return _e53;
             }
-            _ => {
+            8u32 => {
                 let _e58 = self.surface_settings.choices[1usize].params;
-                let _e59 = self.v_surface_frames_enter(pixel_43, _e58);
+                let _e59 = self.v_surface_frames_enter(pixel_44, _e58);
                 return _e59;
+            }
+            _ => {
+                let _e64 = self.surface_settings.choices[1usize].params;
+                let _e65 = self.v_surface_object_slices_enter(pixel_44, _e64);
+                return _e65;
             }
         }
     }
-    pub(crate) fn enter_relief(&self, pixel_44: PixelIn) -> Entered {
-        rt::into(self.v_enter_relief(pixel_44))
+    pub(crate) fn enter_relief(&self, pixel_45: PixelIn) -> Entered {
+        rt::into(self.v_enter_relief(pixel_45))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_enter_relief(&self, pixel_44: PixelIn) -> Entered {
-        let mut at_32: Entered;
+    fn v_enter_relief(&self, pixel_45: PixelIn) -> Entered {
+        let mut at_33: Entered;
 
-        let _e1 = self.v_surface_enter_stage(pixel_44);
-        at_32 = _e1;
-        let _e4 = rt::Scalar(at_32.segments);
+        let _e1 = self.v_surface_enter_stage(pixel_45);
+        at_33 = _e1;
+        let _e4 = rt::Scalar(at_33.segments);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0u32))) {
-            let _e7 = at_32;
+            let _e7 = at_33;
             return _e7;
         }
-        let _e8 = at_32;
-        let _e9 = self.v_detail_stage(pixel_44, _e8);
-        rt::Scalar(at_32.level) = rt::Scalar(_e9.level);
-        rt::Scalar(at_32.footprint) = rt::Scalar(_e9.footprint);
-        rt::Scalar(at_32.fade) = rt::Scalar(_e9.fade);
-        let _e16 = at_32;
+        let _e8 = at_33;
+        let _e9 = self.v_detail_stage(pixel_45, _e8);
+        rt::Scalar(at_33.level) = rt::Scalar(_e9.level);
+        rt::Scalar(at_33.footprint) = rt::Scalar(_e9.footprint);
+        rt::Scalar(at_33.fade) = rt::Scalar(_e9.fade);
+        let _e16 = at_33;
         return _e16;
     }
     pub(crate) fn entered_once(
@@ -6422,11 +6502,11 @@ impl<'g> Resources<'g> {
         let _e5 = self.surface_settings.normal_size;
         let _e6 = self.v_level_texels(_e5, level_17);
         let _e7 = self.v_texels_around(uv_12, _e6);
-        let k_43 = level_17.to_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_43));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_43));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_43));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_43));
+        let k_44 = level_17.to_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_44));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_44));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_44));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_44));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
@@ -6461,21 +6541,21 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn slopes_between_creases(
         &self,
-        at_33: Entered,
+        at_34: Entered,
         uv_13: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_slopes_between_creases(at_33, rt::into(uv_13)))
+        rt::into(self.v_slopes_between_creases(at_34, rt::into(uv_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slopes_between_creases(
         &self,
-        at_33: Entered,
+        at_34: Entered,
         uv_13: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
-        let point_21 = ((uv_13 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e9 = self.v_cell_of(point_21);
-        let part_16 = (point_21 - _e9);
+        let point_24 = ((uv_13 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e9 = self.v_cell_of(point_24);
+        let part_16 = (point_24 - _e9);
         let i_3 = _e9.to_i32();
         let _e13 = self.v_height_cell(i_3, rt::Scalar(0u32));
         let _e14 = self.v_cell_slopes(_e13, part_16);
@@ -6492,9 +6572,9 @@ impl<'g> Resources<'g> {
         let _e45 = self.v_cell_slopes(_e44, part_16);
         let behind_v = _e45.y();
         let _e50 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_u = ((_e3.x() * _e50) / at_33.tangent.length());
+        let rate_u = ((_e3.x() * _e50) / at_34.tangent.length());
         let _e58 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_v = ((_e3.y() * _e58) / at_33.bitangent.length());
+        let rate_v = ((_e3.y() * _e58) / at_34.bitangent.length());
         let _e64 = self.v_slope_beside(_e14.x(), before_u, rate_u);
         let _e66 = self.v_slope_beside(_e14.y(), before_v, rate_v);
         let before_2 = <rt::Vec2<f32>>::from_scalars(_e64, _e66);
@@ -6505,45 +6585,45 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_of_slopes(
         &self,
-        at_34: Entered,
+        at_35: Entered,
         slope_u: impl rt::Into<rt::Scalar<f32>>,
         slope_v: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_slopes(at_34, rt::into(slope_u), rt::into(slope_v)))
+        rt::into(self.v_normal_of_slopes(at_35, rt::into(slope_u), rt::into(slope_v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_of_slopes(
         &self,
-        at_34: Entered,
+        at_35: Entered,
         slope_u: rt::Scalar<f32>,
         slope_v: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_1 = (at_34.tangent + (at_34.normal * slope_u));
-        let along_v_1 = (at_34.bitangent + (at_34.normal * slope_v));
+        let along_u_1 = (at_35.tangent + (at_35.normal * slope_u));
+        let along_v_1 = (at_35.bitangent + (at_35.normal * slope_v));
         let across_5 = along_v_1.cross(along_u_1).normalize();
-        return (across_5 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_5.dot(at_34.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_5 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_5.dot(at_35.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_35: Entered,
+        at_36: Entered,
         uv_14: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_35, rt::into(uv_14)))
+        rt::into(self.v_normal_from_height(at_36, rt::into(uv_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
-        at_35: Entered,
+        at_36: Entered,
         uv_14: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let _e6 = rt::Scalar(self.surface_settings.has_creases);
         if rt::Scalar::into_branch_condition(_e6.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_slopes_between_creases(at_35, uv_14);
+            let _e9 = self.v_slopes_between_creases(at_36, uv_14);
             let _e13 = rt::Scalar(self.surface_settings.scale_m);
             let slopes = ((_e9 * _e3) * _e13);
-            let _e17 = self.v_normal_of_slopes(at_35, slopes.x(), slopes.y());
+            let _e17 = self.v_normal_of_slopes(at_36, slopes.x(), slopes.y());
             return _e17;
         }
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
@@ -6558,30 +6638,30 @@ impl<'g> Resources<'g> {
         let slope_u_1 = (rise_u_1 * ((rt::Scalar(0.5f32) * _e3.x()) * _e47));
         let _e55 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v_1 = (rise_v_1 * ((rt::Scalar(0.5f32) * _e3.y()) * _e55));
-        let _e58 = self.v_normal_of_slopes(at_35, slope_u_1, slope_v_1);
+        let _e58 = self.v_normal_of_slopes(at_36, slope_u_1, slope_v_1);
         return _e58;
     }
     pub(crate) fn finest_normal(
         &self,
-        at_36: Entered,
+        at_37: Entered,
         uv_15: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_36, rt::into(uv_15)))
+        rt::into(self.v_finest_normal(at_37, rt::into(uv_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_finest_normal(
         &self,
-        at_36: Entered,
+        at_37: Entered,
         uv_15: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
             let _e9 = self.v_normal_at(uv_15, rt::Scalar(0i32), rt::Scalar(0u32));
-            let _e11 = self.v_from_tangent_space(at_36, _e9.xyz());
+            let _e11 = self.v_from_tangent_space(at_37, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_36, uv_15);
+        let _e13 = self.v_normal_from_height(at_37, uv_15);
         return _e13;
     }
     pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
@@ -6594,35 +6674,35 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane_segment(
         &self,
-        pixel_45: PixelIn,
-        at_37: Entered,
+        pixel_46: PixelIn,
+        at_38: Entered,
         k_4: impl rt::Into<rt::Scalar<u32>>,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_45, at_37, rt::into(k_4), rt::into(params_22)))
+        rt::into(self.v_surface_plane_segment(pixel_46, at_38, rt::into(k_4), rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_segment(
         &self,
-        pixel_45: PixelIn,
-        at_37: Entered,
+        pixel_46: PixelIn,
+        at_38: Entered,
         k_4: rt::Scalar<u32>,
-        params_22: rt::Vec4<f32>,
+        params_23: rt::Vec4<f32>,
     ) -> Path {
         let mut enter: rt::Scalar<f32>;
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_3: rt::Vec2<f32>;
 
-        let along_28 = pixel_45.direction.length();
-        let direction_6 = (pixel_45.direction / rt::Vec3::splat_from_scalar(along_28));
-        let _e9 = self.v_climb(at_37, direction_6);
+        let along_28 = pixel_46.direction.length();
+        let direction_6 = (pixel_46.direction / rt::Vec3::splat_from_scalar(along_28));
+        let _e9 = self.v_climb(at_38, direction_6);
         let duv_5 = _e9.xy();
-        let descent_3 = (rt::Scalar(0f32) - at_37.normal.dot(direction_6));
+        let descent_3 = (rt::Scalar(0f32) - at_38.normal.dot(direction_6));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
         let slope_8 = ((rt::Scalar(0f32) - descent_3) / _e15);
-        let _e20 = self.v_plane_normal(pixel_45);
-        let _e21 = self.v_plane_distance(pixel_45, _e20);
+        let _e20 = self.v_plane_normal(pixel_46);
+        let _e21 = self.v_plane_distance(pixel_46, _e20);
         let distance = (_e21 * along_28);
         let eye_2 = (rt::Scalar(0f32) - distance);
         let top_6 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
@@ -6635,10 +6715,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
             let _e48 = enter;
             let _e49 = leave_4;
-            let _e51 = self.v_inside_unit(at_37.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
+            let _e51 = self.v_inside_unit(at_38.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
             interval_3 = _e51;
             let _e56 = interval_3;
-            let _e57 = self.v_inside_unit(at_37.uv.y(), duv_5.y(), _e56);
+            let _e57 = self.v_inside_unit(at_38.uv.y(), duv_5.y(), _e56);
             interval_3 = _e57;
             let _e59 = interval_3.x();
             enter = _e59;
@@ -6654,39 +6734,39 @@ impl<'g> Resources<'g> {
         let _e81 = leave_4;
         let _e82 = enter;
         let _e87 = enter;
-        return <Path>::new((at_37.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_8, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_37.metric, RAY_VIEW, rt::Scalar(at_37.level), (distance + _e87), rt::Scalar(1f32));
+        return <Path>::new((at_38.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_8, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_38.metric, RAY_VIEW, rt::Scalar(at_38.level), (distance + _e87), rt::Scalar(1f32));
     }
     pub(crate) fn folded_segment(
         &self,
-        pixel_46: PixelIn,
-        at_38: Entered,
+        pixel_47: PixelIn,
+        at_39: Entered,
         k_5: impl rt::Into<rt::Scalar<u32>>,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_folded_segment(pixel_46, at_38, rt::into(k_5), rt::into(params_23)))
+        rt::into(self.v_folded_segment(pixel_47, at_39, rt::into(k_5), rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_folded_segment(
         &self,
-        pixel_46: PixelIn,
-        at_38: Entered,
+        pixel_47: PixelIn,
+        at_39: Entered,
         k_5: rt::Scalar<u32>,
-        params_23: rt::Vec4<f32>,
+        params_24: rt::Vec4<f32>,
     ) -> Path {
         let mut a_10: WayPoint;
         let mut b_10: WayPoint;
         let mut path_19: Path;
         let mut local_40: rt::Scalar<bool>;
 
-        let along_29 = pixel_46.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_46, along_29);
-        let _e7 = self.v_prism_of(pixel_46, along_29, _e6, params_23);
-        let _e8 = self.v_shell_slack(pixel_46, _e6);
-        let _e9 = self.v_way_of(pixel_46, _e7, along_29);
-        let _e10 = self.v_way_offsets(pixel_46, _e7, _e8);
-        let _e11 = self.v_chord_reach(pixel_46, at_38, _e6, params_23);
+        let along_29 = pixel_47.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_47, along_29);
+        let _e7 = self.v_prism_of(pixel_47, along_29, _e6, params_24);
+        let _e8 = self.v_shell_slack(pixel_47, _e6);
+        let _e9 = self.v_way_of(pixel_47, _e7, along_29);
+        let _e10 = self.v_way_offsets(pixel_47, _e7, _e8);
+        let _e11 = self.v_chord_reach(pixel_47, at_39, _e6, params_24);
         let _e12 = self.v_way_beyond(_e7, _e10, _e11);
-        let _e14 = self.v_way_chord(pixel_46, _e7, along_29, _e9, _e10, _e12, params_23.x(), k_5);
+        let _e14 = self.v_way_chord(pixel_47, _e7, along_29, _e9, _e10, _e12, params_24.x(), k_5);
         let _e16 = self.v_before_turn(_e7, along_29, _e9, _e14.offsets);
         let _e18 = self.v_way_point(_e7, along_29, _e9, _e16.x());
         a_10 = _e18;
@@ -6712,7 +6792,7 @@ impl<'g> Resources<'g> {
         let _e58 = b_10.point;
         let _e60 = rt::Scalar(a_10.t);
         let _e62 = rt::Scalar(b_10.t);
-        let _e64 = self.v_chord_path(pixel_46, at_38, _e6, params_23, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
+        let _e64 = self.v_chord_path(pixel_47, at_39, _e6, params_24, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
         path_19 = _e64;
         let _e67 = rt::Scalar(a_10.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
@@ -6730,58 +6810,58 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_prism_segment(
         &self,
-        pixel_47: PixelIn,
-        at_39: Entered,
+        pixel_48: PixelIn,
+        at_40: Entered,
         k_6: impl rt::Into<rt::Scalar<u32>>,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_47, at_39, rt::into(k_6), rt::into(params_24)))
+        rt::into(self.v_surface_prism_segment(pixel_48, at_40, rt::into(k_6), rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_segment(
         &self,
-        pixel_47: PixelIn,
-        at_39: Entered,
+        pixel_48: PixelIn,
+        at_40: Entered,
         k_6: rt::Scalar<u32>,
-        params_24: rt::Vec4<f32>,
+        params_25: rt::Vec4<f32>,
     ) -> Path {
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_47.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_folded_segment(pixel_47, at_39, k_6, params_24);
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_48.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e8 = self.v_folded_segment(pixel_48, at_40, k_6, params_25);
             return _e8;
         }
-        let along_30 = pixel_47.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_47, along_30);
-        let _e12 = self.v_prism_of(pixel_47, along_30, _e11, params_24);
-        let heights_2 = pixel_47.shell.heights;
+        let along_30 = pixel_48.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_48, along_30);
+        let _e12 = self.v_prism_of(pixel_48, along_30, _e11, params_25);
+        let heights_2 = pixel_48.shell.heights;
         let mean_3 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
-        let _e20 = self.v_chord_end(at_39, k_6);
-        let _e23 = self.v_chord_end(at_39, (k_6 + rt::Scalar(1u32)));
+        let _e20 = self.v_chord_end(at_40, k_6);
+        let _e23 = self.v_chord_end(at_40, (k_6 + rt::Scalar(1u32)));
         let _e25 = self.v_shell_point(_e12, (along_30 * _e20), mean_3);
         let _e27 = self.v_shell_point(_e12, (along_30 * _e23), mean_3);
         let _e32 = self.v_between(_e25, _e27);
         let _e33 = self.v_shell_point_from(_e12, (along_30 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
-        let _e56 = self.v_chord_reach(pixel_47, at_39, _e11, params_24);
+        let _e56 = self.v_chord_reach(pixel_48, at_40, _e11, params_25);
         let beyond_5 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e68 = self.v_chord_path(pixel_47, at_39, _e11, params_24, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
+        let _e68 = self.v_chord_path(pixel_48, at_40, _e11, params_25, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
         return _e68;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
         &self,
-        pixel_48: PixelIn,
-        at_40: Entered,
+        pixel_49: PixelIn,
+        at_41: Entered,
         k_7: impl rt::Into<rt::Scalar<u32>>,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_48, at_40, rt::into(k_7), rt::into(params_25)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_49, at_41, rt::into(k_7), rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_segment(
         &self,
-        pixel_48: PixelIn,
-        at_40: Entered,
+        pixel_49: PixelIn,
+        at_41: Entered,
         k_7: rt::Scalar<u32>,
-        params_25: rt::Vec4<f32>,
+        params_26: rt::Vec4<f32>,
     ) -> Path {
         let mut begin_1: rt::Scalar<f32>;
         let mut end_1: rt::Scalar<f32>;
@@ -6789,27 +6869,27 @@ impl<'g> Resources<'g> {
         let mut path_20: Path;
         let mut inside_2: rt::Vec2<f32>;
 
-        let along_31 = pixel_48.direction.length();
-        let _e9 = self.v_across_of(at_40, (pixel_48.direction / rt::Vec3::splat_from_scalar(along_31)));
+        let along_31 = pixel_49.direction.length();
+        let _e9 = self.v_across_of(at_41, (pixel_49.direction / rt::Vec3::splat_from_scalar(along_31)));
         let _e10 = self.v_traced_scale_m();
-        let _e11 = self.v_plane_normal(pixel_48);
-        let _e12 = self.v_plane_distance(pixel_48, _e11);
+        let _e11 = self.v_plane_normal(pixel_49);
+        let _e12 = self.v_plane_distance(pixel_49, _e11);
         let distance_1 = (_e12 * along_31);
-        let whole = (at_40.span.y() - at_40.span.x());
-        let first_11 = (at_40.span.x() + (whole * (k_7.to_f32() / params_25.z())));
-        let last_5 = (at_40.span.x() + (whole * ((k_7 + rt::Scalar(1u32)).to_f32() / params_25.z())));
+        let whole = (at_41.span.y() - at_41.span.x());
+        let first_11 = (at_41.span.x() + (whole * (k_7.to_f32() / params_26.z())));
+        let last_5 = (at_41.span.x() + (whole * ((k_7 + rt::Scalar(1u32)).to_f32() / params_26.z())));
         let long_4 = (last_5 - first_11);
         let _e38 = self.v_across_depth(_e9, first_11);
-        begin_1 = (at_40.of_surface.w() - (_e38 / _e10));
+        begin_1 = (at_41.of_surface.w() - (_e38 / _e10));
         if rt::Scalar::into_branch_condition(k_7.elementwise_eq(rt::Scalar(0u32))) {
             let _e44 = begin_1;
             begin_1 = _e44.min(rt::Scalar(1f32));
         }
         let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_11 + last_5)));
-        let middle_13 = (at_40.of_surface.w() - (_e52 / _e10));
+        let middle_13 = (at_41.of_surface.w() - (_e52 / _e10));
         let _e57 = self.v_across_depth(_e9, last_5);
-        end_1 = (at_40.of_surface.w() - (_e57 / _e10));
-        if rt::Scalar::into_branch_condition((k_7 + rt::Scalar(1u32)).elementwise_eq(params_25.z().to_u32())) {
+        end_1 = (at_41.of_surface.w() - (_e57 / _e10));
+        if rt::Scalar::into_branch_condition((k_7 + rt::Scalar(1u32)).elementwise_eq(params_26.z().to_u32())) {
             let _e68 = end_1;
             local_41 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
@@ -6828,7 +6908,7 @@ impl<'g> Resources<'g> {
         let slope_9 = ((_e84 - _e85) - bend_5);
         let base_3 = (rt::Scalar(0f32) - first_11).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e98 = begin_1;
-        path_20 = <Path>::new((at_40.uv + (_e9.duv * first_11)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_40.metric, RAY_VIEW, rt::Scalar(at_40.level), (distance_1 + first_11), (rt::Scalar(1f32) / params_25.z()));
+        path_20 = <Path>::new((at_41.uv + (_e9.duv * first_11)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_41.metric, RAY_VIEW, rt::Scalar(at_41.level), (distance_1 + first_11), (rt::Scalar(1f32) / params_26.z()));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
         let _e117 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e117.elementwise_eq(WRAP_CLAMP)) {
@@ -6856,20 +6936,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_quadric_vertical_segment(
         &self,
-        pixel_49: PixelIn,
-        at_41: Entered,
+        pixel_50: PixelIn,
+        at_42: Entered,
         k_8: impl rt::Into<rt::Scalar<u32>>,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_49, at_41, rt::into(k_8), rt::into(params_26)))
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_50, at_42, rt::into(k_8), rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_segment(
         &self,
-        pixel_49: PixelIn,
-        at_41: Entered,
+        pixel_50: PixelIn,
+        at_42: Entered,
         k_8: rt::Scalar<u32>,
-        params_26: rt::Vec4<f32>,
+        params_27: rt::Vec4<f32>,
     ) -> Path {
         let mut local_42: rt::Scalar<bool>;
         let mut local_43: rt::Scalar<bool>;
@@ -6879,18 +6959,18 @@ impl<'g> Resources<'g> {
         let mut path_21: Path;
         let mut local_44: rt::Scalar<bool>;
 
-        let along_32 = pixel_49.direction.length();
-        let direction_7 = (pixel_49.direction / rt::Vec3::splat_from_scalar(along_32));
-        let _e9 = self.v_climb(at_41, direction_7);
+        let along_32 = pixel_50.direction.length();
+        let direction_7 = (pixel_50.direction / rt::Vec3::splat_from_scalar(along_32));
+        let _e9 = self.v_climb(at_42, direction_7);
         let duv_6 = _e9.xy();
-        let descent_4 = (rt::Scalar(0f32) - at_41.normal.dot(direction_7));
+        let descent_4 = (rt::Scalar(0f32) - at_42.normal.dot(direction_7));
         let _e15 = self.v_traced_scale_m();
-        let height_14 = at_41.of_surface.w();
+        let height_14 = at_42.of_surface.w();
         let slope_10 = ((rt::Scalar(0f32) - descent_4) / _e15);
-        let _e23 = self.v_quadric_at(at_41.of_surface.xyz(), duv_6);
+        let _e23 = self.v_quadric_at(at_42.of_surface.xyz(), duv_6);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
-        let _e27 = self.v_plane_normal(pixel_49);
-        let _e28 = self.v_plane_distance(pixel_49, _e27);
+        let _e27 = self.v_plane_normal(pixel_50);
+        let _e28 = self.v_plane_distance(pixel_50, _e27);
         let distance_2 = (_e28 * along_32);
         let eye_3 = (rt::Scalar(0f32) - distance_2);
         let _e35 = self.v_bent_descent(((height_14 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
@@ -6925,10 +7005,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e85.elementwise_eq(WRAP_CLAMP)) {
             let _e91 = enter_1;
             let _e92 = leave_5;
-            let _e94 = self.v_inside_unit(at_41.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
+            let _e94 = self.v_inside_unit(at_42.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
             interval_4 = _e94;
             let _e99 = interval_4;
-            let _e100 = self.v_inside_unit(at_41.uv.y(), duv_6.y(), _e99);
+            let _e100 = self.v_inside_unit(at_42.uv.y(), duv_6.y(), _e99);
             interval_4 = _e100;
             let _e102 = interval_4.x();
             enter_1 = _e102;
@@ -6946,7 +7026,7 @@ impl<'g> Resources<'g> {
         let _e131 = leave_5;
         let _e132 = enter_1;
         let _e137 = enter_1;
-        path_21 = <Path>::new((at_41.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_41.metric, RAY_VIEW, rt::Scalar(at_41.level), (distance_2 + _e137), rt::Scalar(1f32));
+        path_21 = <Path>::new((at_42.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_42.metric, RAY_VIEW, rt::Scalar(at_42.level), (distance_2 + _e137), rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
             let _e147 = rt::Scalar(path_21.exit);
             local_44 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
@@ -6962,30 +7042,30 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_tetrahedra_segment(
         &self,
-        pixel_50: PixelIn,
-        at_42: Entered,
+        pixel_51: PixelIn,
+        at_43: Entered,
         k_9: impl rt::Into<rt::Scalar<u32>>,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_50, at_42, rt::into(k_9), rt::into(params_27)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_51, at_43, rt::into(k_9), rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_segment(
         &self,
-        pixel_50: PixelIn,
-        at_42: Entered,
+        pixel_51: PixelIn,
+        at_43: Entered,
         k_9: rt::Scalar<u32>,
-        params_27: rt::Vec4<f32>,
+        params_28: rt::Vec4<f32>,
     ) -> Path {
         let mut chosen_1: Tetrahedron;
         let mut inside_3: rt::Vec2<f32>;
         let mut path_22: Path;
 
-        let along_33 = pixel_50.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_50, along_33);
-        let _e8 = self.v_tetrahedron(pixel_50, along_33, _e6, rt::Scalar(0u32));
-        let _e10 = self.v_tetrahedron(pixel_50, along_33, _e6, rt::Scalar(1u32));
-        let _e12 = self.v_tetrahedron(pixel_50, along_33, _e6, rt::Scalar(2u32));
+        let along_33 = pixel_51.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_51, along_33);
+        let _e8 = self.v_tetrahedron(pixel_51, along_33, _e6, rt::Scalar(0u32));
+        let _e10 = self.v_tetrahedron(pixel_51, along_33, _e6, rt::Scalar(1u32));
+        let _e12 = self.v_tetrahedron(pixel_51, along_33, _e6, rt::Scalar(2u32));
         let _e15 = self.v_comes_before(_e8.inside, _e10.inside);
         let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
         let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
@@ -6996,22 +7076,22 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_9)) {
             chosen_1 = _e12;
         }
-        let _e30 = self.v_ordered(pixel_50, rt::Scalar(0u32));
-        let _e32 = self.v_ordered(pixel_50, rt::Scalar(1u32));
-        let _e34 = self.v_ordered(pixel_50, rt::Scalar(2u32));
+        let _e30 = self.v_ordered(pixel_51, rt::Scalar(0u32));
+        let _e32 = self.v_ordered(pixel_51, rt::Scalar(1u32));
+        let _e34 = self.v_ordered(pixel_51, rt::Scalar(2u32));
         let w_4 = chosen_1.weights;
         let g = chosen_1.change;
         let uv_35 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
-        let _e61 = self.v_shell_slack(pixel_50, _e6);
+        let _e61 = self.v_shell_slack(pixel_51, _e6);
         let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
         let _e68 = chosen_1.inside;
         inside_3 = _e68;
         let _e70 = inside_3;
-        let _e77 = self.v_where_positive(_e70, (w_4.w() - pixel_50.shell.heights.x()), g.w(), beyond_6);
+        let _e77 = self.v_where_positive(_e70, (w_4.w() - pixel_51.shell.heights.x()), g.w(), beyond_6);
         inside_3 = _e77;
         let _e78 = inside_3;
-        let _e87 = self.v_where_positive(_e78, (pixel_50.shell.heights.y() - w_4.w()), (rt::Scalar(0f32) - g.w()), beyond_6);
+        let _e87 = self.v_where_positive(_e78, (pixel_51.shell.heights.y() - w_4.w()), (rt::Scalar(0f32) - g.w()), beyond_6);
         inside_3 = _e87;
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
@@ -7030,7 +7110,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_22 = <Path>::new((uv_35 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_42.metric, RAY_VIEW, rt::Scalar(at_42.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
+        path_22 = <Path>::new((uv_35 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_43.metric, RAY_VIEW, rt::Scalar(at_43.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
         let _e158 = rt::Scalar(path_22.exit);
         if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
             let _e161 = path_22;
@@ -7044,37 +7124,37 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_facets_segment(
         &self,
-        pixel_51: PixelIn,
-        at_43: Entered,
+        pixel_52: PixelIn,
+        at_44: Entered,
         k_10: impl rt::Into<rt::Scalar<u32>>,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_facets_segment(pixel_51, at_43, rt::into(k_10), rt::into(params_28)))
+        rt::into(self.v_surface_facets_segment(pixel_52, at_44, rt::into(k_10), rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_segment(
         &self,
-        pixel_51: PixelIn,
-        at_43: Entered,
+        pixel_52: PixelIn,
+        at_44: Entered,
         k_10: rt::Scalar<u32>,
-        params_28: rt::Vec4<f32>,
+        params_29: rt::Vec4<f32>,
     ) -> Path {
-        let _e4 = self.v_plane_normal(pixel_51);
-        let _e5 = self.v_triangle_distance(pixel_51, _e4);
-        let start_2 = (_e5 * pixel_51.direction.length());
-        let _e11 = self.v_height_at(at_43.uv, rt::Scalar(at_43.level));
+        let _e4 = self.v_plane_normal(pixel_52);
+        let _e5 = self.v_triangle_distance(pixel_52, _e4);
+        let start_2 = (_e5 * pixel_52.direction.length());
+        let _e11 = self.v_height_at(at_44.uv, rt::Scalar(at_44.level));
         let duv_8 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Path>::new(at_43.uv, duv_8, <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(1f32), rt::Scalar(0f32), at_43.metric, RAY_VIEW, rt::Scalar(at_43.level), start_2, rt::Scalar(1f32));
+        return <Path>::new(at_44.uv, duv_8, <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(1f32), rt::Scalar(0f32), at_44.metric, RAY_VIEW, rt::Scalar(at_44.level), start_2, rt::Scalar(1f32));
     }
     pub(crate) fn slice_inside(
         &self,
         map_1: impl rt::Into<rt::Scalar<f32>>,
         slice: impl rt::Into<rt::Scalar<f32>>,
         spacing: impl rt::Into<rt::Scalar<f32>>,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice), rt::into(spacing), rt::into(params_29)))
+        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice), rt::into(spacing), rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7083,7 +7163,7 @@ impl<'g> Resources<'g> {
         map_1: rt::Scalar<f32>,
         slice: rt::Scalar<f32>,
         spacing: rt::Scalar<f32>,
-        params_29: rt::Vec4<f32>,
+        params_30: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return map_1.elementwise_gt(slice);
     }
@@ -7092,9 +7172,9 @@ impl<'g> Resources<'g> {
         map_2: impl rt::Into<rt::Scalar<f32>>,
         slice_1: impl rt::Into<rt::Scalar<f32>>,
         spacing_1: impl rt::Into<rt::Scalar<f32>>,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_1), rt::into(spacing_1), rt::into(params_30)))
+        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_1), rt::into(spacing_1), rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7103,7 +7183,7 @@ impl<'g> Resources<'g> {
         map_2: rt::Scalar<f32>,
         slice_1: rt::Scalar<f32>,
         spacing_1: rt::Scalar<f32>,
-        params_30: rt::Vec4<f32>,
+        params_31: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return map_2.elementwise_ge(slice_1);
     }
@@ -7112,9 +7192,9 @@ impl<'g> Resources<'g> {
         map_3: impl rt::Into<rt::Scalar<f32>>,
         slice_2: impl rt::Into<rt::Scalar<f32>>,
         spacing_2: impl rt::Into<rt::Scalar<f32>>,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_2), rt::into(spacing_2), rt::into(params_31)))
+        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_2), rt::into(spacing_2), rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7123,7 +7203,7 @@ impl<'g> Resources<'g> {
         map_3: rt::Scalar<f32>,
         slice_2: rt::Scalar<f32>,
         spacing_2: rt::Scalar<f32>,
-        params_31: rt::Vec4<f32>,
+        params_32: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return (map_3 - slice_2).abs().elementwise_le((rt::Scalar(0.5f32) * spacing_2));
     }
@@ -7163,60 +7243,60 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn slice_spacing(
         &self,
-        at_44: Entered,
+        at_45: Entered,
         axis: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_slice_spacing(at_44, rt::into(axis)))
+        rt::into(self.v_slice_spacing(at_45, rt::into(axis)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_slice_spacing(
         &self,
-        at_44: Entered,
+        at_45: Entered,
         axis: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let step_6 = at_44.of_surface.y();
+        let step_6 = at_45.of_surface.y();
         if rt::Scalar::into_branch_condition(axis.elementwise_eq(SLICES_ALONG_HEIGHT)) {
             return step_6;
         }
         if rt::Scalar::into_branch_condition(axis.elementwise_eq(SLICES_ALONG_U)) {
             let _e12 = self.v_traced_scale_m();
-            return ((step_6 * at_44.metric.x().sqrt()) / _e12);
+            return ((step_6 * at_45.metric.x().sqrt()) / _e12);
         }
         if rt::Scalar::into_branch_condition(axis.elementwise_eq(SLICES_ALONG_V)) {
             let _e20 = self.v_traced_scale_m();
-            return ((step_6 * at_44.metric.z().sqrt()) / _e20);
+            return ((step_6 * at_45.metric.z().sqrt()) / _e20);
         }
         let _e22 = self.v_traced_scale_m();
         return (step_6 / _e22);
     }
     pub(crate) fn slice_above(
         &self,
-        pixel_52: PixelIn,
-        at_45: Entered,
+        pixel_53: PixelIn,
+        at_46: Entered,
         along_16: impl rt::Into<rt::Scalar<f32>>,
         far_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_above(pixel_52, at_45, rt::into(along_16), rt::into(far_2)))
+        rt::into(self.v_slice_above(pixel_53, at_46, rt::into(along_16), rt::into(far_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slice_above(
         &self,
-        pixel_52: PixelIn,
-        at_45: Entered,
+        pixel_53: PixelIn,
+        at_46: Entered,
         along_16: rt::Scalar<f32>,
         far_2: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let mut local_45: rt::Scalar<bool>;
 
-        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_52.direction.dot(at_45.normal).elementwise_lt(rt::Scalar(0f32))) * at_45.of_surface.y());
+        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_53.direction.dot(at_46.normal).elementwise_lt(rt::Scalar(0f32))) * at_46.of_surface.y());
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
         let step_m = (upward * _e17);
-        let a_24 = (pixel_52.a.position + (pixel_52.a.normal * step_m));
-        let b_24 = (pixel_52.b.position + (pixel_52.b.normal * step_m));
-        let c_16 = (pixel_52.c.position + (pixel_52.c.normal * step_m));
+        let a_24 = (pixel_53.a.position + (pixel_53.a.normal * step_m));
+        let b_24 = (pixel_53.b.position + (pixel_53.b.normal * step_m));
+        let c_16 = (pixel_53.c.position + (pixel_53.c.normal * step_m));
         let n_10 = (b_24 - a_24).cross((c_16 - a_24));
-        let t_36 = (n_10.dot((a_24 - pixel_52.origin)) / n_10.dot(pixel_52.direction));
+        let t_36 = (n_10.dot((a_24 - pixel_53.origin)) / n_10.dot(pixel_53.direction));
         let lead = (far_2 - (t_36 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
             local_45 = t_36.abs().elementwise_le(rt::Scalar(1000000000f32));
@@ -7227,30 +7307,30 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e68 = self.v_weights_of(a_24, b_24, c_16, n_10, (pixel_52.origin + (pixel_52.direction * t_36)));
-        let aside_4 = ((((pixel_52.a.uv * _e68.x()) + (pixel_52.b.uv * _e68.y())) + (pixel_52.c.uv * _e68.z())) - at_45.uv);
+        let _e68 = self.v_weights_of(a_24, b_24, c_16, n_10, (pixel_53.origin + (pixel_53.direction * t_36)));
+        let aside_4 = ((((pixel_53.a.uv * _e68.x()) + (pixel_53.b.uv * _e68.y())) + (pixel_53.c.uv * _e68.z())) - at_46.uv);
         return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_4, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
     pub(crate) fn slice_beside(
         &self,
-        at_46: Entered,
+        at_47: Entered,
         climbs: impl rt::Into<rt::Vec3<f32>>,
         pace: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_beside(at_46, rt::into(climbs), rt::into(pace)))
+        rt::into(self.v_slice_beside(at_47, rt::into(climbs), rt::into(pace)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_slice_beside(
         &self,
-        at_46: Entered,
+        at_47: Entered,
         climbs: rt::Vec3<f32>,
         pace: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let mut local_46: rt::Scalar<bool>;
 
-        let up_3 = (at_46.of_surface.x().select((rt::Scalar(1f32) - at_46.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
-        let lead_1 = (at_46.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_3, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
+        let up_3 = (at_47.of_surface.x().select((rt::Scalar(1f32) - at_47.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
+        let lead_1 = (at_47.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_3, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
         if rt::Scalar::into_branch_condition(lead_1.elementwise_gt(rt::Scalar(0f32))) {
             local_46 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
         } else {
@@ -7264,69 +7344,69 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn slice_before(
         &self,
-        pixel_53: PixelIn,
-        at_47: Entered,
+        pixel_54: PixelIn,
+        at_48: Entered,
         axis_1: impl rt::Into<rt::Scalar<u32>>,
         along_17: impl rt::Into<rt::Scalar<f32>>,
         far_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_before(pixel_53, at_47, rt::into(axis_1), rt::into(along_17), rt::into(far_3)))
+        rt::into(self.v_slice_before(pixel_54, at_48, rt::into(axis_1), rt::into(along_17), rt::into(far_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slice_before(
         &self,
-        pixel_53: PixelIn,
-        at_47: Entered,
+        pixel_54: PixelIn,
+        at_48: Entered,
         axis_1: rt::Scalar<u32>,
         along_17: rt::Scalar<f32>,
         far_3: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_HEIGHT)) {
-            let _e7 = self.v_slice_above(pixel_53, at_47, along_17, far_3);
+            let _e7 = self.v_slice_above(pixel_54, at_48, along_17, far_3);
             return _e7;
         }
-        let _e11 = self.v_climb(at_47, (pixel_53.direction / rt::Vec3::splat_from_scalar(along_17)));
+        let _e11 = self.v_climb(at_48, (pixel_54.direction / rt::Vec3::splat_from_scalar(along_17)));
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_U)) {
-            let _e16 = self.v_slice_beside(at_47, _e11, _e11.x().abs());
+            let _e16 = self.v_slice_beside(at_48, _e11, _e11.x().abs());
             return _e16;
         }
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_V)) {
-            let _e21 = self.v_slice_beside(at_47, _e11, _e11.y().abs());
+            let _e21 = self.v_slice_beside(at_48, _e11, _e11.y().abs());
             return _e21;
         }
-        let _e24 = self.v_slice_beside(at_47, _e11, (rt::Scalar(1f32) / along_17));
+        let _e24 = self.v_slice_beside(at_48, _e11, (rt::Scalar(1f32) / along_17));
         return _e24;
     }
     pub(crate) fn surface_slices_segment(
         &self,
-        pixel_54: PixelIn,
-        at_48: Entered,
+        pixel_55: PixelIn,
+        at_49: Entered,
         k_11: impl rt::Into<rt::Scalar<u32>>,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_slices_segment(pixel_54, at_48, rt::into(k_11), rt::into(params_32)))
+        rt::into(self.v_surface_slices_segment(pixel_55, at_49, rt::into(k_11), rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_segment(
         &self,
-        pixel_54: PixelIn,
-        at_48: Entered,
+        pixel_55: PixelIn,
+        at_49: Entered,
         k_11: rt::Scalar<u32>,
-        params_32: rt::Vec4<f32>,
+        params_33: rt::Vec4<f32>,
     ) -> Path {
-        let along_34 = pixel_54.direction.length();
-        let _e6 = self.v_plane_normal(pixel_54);
-        let _e7 = self.v_triangle_distance(pixel_54, _e6);
+        let along_34 = pixel_55.direction.length();
+        let _e6 = self.v_plane_normal(pixel_55);
+        let _e7 = self.v_triangle_distance(pixel_55, _e6);
         let far_7 = (_e7 * along_34);
-        let axis_2 = pixel_54.a.of_surface.z().to_u32();
-        let height_15 = at_48.of_surface.x();
-        let _e17 = self.v_height_at(at_48.uv, rt::Scalar(at_48.level));
-        let _e18 = self.v_slice_spacing(at_48, axis_2);
+        let axis_2 = pixel_55.a.of_surface.z().to_u32();
+        let height_15 = at_49.of_surface.x();
+        let _e17 = self.v_height_at(at_49.uv, rt::Scalar(at_49.level));
+        let _e18 = self.v_slice_spacing(at_49, axis_2);
         let _e19 = self.v_slices_stage(_e17, height_15, _e18);
-        let _e20 = self.v_slice_before(pixel_54, at_48, axis_2, along_34, far_7);
+        let _e20 = self.v_slice_before(pixel_55, at_49, axis_2, along_34, far_7);
         let lead_2 = (far_7 * rt::Scalar(0.0000005f32)).select(_e20.w().min(far_7), _e20.w().elementwise_gt(rt::Scalar(0f32)));
-        return <Path>::new((at_48.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_15 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_48.metric, RAY_VIEW, rt::Scalar(at_48.level), (far_7 - lead_2), rt::Scalar(1f32));
+        return <Path>::new((at_49.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_15 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_49.metric, RAY_VIEW, rt::Scalar(at_49.level), (far_7 - lead_2), rt::Scalar(1f32));
     }
     pub(crate) fn within_bounds(
         &self,
@@ -7365,167 +7445,320 @@ impl<'g> Resources<'g> {
         let b_25 = ((high - x_1) / dx_1);
         return <rt::Vec2<f32>>::from_scalars(interval_5.x().max(a_25.min(b_25)), interval_5.y().min(a_25.max(b_25)));
     }
-    pub(crate) fn tangent_of_image(&self, image_3: Image) -> rt::Vec3<f32> {
-        rt::into(self.v_tangent_of_image(image_3))
+    pub(crate) fn tangent_of_image(&self, image_4: Image) -> rt::Vec3<f32> {
+        rt::into(self.v_tangent_of_image(image_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_tangent_of_image(&self, image_3: Image) -> rt::Vec3<f32> {
-        return (image_3.u.xyz() / rt::Vec3::splat_from_scalar((image_3.u.xyz().dot(image_3.u.xyz()) * image_3.extent.x())));
+    fn v_tangent_of_image(&self, image_4: Image) -> rt::Vec3<f32> {
+        return (image_4.u.xyz() / rt::Vec3::splat_from_scalar((image_4.u.xyz().dot(image_4.u.xyz()) * image_4.extent.x())));
+    }
+    pub(crate) fn metric_of_image(&self, image_5: Image) -> rt::Vec4<f32> {
+        rt::into(self.v_metric_of_image(image_5))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_metric_of_image(&self, image_5: Image) -> rt::Vec4<f32> {
+        let _e1 = self.v_tangent_of_image(image_5);
+        let _e2 = self.v_bitangent_of_image(image_5);
+        let _e8 = rt::Scalar(self.surface_settings.scale_m);
+        return <rt::Vec4<f32>>::from_scalars(_e1.dot(_e1), _e1.dot(_e2), _e2.dot(_e2), _e8);
     }
     pub(crate) fn path_through_image(
         &self,
-        pixel_55: PixelIn,
+        pixel_56: PixelIn,
         k_12: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_path_through_image(pixel_55, rt::into(k_12)))
+        rt::into(self.v_path_through_image(pixel_56, rt::into(k_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_through_image(
         &self,
-        pixel_55: PixelIn,
+        pixel_56: PixelIn,
         k_12: rt::Scalar<u32>,
     ) -> Path {
         let mut interval_6: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let mut height_4: rt::Vec3<f32>;
 
-        let along_35 = pixel_55.direction.normalize();
+        let along_35 = pixel_56.direction.normalize();
         let _e4 = self.v_image_of_object(k_12);
-        let u_1 = (_e4.u.xyz().dot(pixel_55.origin) + _e4.u.w());
-        let v_3 = (_e4.v.xyz().dot(pixel_55.origin) + _e4.v.w());
-        let h_5 = (_e4.height.xyz().dot(pixel_55.origin) + _e4.height.w());
+        let u_1 = (_e4.u.xyz().dot(pixel_56.origin) + _e4.u.w());
+        let v_3 = (_e4.v.xyz().dot(pixel_56.origin) + _e4.v.w());
+        let h_5 = (_e4.height.xyz().dot(pixel_56.origin) + _e4.height.w());
         let du_1 = _e4.u.xyz().dot(along_35);
         let dv_1 = _e4.v.xyz().dot(along_35);
         let dh_1 = _e4.height.xyz().dot(along_35);
-        let _e40 = self.v_height_size(rt::Scalar(0u32));
-        let beyond_7 = (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / (_e4.extent * _e40));
-        let _e53 = interval_6;
-        let _e54 = self.v_within_bounds(u_1, du_1, (rt::Scalar(0f32) - beyond_7.x()), (rt::Scalar(1f32) + beyond_7.x()), _e53);
-        interval_6 = _e54;
-        let _e61 = interval_6;
-        let _e62 = self.v_within_bounds(v_3, dv_1, (rt::Scalar(0f32) - beyond_7.y()), (rt::Scalar(1f32) + beyond_7.y()), _e61);
-        interval_6 = _e62;
-        let _e65 = interval_6;
-        let _e66 = self.v_within_bounds(h_5, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e65);
-        interval_6 = _e66;
+        let _e35 = self.v_beyond_image(_e4);
+        let _e46 = interval_6;
+        let _e47 = self.v_within_bounds(u_1, du_1, (rt::Scalar(0f32) - _e35.x()), (rt::Scalar(1f32) + _e35.x()), _e46);
+        interval_6 = _e47;
+        let _e54 = interval_6;
+        let _e55 = self.v_within_bounds(v_3, dv_1, (rt::Scalar(0f32) - _e35.y()), (rt::Scalar(1f32) + _e35.y()), _e54);
+        interval_6 = _e55;
+        let _e58 = interval_6;
+        let _e59 = self.v_within_bounds(h_5, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e58);
+        interval_6 = _e59;
         let start_3 = interval_6.x();
         height_4 = <rt::Vec3<f32>>::from_scalars((h_5 + (dh_1 * start_3)), dh_1, rt::Scalar(0f32));
-        let _e76 = rt::Scalar(self.surface_settings.cells);
-        if rt::Scalar::into_branch_condition(_e76.elementwise_eq(CELLS_MASK)) {
+        let _e69 = rt::Scalar(self.surface_settings.cells);
+        if rt::Scalar::into_branch_condition(_e69.elementwise_eq(CELLS_MASK)) {
             height_4 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e83 = self.v_tangent_of_image(_e4);
-        let _e84 = self.v_bitangent_of_image(_e4);
-        let _e97 = height_4;
-        let _e99 = interval_6.y();
-        let _e107 = rt::Scalar(self.surface_settings.scale_m);
-        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_1 + (du_1 * start_3)), (v_3 + (dv_1 * start_3))))), (_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)), _e97, (_e99 - start_3), k_12.to_f32(), <rt::Vec4<f32>>::from_scalars(_e83.dot(_e83), _e83.dot(_e84), _e84.dot(_e84), _e107), RAY_VIEW, rt::Scalar(0u32), start_3, rt::Scalar(1f32));
+        let _e88 = height_4;
+        let _e90 = interval_6.y();
+        let _e93 = self.v_metric_of_image(_e4);
+        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_1 + (du_1 * start_3)), (v_3 + (dv_1 * start_3))))), (_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)), _e88, (_e90 - start_3), k_12.to_f32(), _e93, RAY_VIEW, rt::Scalar(0u32), start_3, rt::Scalar(1f32));
     }
     pub(crate) fn surface_object_segment(
         &self,
-        pixel_56: PixelIn,
-        at_49: Entered,
+        pixel_57: PixelIn,
+        at_50: Entered,
         k_13: impl rt::Into<rt::Scalar<u32>>,
-        params_33: impl rt::Into<rt::Vec4<f32>>,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_segment(pixel_56, at_49, rt::into(k_13), rt::into(params_33)))
+        rt::into(self.v_surface_object_segment(pixel_57, at_50, rt::into(k_13), rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_segment(
         &self,
-        pixel_56: PixelIn,
-        at_49: Entered,
+        pixel_57: PixelIn,
+        at_50: Entered,
         k_13: rt::Scalar<u32>,
-        params_33: rt::Vec4<f32>,
+        params_34: rt::Vec4<f32>,
     ) -> Path {
-        let _e4 = self.v_path_through_image(pixel_56, k_13);
+        let _e4 = self.v_path_through_image(pixel_57, k_13);
         return _e4;
     }
     pub(crate) fn surface_frames_segment(
         &self,
-        pixel_57: PixelIn,
-        at_50: Entered,
+        pixel_58: PixelIn,
+        at_51: Entered,
         k_14: impl rt::Into<rt::Scalar<u32>>,
-        params_34: impl rt::Into<rt::Vec4<f32>>,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_frames_segment(pixel_57, at_50, rt::into(k_14), rt::into(params_34)))
+        rt::into(self.v_surface_frames_segment(pixel_58, at_51, rt::into(k_14), rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_frames_segment(
         &self,
-        pixel_57: PixelIn,
-        at_50: Entered,
+        pixel_58: PixelIn,
+        at_51: Entered,
         k_14: rt::Scalar<u32>,
-        params_34: rt::Vec4<f32>,
+        params_35: rt::Vec4<f32>,
     ) -> Path {
-        let _e7 = self.v_frames_around((-pixel_57.direction.normalize()));
+        let _e7 = self.v_frames_around((-pixel_58.direction.normalize()));
         let _e8 = self.v_frame_number(_e7, k_14);
-        let _e9 = self.v_path_through_image(pixel_57, _e8);
+        let _e9 = self.v_path_through_image(pixel_58, _e8);
         return _e9;
+    }
+    pub(crate) fn on_image(
+        &self,
+        image_6: Image,
+        point_8: impl rt::Into<rt::Vec3<f32>>,
+    ) -> OnImage {
+        rt::into(self.v_on_image(image_6, rt::into(point_8)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_on_image(
+        &self,
+        image_6: Image,
+        point_8: rt::Vec3<f32>,
+    ) -> OnImage {
+        let mut local_48: rt::Scalar<bool>;
+        let mut local_49: rt::Scalar<bool>;
+
+        let u_2 = (image_6.u.xyz().dot(point_8) + image_6.u.w());
+        let v_4 = (image_6.v.xyz().dot(point_8) + image_6.v.w());
+        let h_6 = (image_6.height.xyz().dot(point_8) + image_6.height.w());
+        let _e20 = self.v_beyond_image(image_6);
+        let beside_5 = ((u_2 - rt::Scalar(0.5f32)).abs() - _e20.x()).max(((v_4 - rt::Scalar(0.5f32)).abs() - _e20.y()));
+        let uv_36 = (image_6.corner + (image_6.extent * <rt::Vec2<f32>>::from_scalars(u_2, v_4)));
+        let _e38 = self.v_height_size(rt::Scalar(0u32));
+        let _e44 = self.v_cell_parts();
+        let at_132 = (((uv_36 * _e38) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e44.to_f32());
+        let _e47 = self.v_cell_of(at_132);
+        let part_18 = (at_132 - _e47);
+        let _e51 = self.v_grid_cell(_e47.to_i32(), rt::Scalar(0u32));
+        let top_7 = (_e51.x() + ((_e51.y() - _e51.x()) * part_18.x()));
+        let bottom_4 = (_e51.z() + ((_e51.w() - _e51.z()) * part_18.x()));
+        let map_5 = (top_7 + ((bottom_4 - top_7) * part_18.y()));
+        if rt::Scalar::into_branch_condition(beside_5.elementwise_le(rt::Scalar(0.5f32))) {
+            local_48 = h_6.elementwise_gt(rt::Scalar(0.00001f32));
+        } else {
+            local_48 = rt::Scalar(false);
+        }
+        let _e77 = local_48;
+        if rt::Scalar::into_branch_condition(_e77) {
+            local_49 = h_6.elementwise_le(rt::Scalar(1f32));
+        } else {
+            local_49 = rt::Scalar(false);
+        }
+        let is_inside_1 = local_49;
+        let _e86 = rt::Scalar(self.surface_settings.cells);
+        return <OnImage>::new(uv_36, h_6.select(rt::Scalar(0.5f32), _e86.elementwise_eq(CELLS_MASK)), map_5, is_inside_1);
+    }
+    pub(crate) fn with_image(
+        &self,
+        slice_4: OnSlice,
+        number_9: impl rt::Into<rt::Scalar<u32>>,
+        point_9: impl rt::Into<rt::Vec3<f32>>,
+    ) -> OnSlice {
+        rt::into(self.v_with_image(slice_4, rt::into(number_9), rt::into(point_9)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_with_image(
+        &self,
+        slice_4: OnSlice,
+        number_9: rt::Scalar<u32>,
+        point_9: rt::Vec3<f32>,
+    ) -> OnSlice {
+        let mut local_50: rt::Scalar<bool>;
+
+        let _e3 = self.v_image_of_object(number_9);
+        let _e4 = self.v_on_image(_e3, point_9);
+        let over_1 = (rt::Scalar(_e4.map) - rt::Scalar(_e4.height));
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e4.is_inside)) {
+            let _e14 = self.v_slices_stage(rt::Scalar(_e4.map), rt::Scalar(_e4.height), rt::Scalar(0f32));
+            local_50 = _e14;
+        } else {
+            local_50 = rt::Scalar(false);
+        }
+        let passes = local_50;
+        if rt::Scalar::into_branch_condition(over_1.elementwise_lt(rt::Scalar(slice_4.over))) {
+            return <OnSlice>::new(passes, number_9, _e4, over_1);
+        }
+        return <OnSlice>::new(passes, rt::Scalar(slice_4.number), slice_4.nearest, rt::Scalar(slice_4.over));
+    }
+    pub(crate) fn slice_at(&self, point_10: impl rt::Into<rt::Vec3<f32>>) -> OnSlice {
+        rt::into(self.v_slice_at(rt::into(point_10)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_slice_at(&self, point_10: rt::Vec3<f32>) -> OnSlice {
+        let mut slice_5: OnSlice = <OnSlice>::new(rt::Scalar(true), rt::Scalar(0u32), <OnImage>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(false)), rt::Scalar(2f32));
+        let mut number_10: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_51: rt::Scalar<bool>;
+
+        'naga_break: loop {
+            'naga_continue: {
+                let _e15 = number_10;
+                let _e18 = rt::Scalar(self.surface_settings.images);
+                if rt::Scalar::into_branch_condition(_e15.elementwise_lt(_e18)) {
+                    let _e23 = rt::Scalar(slice_5.passes);
+                    local_51 = _e23;
+                } else {
+                    local_51 = rt::Scalar(false);
+                }
+                let _e25 = local_51;
+                if rt::Scalar::into_branch_condition(_e25) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e26 = slice_5;
+                    let _e27 = number_10;
+                    let _e28 = self.v_with_image(_e26, _e27, point_10);
+                    slice_5 = _e28;
+                    let _e29 = number_10;
+                    number_10 = (_e29 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e32 = slice_5;
+        return _e32;
+    }
+    pub(crate) fn surface_object_slices_segment(
+        &self,
+        pixel_59: PixelIn,
+        at_52: Entered,
+        k_15: impl rt::Into<rt::Scalar<u32>>,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Path {
+        rt::into(self.v_surface_object_slices_segment(pixel_59, at_52, rt::into(k_15), rt::into(params_36)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_surface_object_slices_segment(
+        &self,
+        pixel_59: PixelIn,
+        at_52: Entered,
+        k_15: rt::Scalar<u32>,
+        params_36: rt::Vec4<f32>,
+    ) -> Path {
+        let _e5 = self.v_slice_at(at_52.point);
+        let far_8 = (at_52.point - pixel_59.origin).length();
+        let lead_3 = (far_8 * rt::Scalar(0.0000005f32));
+        let _e26 = self.v_image_of_object(rt::Scalar(_e5.number));
+        let _e27 = self.v_metric_of_image(_e26);
+        return <Path>::new(_e5.nearest.uv, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e5.nearest.height), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_3, rt::Scalar(_e5.passes)), lead_3, _e27, RAY_VIEW, rt::Scalar(0u32), (far_8 - lead_3), rt::Scalar(1f32));
     }
     pub(crate) fn surface_segment_stage(
         &self,
-        pixel_58: PixelIn,
-        at_51: Entered,
-        k_15: impl rt::Into<rt::Scalar<u32>>,
+        pixel_60: PixelIn,
+        at_53: Entered,
+        k_16: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_58, at_51, rt::into(k_15)))
+        rt::into(self.v_surface_segment_stage(pixel_60, at_53, rt::into(k_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_segment_stage(
         &self,
-        pixel_58: PixelIn,
-        at_51: Entered,
-        k_15: rt::Scalar<u32>,
+        pixel_60: PixelIn,
+        at_53: Entered,
+        k_16: rt::Scalar<u32>,
     ) -> Path {
         let _e7 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[1usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_58, at_51, k_15, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_60, at_53, k_16, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[1usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_58, at_51, k_15, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_60, at_53, k_16, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[1usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_58, at_51, k_15, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_60, at_53, k_16, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[1usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_58, at_51, k_15, _e30);
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_60, at_53, k_16, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[1usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_58, at_51, k_15, _e36);
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_60, at_53, k_16, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[1usize].params;
-                let _e43 = self.v_surface_facets_segment(pixel_58, at_51, k_15, _e42);
+                let _e43 = self.v_surface_facets_segment(pixel_60, at_53, k_16, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[1usize].params;
-                let _e49 = self.v_surface_slices_segment(pixel_58, at_51, k_15, _e48);
+                let _e49 = self.v_surface_slices_segment(pixel_60, at_53, k_16, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[1usize].params;
-                let _e55 = self.v_surface_object_segment(pixel_58, at_51, k_15, _e54);
+                let _e55 = self.v_surface_object_segment(pixel_60, at_53, k_16, _e54);
                 return _e55;
             }
-            _ => {
+            8u32 => {
                 let _e60 = self.surface_settings.choices[1usize].params;
-                let _e61 = self.v_surface_frames_segment(pixel_58, at_51, k_15, _e60);
+                let _e61 = self.v_surface_frames_segment(pixel_60, at_53, k_16, _e60);
                 return _e61;
+            }
+            _ => {
+                let _e66 = self.surface_settings.choices[1usize].params;
+                let _e67 = self.v_surface_object_slices_segment(pixel_60, at_53, k_16, _e66);
+                return _e67;
             }
         }
     }
@@ -7547,8 +7780,8 @@ impl<'g> Resources<'g> {
         let mut start: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let kept = (rt::Scalar(1f32) - part_4);
-        let top_7 = (middle_8 + ((rt::Scalar(1f32) - middle_8) * kept));
-        let above_6 = (path_23.h.x() - top_7);
+        let top_8 = (middle_8 + ((rt::Scalar(1f32) - middle_8) * kept));
+        let above_6 = (path_23.h.x() - top_8);
         let begins = above_6.elementwise_gt(rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(begins) {
             let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_6, path_23.h.y(), path_23.h.z()), rt::Scalar(path_23.exit));
@@ -7557,41 +7790,41 @@ impl<'g> Resources<'g> {
         let height_16 = (middle_8 + ((path_23.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
         let _e32 = start;
         let _e33 = self.v_path_slope(path_23, _e32);
-        let h_6 = <rt::Vec3<f32>>::from_scalars(height_16, (_e33 / kept), (path_23.h.z() / kept));
+        let h_7 = <rt::Vec3<f32>>::from_scalars(height_16, (_e33 / kept), (path_23.h.z() / kept));
         let _e40 = start;
         let rest_4 = (rt::Scalar(path_23.exit) - _e40);
-        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_6.x().max(rt::Scalar(0f32)), h_6.y(), h_6.z()), rest_4);
+        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_7.x().max(rt::Scalar(0f32)), h_7.y(), h_7.z()), rest_4);
         let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_4);
         let _e53 = start;
         let base_5 = (rt::Scalar(path_23.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e58 = start;
         let _e59 = self.v_path_uv(path_23, _e58);
         let _e65 = start;
-        return <Path>::new(_e59, path_23.duv, h_6, exit_1, base_5, path_23.metric, rt::Scalar(path_23.ray), rt::Scalar(path_23.level), (rt::Scalar(path_23.start) + _e65), rt::Scalar(path_23.share));
+        return <Path>::new(_e59, path_23.duv, h_7, exit_1, base_5, path_23.metric, rt::Scalar(path_23.ray), rt::Scalar(path_23.level), (rt::Scalar(path_23.start) + _e65), rt::Scalar(path_23.share));
     }
     pub(crate) fn segment_of(
         &self,
-        pixel_59: PixelIn,
-        at_52: Entered,
-        k_16: impl rt::Into<rt::Scalar<u32>>,
+        pixel_61: PixelIn,
+        at_54: Entered,
+        k_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_59, at_52, rt::into(k_16)))
+        rt::into(self.v_segment_of(pixel_61, at_54, rt::into(k_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_segment_of(
         &self,
-        pixel_59: PixelIn,
-        at_52: Entered,
-        k_16: rt::Scalar<u32>,
+        pixel_61: PixelIn,
+        at_54: Entered,
+        k_17: rt::Scalar<u32>,
     ) -> Path {
         let mut path_24: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_59, at_52, k_16);
+        let _e3 = self.v_surface_segment_stage(pixel_61, at_54, k_17);
         path_24 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_52.fade).elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_54.fade).elementwise_gt(rt::Scalar(0f32))) {
             let _e8 = path_24;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_52.fade));
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_54.fade));
             path_24 = _e13;
             let _e16 = path_24.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
@@ -7603,23 +7836,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane_polish(
         &self,
-        pixel_60: PixelIn,
-        at_53: Entered,
+        pixel_62: PixelIn,
+        at_55: Entered,
         path_25: Path,
         hit_7: Hit,
-        params_35: impl rt::Into<rt::Vec4<f32>>,
+        params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_60, at_53, path_25, hit_7, rt::into(params_35)))
+        rt::into(self.v_surface_plane_polish(pixel_62, at_55, path_25, hit_7, rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_polish(
         &self,
-        pixel_60: PixelIn,
-        at_53: Entered,
+        pixel_62: PixelIn,
+        at_55: Entered,
         path_25: Path,
         hit_7: Hit,
-        params_35: rt::Vec4<f32>,
+        params_37: rt::Vec4<f32>,
     ) -> Hit {
         return hit_7;
     }
@@ -7685,23 +7918,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn point_of_way(
         &self,
-        pixel_61: PixelIn,
+        pixel_63: PixelIn,
         prism_13: Prism,
         place_14: impl rt::Into<rt::Vec3<f32>>,
         height_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_point_of_way(pixel_61, prism_13, rt::into(place_14), rt::into(height_6)))
+        rt::into(self.v_point_of_way(pixel_63, prism_13, rt::into(place_14), rt::into(height_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_way(
         &self,
-        pixel_61: PixelIn,
+        pixel_63: PixelIn,
         prism_13: Prism,
         place_14: rt::Vec3<f32>,
         height_6: rt::Scalar<f32>,
     ) -> ShellPoint {
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_61.shell.order).elementwise_ge(SHELL_FOLDED)) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_63.shell.order).elementwise_ge(SHELL_FOLDED)) {
             let _e8 = self.v_shell_point_near(prism_13, place_14, height_6);
             return _e8;
         }
@@ -7710,40 +7943,40 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_prism_polish(
         &self,
-        pixel_62: PixelIn,
-        at_54: Entered,
+        pixel_64: PixelIn,
+        at_56: Entered,
         path_26: Path,
         hit_8: Hit,
-        params_36: impl rt::Into<rt::Vec4<f32>>,
+        params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_62, at_54, path_26, hit_8, rt::into(params_36)))
+        rt::into(self.v_surface_prism_polish(pixel_64, at_56, path_26, hit_8, rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_polish(
         &self,
-        pixel_62: PixelIn,
-        at_54: Entered,
+        pixel_64: PixelIn,
+        at_56: Entered,
         path_26: Path,
         hit_8: Hit,
-        params_36: rt::Vec4<f32>,
+        params_38: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_15: rt::Scalar<f32>;
-        let mut point_8: ShellPoint;
+        let mut point_11: ShellPoint;
         let mut step_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let along_36 = pixel_62.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_62, along_36);
-        let _e8 = self.v_prism_of(pixel_62, along_36, _e7, params_36);
+        let along_36 = pixel_64.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_64, along_36);
+        let _e8 = self.v_prism_of(pixel_64, along_36, _e7, params_38);
         let _e10 = self.v_path_gap(path_26, rt::Scalar(hit_8.t));
         let _e11 = self.v_grid_of(path_26);
         let texels_5 = _e11.step.abs();
-        let most_13 = ((rt::Scalar(2f32) * params_36.x()) / texels_5.x().max(texels_5.y()).max((path_26.h.y().abs() / rt::Scalar(0.0625f32))));
+        let most_13 = ((rt::Scalar(2f32) * params_38.x()) / texels_5.x().max(texels_5.y()).max((path_26.h.y().abs() / rt::Scalar(0.0625f32))));
         t_15 = rt::Scalar(hit_8.t);
         let _e30 = t_15;
         let _e34 = t_15;
         let _e35 = self.v_path_height(path_26, _e34);
-        let _e36 = self.v_point_of_way(pixel_62, _e8, (along_36 * ((rt::Scalar(path_26.start) + _e30) - _e7)), _e35);
-        point_8 = _e36;
+        let _e36 = self.v_point_of_way(pixel_64, _e8, (along_36 * ((rt::Scalar(path_26.start) + _e30) - _e7)), _e35);
+        point_11 = _e36;
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = step_2;
@@ -7754,9 +7987,9 @@ impl<'g> Resources<'g> {
                 {
                     let _e43 = step_2;
                     step_2 = (_e43 + rt::Scalar(1u32));
-                    let _e47 = rt::Scalar(point_8.height);
-                    let _e49 = point_8.weights;
-                    let _e50 = self.v_uv_of(pixel_62, _e49);
+                    let _e47 = rt::Scalar(point_11.height);
+                    let _e49 = point_11.weights;
+                    let _e50 = self.v_uv_of(pixel_64, _e49);
                     let _e52 = self.v_height_at(_e50, rt::Scalar(path_26.level));
                     let gap_1 = ((_e47 - _e52) - _e10);
                     let _e57 = t_15;
@@ -7770,132 +8003,132 @@ impl<'g> Resources<'g> {
                     }
                     let _e75 = t_15;
                     let place_23 = (along_36 * ((rt::Scalar(path_26.start) + _e75) - _e7));
-                    if rt::Scalar::into_branch_condition(rt::Scalar(pixel_62.shell.order).elementwise_ge(SHELL_FOLDED)) {
+                    if rt::Scalar::into_branch_condition(rt::Scalar(pixel_64.shell.order).elementwise_ge(SHELL_FOLDED)) {
                         let _e83 = t_15;
                         let _e84 = self.v_path_height(path_26, _e83);
                         let _e85 = self.v_shell_point_near(_e8, place_23, _e84);
-                        point_8 = _e85;
+                        point_11 = _e85;
                     } else {
-                        let _e86 = point_8;
+                        let _e86 = point_11;
                         let _e87 = self.v_shell_point_from(_e8, place_23, _e86);
-                        point_8 = _e87;
+                        point_11 = _e87;
                     }
                 }
             }
         }
-        let _e91 = point_8.weights;
-        let _e92 = self.v_uv_of(pixel_62, _e91);
-        let _e94 = rt::Scalar(point_8.height);
+        let _e91 = point_11.weights;
+        let _e92 = self.v_uv_of(pixel_64, _e91);
+        let _e94 = rt::Scalar(point_11.height);
         let _e95 = t_15;
         return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_8.exhausted), _e92, _e94, _e95, hit_8.cost);
     }
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
-        pixel_63: PixelIn,
-        at_55: Entered,
+        pixel_65: PixelIn,
+        at_57: Entered,
         path_27: Path,
         hit_9: Hit,
-        params_37: impl rt::Into<rt::Vec4<f32>>,
+        params_39: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_63, at_55, path_27, hit_9, rt::into(params_37)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_65, at_57, path_27, hit_9, rt::into(params_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_polish(
         &self,
-        pixel_63: PixelIn,
-        at_55: Entered,
+        pixel_65: PixelIn,
+        at_57: Entered,
         path_27: Path,
         hit_9: Hit,
-        params_37: rt::Vec4<f32>,
+        params_39: rt::Vec4<f32>,
     ) -> Hit {
         return hit_9;
     }
     pub(crate) fn surface_quadric_vertical_polish(
         &self,
-        pixel_64: PixelIn,
-        at_56: Entered,
+        pixel_66: PixelIn,
+        at_58: Entered,
         path_28: Path,
         hit_10: Hit,
-        params_38: impl rt::Into<rt::Vec4<f32>>,
+        params_40: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_64, at_56, path_28, hit_10, rt::into(params_38)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_66, at_58, path_28, hit_10, rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_vertical_polish(
         &self,
-        pixel_64: PixelIn,
-        at_56: Entered,
+        pixel_66: PixelIn,
+        at_58: Entered,
         path_28: Path,
         hit_10: Hit,
-        params_38: rt::Vec4<f32>,
+        params_40: rt::Vec4<f32>,
     ) -> Hit {
         return hit_10;
     }
     pub(crate) fn surface_tetrahedra_polish(
         &self,
-        pixel_65: PixelIn,
-        at_57: Entered,
+        pixel_67: PixelIn,
+        at_59: Entered,
         path_29: Path,
         hit_11: Hit,
-        params_39: impl rt::Into<rt::Vec4<f32>>,
+        params_41: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_65, at_57, path_29, hit_11, rt::into(params_39)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_67, at_59, path_29, hit_11, rt::into(params_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_tetrahedra_polish(
         &self,
-        pixel_65: PixelIn,
-        at_57: Entered,
+        pixel_67: PixelIn,
+        at_59: Entered,
         path_29: Path,
         hit_11: Hit,
-        params_39: rt::Vec4<f32>,
+        params_41: rt::Vec4<f32>,
     ) -> Hit {
         return hit_11;
     }
     pub(crate) fn surface_facets_polish(
         &self,
-        pixel_66: PixelIn,
-        at_58: Entered,
+        pixel_68: PixelIn,
+        at_60: Entered,
         path_30: Path,
         hit_12: Hit,
-        params_40: impl rt::Into<rt::Vec4<f32>>,
+        params_42: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_facets_polish(pixel_66, at_58, path_30, hit_12, rt::into(params_40)))
+        rt::into(self.v_surface_facets_polish(pixel_68, at_60, path_30, hit_12, rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_polish(
         &self,
-        pixel_66: PixelIn,
-        at_58: Entered,
+        pixel_68: PixelIn,
+        at_60: Entered,
         path_30: Path,
         hit_12: Hit,
-        params_40: rt::Vec4<f32>,
+        params_42: rt::Vec4<f32>,
     ) -> Hit {
         return hit_12;
     }
     pub(crate) fn surface_slices_polish(
         &self,
-        pixel_67: PixelIn,
-        at_59: Entered,
+        pixel_69: PixelIn,
+        at_61: Entered,
         path_31: Path,
         hit_13: Hit,
-        params_41: impl rt::Into<rt::Vec4<f32>>,
+        params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_slices_polish(pixel_67, at_59, path_31, hit_13, rt::into(params_41)))
+        rt::into(self.v_surface_slices_polish(pixel_69, at_61, path_31, hit_13, rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_polish(
         &self,
-        pixel_67: PixelIn,
-        at_59: Entered,
+        pixel_69: PixelIn,
+        at_61: Entered,
         path_31: Path,
         hit_13: Hit,
-        params_41: rt::Vec4<f32>,
+        params_43: rt::Vec4<f32>,
     ) -> Hit {
         let mut counted: Hit;
 
@@ -7906,109 +8139,143 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_object_polish(
         &self,
-        pixel_68: PixelIn,
-        at_60: Entered,
+        pixel_70: PixelIn,
+        at_62: Entered,
         path_32: Path,
         hit_14: Hit,
-        params_42: impl rt::Into<rt::Vec4<f32>>,
+        params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_polish(pixel_68, at_60, path_32, hit_14, rt::into(params_42)))
+        rt::into(self.v_surface_object_polish(pixel_70, at_62, path_32, hit_14, rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_polish(
         &self,
-        pixel_68: PixelIn,
-        at_60: Entered,
+        pixel_70: PixelIn,
+        at_62: Entered,
         path_32: Path,
         hit_14: Hit,
-        params_42: rt::Vec4<f32>,
+        params_44: rt::Vec4<f32>,
     ) -> Hit {
         return hit_14;
     }
     pub(crate) fn surface_frames_polish(
         &self,
-        pixel_69: PixelIn,
-        at_61: Entered,
+        pixel_71: PixelIn,
+        at_63: Entered,
         path_33: Path,
         hit_15: Hit,
-        params_43: impl rt::Into<rt::Vec4<f32>>,
+        params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_frames_polish(pixel_69, at_61, path_33, hit_15, rt::into(params_43)))
+        rt::into(self.v_surface_frames_polish(pixel_71, at_63, path_33, hit_15, rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_frames_polish(
         &self,
-        pixel_69: PixelIn,
-        at_61: Entered,
+        pixel_71: PixelIn,
+        at_63: Entered,
         path_33: Path,
         hit_15: Hit,
-        params_43: rt::Vec4<f32>,
+        params_45: rt::Vec4<f32>,
     ) -> Hit {
         return hit_15;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_70: PixelIn, at_62: Entered, path_34: Path, hit_16: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_70, at_62, path_34, hit_16))
+    pub(crate) fn surface_object_slices_polish(
+        &self,
+        pixel_72: PixelIn,
+        at_64: Entered,
+        path_34: Path,
+        hit_16: Hit,
+        params_46: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_surface_object_slices_polish(pixel_72, at_64, path_34, hit_16, rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_70: PixelIn, at_62: Entered, path_34: Path, hit_16: Hit) -> Hit {
+    #[inline(always)]
+    fn v_surface_object_slices_polish(
+        &self,
+        pixel_72: PixelIn,
+        at_64: Entered,
+        path_34: Path,
+        hit_16: Hit,
+        params_46: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut counted_1: Hit;
+
+        counted_1 = hit_16;
+        let _e10 = rt::Scalar(self.surface_settings.images);
+        let _e15 = rt::Scalar(self.surface_settings.images);
+        counted_1.cost = (hit_16.cost + <rt::Vec3<u32>>::from_scalars(_e10, rt::Scalar(0u32), (rt::Scalar(16u32) * _e15)));
+        let _e19 = counted_1;
+        return _e19;
+    }
+    pub(crate) fn surface_polish_stage(&self, pixel_73: PixelIn, at_65: Entered, path_35: Path, hit_17: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_73, at_65, path_35, hit_17))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_polish_stage(&self, pixel_73: PixelIn, at_65: Entered, path_35: Path, hit_17: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_70, at_62, path_34, hit_16, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_73, at_65, path_35, hit_17, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_70, at_62, path_34, hit_16, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_73, at_65, path_35, hit_17, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_70, at_62, path_34, hit_16, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_73, at_65, path_35, hit_17, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_70, at_62, path_34, hit_16, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_73, at_65, path_35, hit_17, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_70, at_62, path_34, hit_16, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_73, at_65, path_35, hit_17, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_polish(pixel_70, at_62, path_34, hit_16, _e43);
+                let _e44 = self.v_surface_facets_polish(pixel_73, at_65, path_35, hit_17, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_polish(pixel_70, at_62, path_34, hit_16, _e49);
+                let _e50 = self.v_surface_slices_polish(pixel_73, at_65, path_35, hit_17, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_polish(pixel_70, at_62, path_34, hit_16, _e55);
+                let _e56 = self.v_surface_object_polish(pixel_73, at_65, path_35, hit_17, _e55);
                 return _e56;
             }
-            _ => {
+            8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_polish(pixel_70, at_62, path_34, hit_16, _e61);
+                let _e62 = self.v_surface_frames_polish(pixel_73, at_65, path_35, hit_17, _e61);
                 return _e62;
+            }
+            _ => {
+                let _e67 = self.surface_settings.choices[1usize].params;
+                let _e68 = self.v_surface_object_slices_polish(pixel_73, at_65, path_35, hit_17, _e67);
+                return _e68;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_71: PixelIn, at_63: Entered, path_35: Path, hit_17: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_71, at_63, path_35, hit_17))
+    pub(crate) fn polish_hit(&self, pixel_74: PixelIn, at_66: Entered, path_36: Path, hit_18: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_74, at_66, path_36, hit_18))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_polish_hit(&self, pixel_71: PixelIn, at_63: Entered, path_35: Path, hit_17: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_71, at_63, path_35, hit_17);
+    fn v_polish_hit(&self, pixel_74: PixelIn, at_66: Entered, path_36: Path, hit_18: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_74, at_66, path_36, hit_18);
         return _e4;
     }
     pub(crate) fn key_of(&self, depth_5: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -8057,31 +8324,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn hit_on_segment(
         &self,
-        pixel_72: PixelIn,
-        at_64: Entered,
-        path_36: Path,
+        pixel_75: PixelIn,
+        at_67: Entered,
+        path_37: Path,
         found: Hit,
-        k_17: impl rt::Into<rt::Scalar<u32>>,
+        k_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> FirstHit {
-        rt::into(self.v_hit_on_segment(pixel_72, at_64, path_36, found, rt::into(k_17)))
+        rt::into(self.v_hit_on_segment(pixel_75, at_67, path_37, found, rt::into(k_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_segment(
         &self,
-        pixel_72: PixelIn,
-        at_64: Entered,
-        path_36: Path,
+        pixel_75: PixelIn,
+        at_67: Entered,
+        path_37: Path,
         found: Hit,
-        k_17: rt::Scalar<u32>,
+        k_18: rt::Scalar<u32>,
     ) -> FirstHit {
         let mut first_1: FirstHit;
 
-        first_1 = <FirstHit>::new(found, k_17, rt::Scalar(0f32));
+        first_1 = <FirstHit>::new(found, k_18, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(rt::Scalar(found.found).elementwise_eq(rt::Scalar(1u32))) {
-            let _e11 = self.v_polish_hit(pixel_72, at_64, path_36, found);
-            let _e12 = self.v_depth_on_ray(pixel_72, path_36, _e11);
+            let _e11 = self.v_polish_hit(pixel_75, at_67, path_37, found);
+            let _e12 = self.v_depth_on_ray(pixel_75, path_37, _e11);
             let _e13 = self.v_key_of(_e12);
-            first_1 = <FirstHit>::new(_e11, k_17, _e13);
+            first_1 = <FirstHit>::new(_e11, k_18, _e13);
             let _e16 = self.v_in_hole(_e11.uv);
             if rt::Scalar::into_branch_condition(_e16) {
                 rt::Scalar(first_1.hit.found) = rt::Scalar(0u32);
@@ -8092,55 +8359,55 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn hit_on_path(
         &self,
-        path_37: Path,
+        path_38: Path,
         t_16: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
         cost_3: impl rt::Into<rt::Vec3<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_37, rt::into(t_16), rt::into(exhausted), rt::into(cost_3)))
+        rt::into(self.v_hit_on_path(path_38, rt::into(t_16), rt::into(exhausted), rt::into(cost_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_path(
         &self,
-        path_37: Path,
+        path_38: Path,
         t_16: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_48: rt::Scalar<bool>;
+        let mut local_52: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_16.elementwise_gt(rt::Scalar(path_37.exit))) {
-            let _e9 = self.v_path_height(path_37, rt::Scalar(path_37.exit));
-            local_48 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+        if rt::Scalar::into_branch_condition(t_16.elementwise_gt(rt::Scalar(path_38.exit))) {
+            let _e9 = self.v_path_height(path_38, rt::Scalar(path_38.exit));
+            local_52 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_48 = rt::Scalar(false);
+            local_52 = rt::Scalar(false);
         }
-        let _e13 = local_48;
+        let _e13 = local_52;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
         }
-        let inside_7 = t_16.clamp(rt::Scalar(0f32), rt::Scalar(path_37.exit));
-        let _e19 = self.v_path_uv(path_37, inside_7);
-        let _e20 = self.v_path_height(path_37, inside_7);
+        let inside_7 = t_16.clamp(rt::Scalar(0f32), rt::Scalar(path_38.exit));
+        let _e19 = self.v_path_uv(path_38, inside_7);
+        let _e20 = self.v_path_height(path_38, inside_7);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_7, cost_3);
     }
-    pub(crate) fn starting_point(&self, path_38: Path, found_1: Found) -> f32 {
-        rt::into(self.v_starting_point(path_38, found_1))
+    pub(crate) fn starting_point(&self, path_39: Path, found_1: Found) -> f32 {
+        rt::into(self.v_starting_point(path_39, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_38: Path, found_1: Found) -> rt::Scalar<f32> {
-        let mut local_49: rt::Scalar<bool>;
+    fn v_starting_point(&self, path_39: Path, found_1: Found) -> rt::Scalar<f32> {
+        let mut local_53: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_38.base);
+            return rt::Scalar(path_39.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_49 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_53 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_49 = rt::Scalar(true);
+            local_53 = rt::Scalar(true);
         }
-        let _e16 = local_49;
+        let _e16 = local_53;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -8148,43 +8415,43 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_none(
         &self,
-        path_39: Path,
+        path_40: Path,
         found_2: Found,
-        params_44: impl rt::Into<rt::Vec4<f32>>,
+        params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_39, found_2, rt::into(params_44)))
+        rt::into(self.v_refine_none(path_40, found_2, rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_refine_none(
         &self,
-        path_39: Path,
+        path_40: Path,
         found_2: Found,
-        params_44: rt::Vec4<f32>,
+        params_47: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_2.cost);
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_39, found_2);
-        let _e16 = self.v_hit_on_path(path_39, _e14, exhausted_1, found_2.cost);
+        let _e14 = self.v_starting_point(path_40, found_2);
+        let _e16 = self.v_hit_on_path(path_40, _e14, exhausted_1, found_2.cost);
         return _e16;
     }
     pub(crate) fn refine_offset(
         &self,
-        path_40: Path,
+        path_41: Path,
         found_3: Found,
-        params_45: impl rt::Into<rt::Vec4<f32>>,
+        params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_40, found_3, rt::into(params_45)))
+        rt::into(self.v_refine_offset(path_41, found_3, rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
-        path_40: Path,
+        path_41: Path,
         found_3: Found,
-        params_45: rt::Vec4<f32>,
+        params_48: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_17: rt::Scalar<f32>;
 
@@ -8192,88 +8459,88 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_3.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_40, found_3);
-        let _e9 = self.v_path_uv(path_40, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_40.level));
-        let _e12 = self.v_path_slope(path_40, _e8);
+        let _e8 = self.v_starting_point(path_41, found_3);
+        let _e9 = self.v_path_uv(path_41, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_41.level));
+        let _e12 = self.v_path_slope(path_41, _e8);
         t_17 = _e8;
         if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
-            let _e16 = self.v_path_height(path_40, _e8);
+            let _e16 = self.v_path_height(path_41, _e8);
             t_17 = (_e8 + ((_e11 - _e16) / _e12));
         }
         let _e20 = t_17;
-        let _e30 = self.v_hit_on_path(path_40, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
+        let _e30 = self.v_hit_on_path(path_41, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
         return _e30;
     }
     pub(crate) fn refine_offset_limited(
         &self,
-        path_41: Path,
+        path_42: Path,
         found_4: Found,
-        params_46: impl rt::Into<rt::Vec4<f32>>,
+        params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_41, found_4, rt::into(params_46)))
+        rt::into(self.v_refine_offset_limited(path_42, found_4, rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
-        path_41: Path,
+        path_42: Path,
         found_4: Found,
-        params_46: rt::Vec4<f32>,
+        params_49: rt::Vec4<f32>,
     ) -> Hit {
-        let mut hit_18: Hit;
+        let mut hit_19: Hit;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_4.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_41, found_4);
-        let _e9 = self.v_path_uv(path_41, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_41.level));
-        let _e12 = self.v_path_height(path_41, _e8);
-        let rise_m = ((_e11 - _e12) * path_41.metric.w());
+        let _e8 = self.v_starting_point(path_42, found_4);
+        let _e9 = self.v_path_uv(path_42, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_42.level));
+        let _e12 = self.v_path_height(path_42, _e8);
+        let rise_m = ((_e11 - _e12) * path_42.metric.w());
         let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e27 = self.v_hit_on_path(path_41, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
-        hit_18 = _e27;
-        let _e30 = rt::Scalar(hit_18.found);
+        let _e27 = self.v_hit_on_path(path_42, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
+        hit_19 = _e27;
+        let _e30 = rt::Scalar(hit_19.found);
         if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
-            rt::Scalar(hit_18.height) = _e11;
+            rt::Scalar(hit_19.height) = _e11;
         }
-        let _e34 = hit_18;
+        let _e34 = hit_19;
         return _e34;
     }
     pub(crate) fn normal_z(
         &self,
-        path_42: Path,
+        path_43: Path,
         slope_1: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_42, rt::into(slope_1)))
+        rt::into(self.v_normal_z(path_43, rt::into(slope_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_z(
         &self,
-        path_42: Path,
+        path_43: Path,
         slope_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m_4 = path_42.metric;
+        let m_4 = path_43.metric;
         let area_5 = ((m_4.x() * m_4.z()) - (m_4.y() * m_4.y()));
         let squared_2 = (((((slope_1.x() * slope_1.x()) * m_4.z()) - (((rt::Scalar(2f32) * slope_1.x()) * slope_1.y()) * m_4.y())) + ((slope_1.y() * slope_1.y()) * m_4.x())) / area_5);
         return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_4.w() * m_4.w()) * squared_2)).sqrt());
     }
     pub(crate) fn refine_slope(
         &self,
-        path_43: Path,
+        path_44: Path,
         found_5: Found,
-        params_47: impl rt::Into<rt::Vec4<f32>>,
+        params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_43, found_5, rt::into(params_47)))
+        rt::into(self.v_refine_slope(path_44, found_5, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
-        path_43: Path,
+        path_44: Path,
         found_5: Found,
-        params_47: rt::Vec4<f32>,
+        params_50: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_18: rt::Scalar<f32>;
 
@@ -8281,56 +8548,56 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_5.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_43, found_5);
-        let _e9 = self.v_path_uv(path_43, _e8);
-        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_43.level));
-        let _e13 = self.v_path_height(path_43, _e8);
+        let _e8 = self.v_starting_point(path_44, found_5);
+        let _e9 = self.v_path_uv(path_44, _e8);
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_44.level));
+        let _e13 = self.v_path_height(path_44, _e8);
         let rise_1 = (_e11.x() - _e13);
         t_18 = _e8;
-        if rt::Scalar::into_branch_condition(params_47.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e19 = self.v_path_slope(path_43, _e8);
-            let closing = (_e19 - ((_e11.y() * path_43.duv.x()) + (_e11.z() * path_43.duv.y())));
+        if rt::Scalar::into_branch_condition(params_50.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e19 = self.v_path_slope(path_44, _e8);
+            let closing = (_e19 - ((_e11.y() * path_44.duv.x()) + (_e11.z() * path_44.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
                 t_18 = (_e8 + (rise_1 / closing));
             }
         } else {
-            let _e40 = self.v_normal_z(path_43, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_18 = (_e8 - ((rise_1 * path_43.metric.w()) * _e40));
+            let _e40 = self.v_normal_z(path_44, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_18 = (_e8 - ((rise_1 * path_44.metric.w()) * _e40));
         }
         let _e43 = t_18;
-        let _e53 = self.v_hit_on_path(path_43, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
+        let _e53 = self.v_hit_on_path(path_44, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
         return _e53;
     }
     pub(crate) fn refine_slope_iterative(
         &self,
-        path_44: Path,
+        path_45: Path,
         found_6: Found,
-        params_48: impl rt::Into<rt::Vec4<f32>>,
+        params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_44, found_6, rt::into(params_48)))
+        rt::into(self.v_refine_slope_iterative(path_45, found_6, rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
-        path_44: Path,
+        path_45: Path,
         found_6: Found,
-        params_48: rt::Vec4<f32>,
+        params_51: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_19: rt::Scalar<f32>;
         let mut cost_4: rt::Vec3<u32>;
-        let mut k_18: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_19: rt::Scalar<f32> = rt::Scalar(0f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_6.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_44, found_6);
+        let _e8 = self.v_starting_point(path_45, found_6);
         t_19 = _e8;
         cost_4 = found_6.cost;
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_18;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_48.x())) {
+                let _e14 = k_19;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_51.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -8338,36 +8605,36 @@ impl<'g> Resources<'g> {
                     let _e17 = cost_4;
                     cost_4 = (_e17 + STEP);
                     let _e20 = t_19;
-                    let _e21 = self.v_path_uv(path_44, _e20);
-                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_44.level));
+                    let _e21 = self.v_path_uv(path_45, _e20);
+                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_45.level));
                     let _e24 = cost_4;
                     cost_4 = (_e24 + HEIGHTS_READ);
                     let _e28 = t_19;
-                    let _e29 = self.v_path_height(path_44, _e28);
+                    let _e29 = self.v_path_height(path_45, _e28);
                     let rise_2 = (_e23.x() - _e29);
-                    if rt::Scalar::into_branch_condition(params_48.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_51.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e34 = t_19;
-                        let _e35 = self.v_path_slope(path_44, _e34);
-                        let closing_1 = (_e35 - ((_e23.y() * path_44.duv.x()) + (_e23.z() * path_44.duv.y())));
+                        let _e35 = self.v_path_slope(path_45, _e34);
+                        let closing_1 = (_e35 - ((_e23.y() * path_45.duv.x()) + (_e23.z() * path_45.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
                             let _e48 = t_19;
                             t_19 = (_e48 + (rise_2 / closing_1));
                         }
                     } else {
                         let _e51 = t_19;
-                        let _e58 = self.v_normal_z(path_44, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
-                        t_19 = (_e51 - ((rise_2 * path_44.metric.w()) * _e58));
+                        let _e58 = self.v_normal_z(path_45, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
+                        t_19 = (_e51 - ((rise_2 * path_45.metric.w()) * _e58));
                     }
                     let _e61 = t_19;
-                    t_19 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_44.exit));
-                    let _e65 = k_18;
-                    k_18 = (_e65 + rt::Scalar(1f32));
+                    t_19 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_45.exit));
+                    let _e65 = k_19;
+                    k_19 = (_e65 + rt::Scalar(1f32));
                 }
             }
         }
         let _e68 = t_19;
         let _e75 = cost_4;
-        let _e76 = self.v_hit_on_path(path_44, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
+        let _e76 = self.v_hit_on_path(path_45, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
         return _e76;
     }
     pub(crate) fn has_interval(&self, found_7: Found) -> bool {
@@ -8375,55 +8642,55 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found_7: Found) -> rt::Scalar<bool> {
-        let mut local_50: rt::Scalar<bool>;
-        let mut local_51: rt::Scalar<bool>;
-        let mut local_52: rt::Scalar<bool>;
+        let mut local_54: rt::Scalar<bool>;
+        let mut local_55: rt::Scalar<bool>;
+        let mut local_56: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.far).elementwise_gt(rt::Scalar(found_7.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                local_51 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
+                local_55 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
-                local_51 = rt::Scalar(true);
+                local_55 = rt::Scalar(true);
             }
-            let _e16 = local_51;
+            let _e16 = local_55;
             if rt::Scalar::into_branch_condition((!_e16)) {
-                local_52 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
+                local_56 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
             } else {
-                local_52 = rt::Scalar(true);
+                local_56 = rt::Scalar(true);
             }
-            let _e24 = local_52;
-            local_50 = _e24;
+            let _e24 = local_56;
+            local_54 = _e24;
         } else {
-            local_50 = rt::Scalar(false);
+            local_54 = rt::Scalar(false);
         }
-        let _e26 = local_50;
+        let _e26 = local_54;
         return _e26;
     }
     pub(crate) fn refine_binary(
         &self,
-        path_45: Path,
+        path_46: Path,
         found_8: Found,
-        params_49: impl rt::Into<rt::Vec4<f32>>,
+        params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_45, found_8, rt::into(params_49)))
+        rt::into(self.v_refine_binary(path_46, found_8, rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
-        path_45: Path,
+        path_46: Path,
         found_8: Found,
-        params_49: rt::Vec4<f32>,
+        params_52: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_2: rt::Scalar<f32>;
         let mut far_4: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_53: rt::Scalar<bool>;
+        let mut local_57: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
-        let mut k_19: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_20: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_45, found_8, params_49);
+            let _e5 = self.v_refine_none(path_46, found_8, params_52);
             return _e5;
         }
         near_2 = rt::Scalar(found_8.near);
@@ -8431,17 +8698,17 @@ impl<'g> Resources<'g> {
         cost_5 = found_8.cost;
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_8.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_4;
-            let _e19 = self.v_path_height(path_45, _e18);
-            local_53 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            let _e19 = self.v_path_height(path_46, _e18);
+            local_57 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_53 = rt::Scalar(true);
+            local_57 = rt::Scalar(true);
         }
-        let _e23 = local_53;
+        let _e23 = local_57;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = k_19;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_49.x())) {
+                let _e27 = k_20;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_52.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -8453,15 +8720,15 @@ impl<'g> Resources<'g> {
                     let middle_14 = (rt::Scalar(0.5f32) * (_e33 + _e34));
                     let _e38 = cost_5;
                     cost_5 = (_e38 + HEIGHTS_READ);
-                    let _e41 = self.v_path_gap(path_45, middle_14);
+                    let _e41 = self.v_path_gap(path_46, middle_14);
                     if rt::Scalar::into_branch_condition(_e41.elementwise_le(rt::Scalar(0f32))) {
                         far_4 = middle_14;
                         crossed = rt::Scalar(true);
                     } else {
                         near_2 = middle_14;
                     }
-                    let _e45 = k_19;
-                    k_19 = (_e45 + rt::Scalar(1f32));
+                    let _e45 = k_20;
+                    k_20 = (_e45 + rt::Scalar(1f32));
                 }
             }
         }
@@ -8474,23 +8741,23 @@ impl<'g> Resources<'g> {
         let _e52 = near_2;
         let _e53 = far_4;
         let _e58 = cost_5;
-        let _e59 = self.v_hit_on_path(path_45, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
+        let _e59 = self.v_hit_on_path(path_46, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
         return _e59;
     }
     pub(crate) fn refine_secant(
         &self,
-        path_46: Path,
+        path_47: Path,
         found_9: Found,
-        params_50: impl rt::Into<rt::Vec4<f32>>,
+        params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_46, found_9, rt::into(params_50)))
+        rt::into(self.v_refine_secant(path_47, found_9, rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
-        path_46: Path,
+        path_47: Path,
         found_9: Found,
-        params_50: rt::Vec4<f32>,
+        params_53: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_3: rt::Scalar<f32>;
         let mut far_5: rt::Scalar<f32>;
@@ -8498,11 +8765,11 @@ impl<'g> Resources<'g> {
         let mut far_gap_1: rt::Scalar<f32>;
         let mut cost_6: rt::Vec3<u32>;
         let mut t_20: rt::Scalar<f32>;
-        let mut k_20: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_21: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_46, found_9, params_50);
+            let _e5 = self.v_refine_none(path_47, found_9, params_53);
             return _e5;
         }
         near_3 = rt::Scalar(found_9.near);
@@ -8512,10 +8779,10 @@ impl<'g> Resources<'g> {
         cost_6 = found_9.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_3;
-            let _e20 = self.v_path_gap(path_46, _e19);
+            let _e20 = self.v_path_gap(path_47, _e19);
             near_gap_1 = _e20;
             let _e21 = far_5;
-            let _e22 = self.v_path_gap(path_46, _e21);
+            let _e22 = self.v_path_gap(path_47, _e21);
             far_gap_1 = _e22;
             let _e23 = cost_6;
             cost_6 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -8530,8 +8797,8 @@ impl<'g> Resources<'g> {
         t_20 = _e33;
         'naga_break: loop {
             'naga_continue: {
-                let _e37 = k_20;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_50.x())) {
+                let _e37 = k_21;
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_53.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -8549,10 +8816,10 @@ impl<'g> Resources<'g> {
                     let _e51 = near_3;
                     let _e53 = near_gap_1;
                     t_20 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
-                    let _e57 = k_20;
-                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_50.x())) {
+                    let _e57 = k_21;
+                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_53.x())) {
                         let _e60 = t_20;
-                        let _e61 = self.v_path_gap(path_46, _e60);
+                        let _e61 = self.v_path_gap(path_47, _e60);
                         let _e62 = cost_6;
                         cost_6 = (_e62 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_le(rt::Scalar(0f32))) {
@@ -8565,41 +8832,41 @@ impl<'g> Resources<'g> {
                             near_gap_1 = _e61;
                         }
                     }
-                    let _e69 = k_20;
-                    k_20 = (_e69 + rt::Scalar(1f32));
+                    let _e69 = k_21;
+                    k_21 = (_e69 + rt::Scalar(1f32));
                 }
             }
         }
         let _e72 = t_20;
         let _e74 = cost_6;
-        let _e75 = self.v_hit_on_path(path_46, _e72, rt::Scalar(0u32), _e74);
+        let _e75 = self.v_hit_on_path(path_47, _e72, rt::Scalar(0u32), _e74);
         return _e75;
     }
     pub(crate) fn refine_true_secant(
         &self,
-        path_47: Path,
+        path_48: Path,
         found_10: Found,
-        params_51: impl rt::Into<rt::Vec4<f32>>,
+        params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_47, found_10, rt::into(params_51)))
+        rt::into(self.v_refine_true_secant(path_48, found_10, rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
-        path_47: Path,
+        path_48: Path,
         found_10: Found,
-        params_51: rt::Vec4<f32>,
+        params_54: rt::Vec4<f32>,
     ) -> Hit {
         let mut before_1: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
         let mut cost_7: rt::Vec3<u32>;
-        let mut k_21: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_22: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_10);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_47, found_10, params_51);
+            let _e5 = self.v_refine_none(path_48, found_10, params_54);
             return _e5;
         }
         before_1 = rt::Scalar(found_10.near);
@@ -8609,10 +8876,10 @@ impl<'g> Resources<'g> {
         cost_7 = found_10.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before_1;
-            let _e20 = self.v_path_gap(path_47, _e19);
+            let _e20 = self.v_path_gap(path_48, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_47, _e21);
+            let _e22 = self.v_path_gap(path_48, _e21);
             last_gap = _e22;
             let _e23 = cost_7;
             cost_7 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -8625,8 +8892,8 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e35 = k_21;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_51.x())) {
+                let _e35 = k_22;
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_54.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -8649,63 +8916,63 @@ impl<'g> Resources<'g> {
                     let _e58 = last_gap;
                     before_gap = _e58;
                     last = t_37;
-                    let _e59 = k_21;
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_51.x())) {
-                        let _e62 = self.v_path_gap(path_47, t_37);
+                    let _e59 = k_22;
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_54.x())) {
+                        let _e62 = self.v_path_gap(path_48, t_37);
                         last_gap = _e62;
                         let _e63 = cost_7;
                         cost_7 = (_e63 + HEIGHTS_READ);
                     }
-                    let _e66 = k_21;
-                    k_21 = (_e66 + rt::Scalar(1f32));
+                    let _e66 = k_22;
+                    k_22 = (_e66 + rt::Scalar(1f32));
                 }
             }
         }
         let _e69 = last;
         let _e71 = cost_7;
-        let _e72 = self.v_hit_on_path(path_47, _e69, rt::Scalar(0u32), _e71);
+        let _e72 = self.v_hit_on_path(path_48, _e69, rt::Scalar(0u32), _e71);
         return _e72;
     }
     pub(crate) fn refine_patch(
         &self,
-        path_48: Path,
+        path_49: Path,
         found_11: Found,
-        params_52: impl rt::Into<rt::Vec4<f32>>,
+        params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_48, found_11, rt::into(params_52)))
+        rt::into(self.v_refine_patch(path_49, found_11, rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
-        path_48: Path,
+        path_49: Path,
         found_11: Found,
-        params_52: rt::Vec4<f32>,
+        params_55: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_21: rt::Scalar<f32>;
         let mut cell_8: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_54: rt::Scalar<bool>;
+        let mut local_58: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_11.cost);
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_48, rt::Scalar(found_11.near), rt::Scalar(1u32), found_11.cost);
+            let _e14 = self.v_hit_on_path(path_49, rt::Scalar(found_11.near), rt::Scalar(1u32), found_11.cost);
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_48, rt::Scalar(found_11.near), rt::Scalar(0u32), found_11.cost);
+            let _e21 = self.v_hit_on_path(path_49, rt::Scalar(found_11.near), rt::Scalar(0u32), found_11.cost);
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_48);
+        let _e22 = self.v_grid_of(path_49);
         t_21 = rt::Scalar(found_11.near);
         let _e27 = t_21;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
         cell_8 = _e30;
         cost_8 = found_11.cost;
         let _e35 = cost_8.x();
-        let limit = (_e35 + params_52.x().to_u32());
+        let limit = (_e35 + params_55.x().to_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_8.x();
@@ -8723,32 +8990,32 @@ impl<'g> Resources<'g> {
                     let span_6 = (end_4 - _e52).max(rt::Scalar(0f32));
                     let _e56 = cell_8;
                     let _e57 = t_21;
-                    let _e58 = self.v_cell_gap(path_48, _e22, _e56, _e57);
+                    let _e58 = self.v_cell_gap(path_49, _e22, _e56, _e57);
                     let _e59 = cost_8;
                     cost_8 = (_e59 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e58.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e65 = t_21;
                         let _e67 = cost_8;
-                        let _e68 = self.v_hit_on_path(path_48, _e65, rt::Scalar(0u32), _e67);
+                        let _e68 = self.v_hit_on_path(path_49, _e65, rt::Scalar(0u32), _e67);
                         return _e68;
                     }
                     let _e69 = self.v_first_root(_e58, span_6);
                     if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e72 = t_21;
                         let _e75 = cost_8;
-                        let _e76 = self.v_hit_on_path(path_48, (_e72 + _e69), rt::Scalar(0u32), _e75);
+                        let _e76 = self.v_hit_on_path(path_49, (_e72 + _e69), rt::Scalar(0u32), _e75);
                         return _e76;
                     }
                     if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(found_11.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_11.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_54 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
+                            local_58 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_54 = rt::Scalar(true);
+                            local_58 = rt::Scalar(true);
                         }
-                        let _e89 = local_54;
+                        let _e89 = local_58;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
-                            let _e93 = self.v_hit_on_path(path_48, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
+                            let _e93 = self.v_hit_on_path(path_49, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
                             return _e93;
                         }
                         let _e94 = cost_8;
@@ -8765,147 +9032,147 @@ impl<'g> Resources<'g> {
         }
         let _e100 = t_21;
         let _e102 = cost_8;
-        let _e103 = self.v_hit_on_path(path_48, _e100, rt::Scalar(1u32), _e102);
+        let _e103 = self.v_hit_on_path(path_49, _e100, rt::Scalar(1u32), _e102);
         return _e103;
     }
     pub(crate) fn refine_half_texel(
         &self,
-        path_49: Path,
+        path_50: Path,
         found_12: Found,
-        params_53: impl rt::Into<rt::Vec4<f32>>,
+        params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_49, found_12, rt::into(params_53)))
+        rt::into(self.v_refine_half_texel(path_50, found_12, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
-        path_49: Path,
+        path_50: Path,
         found_12: Found,
-        params_53: rt::Vec4<f32>,
+        params_56: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_5: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_12.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_49, found_12, params_53);
+            let _e6 = self.v_refine_none(path_50, found_12, params_56);
             return _e6;
         }
-        let _e9 = self.v_height_size(rt::Scalar(path_49.level));
-        let speed_1 = (path_49.duv * _e9).length();
-        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_49.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_49, found_12, params_53);
+        let _e9 = self.v_height_size(rt::Scalar(path_50.level));
+        let speed_1 = (path_50.duv * _e9).length();
+        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_50.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e17 = self.v_refine_none(path_50, found_12, params_56);
             return _e17;
         }
         let half_1 = (rt::Scalar(0.5f32) / speed_1);
         let backward = (rt::Scalar(found_12.far) - half_1).max(rt::Scalar(0f32));
-        let forward_2 = (rt::Scalar(found_12.far) + half_1).min(rt::Scalar(path_49.exit));
-        let _e28 = self.v_path_gap(path_49, backward);
+        let forward_2 = (rt::Scalar(found_12.far) + half_1).min(rt::Scalar(path_50.exit));
+        let _e28 = self.v_path_gap(path_50, backward);
         let before_3 = _e28.abs();
-        let _e30 = self.v_path_gap(path_49, forward_2);
+        let _e30 = self.v_path_gap(path_50, forward_2);
         let behind_2 = _e30.abs();
         if rt::Scalar::into_branch_condition((before_3 + behind_2).elementwise_gt(rt::Scalar(0f32))) {
             part_5 = (before_3 / (before_3 + behind_2));
         }
         let cost_24 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
         let _e45 = part_5;
-        let _e49 = self.v_hit_on_path(path_49, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_24);
+        let _e49 = self.v_hit_on_path(path_50, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_24);
         return _e49;
     }
-    pub(crate) fn refine_stage(&self, path_50: Path, found_13: Found) -> Hit {
-        rt::into(self.v_refine_stage(path_50, found_13))
+    pub(crate) fn refine_stage(&self, path_51: Path, found_13: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_51, found_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_50: Path, found_13: Found) -> Hit {
+    fn v_refine_stage(&self, path_51: Path, found_13: Found) -> Hit {
         let _e6 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[6usize].params;
-                let _e12 = self.v_refine_none(path_50, found_13, _e11);
+                let _e12 = self.v_refine_none(path_51, found_13, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[6usize].params;
-                let _e18 = self.v_refine_offset(path_50, found_13, _e17);
+                let _e18 = self.v_refine_offset(path_51, found_13, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[6usize].params;
-                let _e24 = self.v_refine_offset_limited(path_50, found_13, _e23);
+                let _e24 = self.v_refine_offset_limited(path_51, found_13, _e23);
                 return _e24;
             }
             3u32 => {
                 let _e29 = self.surface_settings.choices[6usize].params;
-                let _e30 = self.v_refine_slope(path_50, found_13, _e29);
+                let _e30 = self.v_refine_slope(path_51, found_13, _e29);
                 return _e30;
             }
             4u32 => {
                 let _e35 = self.surface_settings.choices[6usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_50, found_13, _e35);
+                let _e36 = self.v_refine_slope_iterative(path_51, found_13, _e35);
                 return _e36;
             }
             5u32 => {
                 let _e41 = self.surface_settings.choices[6usize].params;
-                let _e42 = self.v_refine_binary(path_50, found_13, _e41);
+                let _e42 = self.v_refine_binary(path_51, found_13, _e41);
                 return _e42;
             }
             6u32 => {
                 let _e47 = self.surface_settings.choices[6usize].params;
-                let _e48 = self.v_refine_secant(path_50, found_13, _e47);
+                let _e48 = self.v_refine_secant(path_51, found_13, _e47);
                 return _e48;
             }
             7u32 => {
                 let _e53 = self.surface_settings.choices[6usize].params;
-                let _e54 = self.v_refine_true_secant(path_50, found_13, _e53);
+                let _e54 = self.v_refine_true_secant(path_51, found_13, _e53);
                 return _e54;
             }
             8u32 => {
                 let _e59 = self.surface_settings.choices[6usize].params;
-                let _e60 = self.v_refine_patch(path_50, found_13, _e59);
+                let _e60 = self.v_refine_patch(path_51, found_13, _e59);
                 return _e60;
             }
             _ => {
                 let _e65 = self.surface_settings.choices[6usize].params;
-                let _e66 = self.v_refine_half_texel(path_50, found_13, _e65);
+                let _e66 = self.v_refine_half_texel(path_51, found_13, _e65);
                 return _e66;
             }
         }
     }
     pub(crate) fn search_none(
         &self,
-        path_51: Path,
-        params_54: impl rt::Into<rt::Vec4<f32>>,
+        path_52: Path,
+        params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_51, rt::into(params_54)))
+        rt::into(self.v_search_none(path_52, rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_search_none(
         &self,
-        path_51: Path,
-        params_54: rt::Vec4<f32>,
+        path_52: Path,
+        params_57: rt::Vec4<f32>,
     ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_51.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_52.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
-        path_52: Path,
-        params_55: impl rt::Into<rt::Vec4<f32>>,
+        path_53: Path,
+        params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_52, rt::into(params_55)))
+        rt::into(self.v_search_linear(path_53, rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
-        path_52: Path,
-        params_55: rt::Vec4<f32>,
+        path_53: Path,
+        params_58: rt::Vec4<f32>,
     ) -> Found {
         let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32>;
         let mut cost_9: rt::Vec3<u32> = HEIGHTS_READ;
-        let mut k_22: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_23: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_5 = (path_52.h.y().abs() * path_52.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps_2 = rt::Scalar(1f32).max(((params_55.x() * params_55.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_52.share)).ceil());
-        let _e24 = self.v_path_gap(path_52, rt::Scalar(0f32));
+        let cosine_5 = (path_53.h.y().abs() * path_53.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps_2 = rt::Scalar(1f32).max(((params_58.x() * params_58.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_53.share)).ceil());
+        let _e24 = self.v_path_gap(path_53, rt::Scalar(0f32));
         near_gap_2 = _e24;
         let _e28 = near_gap_2;
         if rt::Scalar::into_branch_condition(_e28.elementwise_lt(rt::Scalar(0f32))) {
@@ -8916,7 +9183,7 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e40 = k_22;
+                let _e40 = k_23;
                 if rt::Scalar::into_branch_condition(_e40.elementwise_le(steps_2)) {
                 } else {
                     break 'naga_break;
@@ -8924,9 +9191,9 @@ impl<'g> Resources<'g> {
                 {
                     let _e42 = cost_9;
                     cost_9 = (_e42 + STEP);
-                    let _e46 = k_22;
-                    let t_38 = (rt::Scalar(path_52.exit) * (_e46 / steps_2));
-                    let _e49 = self.v_path_gap(path_52, t_38);
+                    let _e46 = k_23;
+                    let t_38 = (rt::Scalar(path_53.exit) * (_e46 / steps_2));
+                    let _e49 = self.v_path_gap(path_53, t_38);
                     let _e50 = cost_9;
                     cost_9 = (_e50 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e49.elementwise_le(rt::Scalar(0f32))) {
@@ -8937,8 +9204,8 @@ impl<'g> Resources<'g> {
                     }
                     near_4 = t_38;
                     near_gap_2 = _e49;
-                    let _e60 = k_22;
-                    k_22 = (_e60 + rt::Scalar(1f32));
+                    let _e60 = k_23;
+                    k_23 = (_e60 + rt::Scalar(1f32));
                 }
             }
         }
@@ -8987,15 +9254,15 @@ impl<'g> Resources<'g> {
         first_2: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_55: rt::Scalar<bool>;
+        let mut local_59: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_7.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first_2) {
-                local_55 = c_7.x().elementwise_lt(rt::Scalar(0f32));
+                local_59 = c_7.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_55 = rt::Scalar(false);
+                local_59 = rt::Scalar(false);
             }
-            let _e14 = local_55;
+            let _e14 = local_59;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_7.x(), c_7.x(), cost_10);
             }
@@ -9011,25 +9278,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cells(
         &self,
-        path_53: Path,
-        params_56: impl rt::Into<rt::Vec4<f32>>,
+        path_54: Path,
+        params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_53, rt::into(params_56)))
+        rt::into(self.v_search_cells(path_54, rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
-        path_53: Path,
-        params_56: rt::Vec4<f32>,
+        path_54: Path,
+        params_59: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_9: rt::Vec2<f32>;
         let mut t_23: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_11: rt::Vec3<u32> = NO_COST;
 
-        let _e2 = self.v_grid_of(path_53);
+        let _e2 = self.v_grid_of(path_54);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_9 = _e4;
-        let limit_1 = params_56.x().to_u32();
+        let limit_1 = params_59.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = cost_11.x();
@@ -9042,10 +9309,10 @@ impl<'g> Resources<'g> {
                     cost_11 = (_e15 + STEP);
                     let _e18 = cell_9;
                     let _e19 = self.v_cell_leave(_e2, _e18);
-                    let end_5 = _e19.x().min(_e19.y()).min(rt::Scalar(path_53.exit));
+                    let end_5 = _e19.x().min(_e19.y()).min(rt::Scalar(path_54.exit));
                     let _e25 = cell_9;
                     let _e26 = t_23;
-                    let _e27 = self.v_cell_gap(path_53, _e2, _e25, _e26);
+                    let _e27 = self.v_cell_gap(path_54, _e2, _e25, _e26);
                     let _e28 = cost_11;
                     cost_11 = (_e28 + HEIGHTS_READ);
                     let _e31 = t_23;
@@ -9057,10 +9324,10 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e41.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e41;
                     }
-                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_53.exit))) {
+                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_54.exit))) {
                         let _e48 = t_23;
                         let _e52 = cost_11;
-                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_53.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
+                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_54.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
                     }
                     let _e54 = cell_9;
                     let _e55 = self.v_cell_next(_e2, _e54, _e19);
@@ -9072,7 +9339,7 @@ impl<'g> Resources<'g> {
         }
         let _e59 = t_23;
         let _e61 = cost_11;
-        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_53.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
+        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_54.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
     }
     pub(crate) fn image_of(
         &self,
@@ -9087,14 +9354,14 @@ impl<'g> Resources<'g> {
         cell_10: rt::Scalar<i32>,
         n_5: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_56: rt::Scalar<bool>;
+        let mut local_60: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_10.elementwise_ge(rt::Scalar(0i32))) {
-            local_56 = cell_10.elementwise_lt(n_5);
+            local_60 = cell_10.elementwise_lt(n_5);
         } else {
-            local_56 = rt::Scalar(false);
+            local_60 = rt::Scalar(false);
         }
-        let _e8 = local_56;
+        let _e8 = local_60;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_10, rt::Scalar(0i32));
         }
@@ -9118,53 +9385,53 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn frustum_slope(
         &self,
-        path_54: Path,
+        path_55: Path,
         cell_11: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_54, rt::into(cell_11), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_55, rt::into(cell_11), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frustum_slope(
         &self,
-        path_54: Path,
+        path_55: Path,
         cell_11: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_57: rt::Scalar<bool>;
+        let mut local_61: rt::Scalar<bool>;
 
-        let _e4 = self.v_height_texels(rt::Scalar(path_54.level));
+        let _e4 = self.v_height_texels(rt::Scalar(path_55.level));
         let _e7 = self.v_image_of(cell_11.x(), _e4.x());
         let _e10 = self.v_image_of(cell_11.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_57 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_61 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_57 = rt::Scalar(true);
+            local_61 = rt::Scalar(true);
         }
-        let _e21 = local_57;
+        let _e21 = local_61;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
-        let _e29 = self.v_search_texel(path_54, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_54.level).to_i32());
+        let _e29 = self.v_search_texel(path_55, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_55.level).to_i32());
         let right_3 = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
         let down = forward_1.y().elementwise_eq(_e10.y().elementwise_eq(rt::Scalar(0i32)));
         return _e29.w().select(_e29.z(), right_3).select(_e29.y().select(_e29.x(), right_3), down);
     }
     pub(crate) fn map_read(
         &self,
-        path_55: Path,
+        path_56: Path,
         texels_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_map_read(path_55, rt::into(texels_3)))
+        rt::into(self.v_map_read(path_56, rt::into(texels_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_map_read(
         &self,
-        path_55: Path,
+        path_56: Path,
         texels_3: rt::Scalar<u32>,
     ) -> rt::Vec3<u32> {
-        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_55.ray).elementwise_eq(RAY_SHADOW));
+        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_56.ray).elementwise_eq(RAY_SHADOW));
         let _e14 = rt::Scalar(self.surface_settings.maps[rt::Scalar::into_array_index(slot)].texel_bytes);
         return <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), (texels_3 * _e14));
     }
@@ -9207,29 +9474,29 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_frustum(
         &self,
-        path_56: Path,
-        params_57: impl rt::Into<rt::Vec4<f32>>,
+        path_57: Path,
+        params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_56, rt::into(params_57)))
+        rt::into(self.v_search_frustum(path_57, rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
-        path_56: Path,
-        params_57: rt::Vec4<f32>,
+        path_57: Path,
+        params_60: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_12: rt::Vec2<f32>;
         let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_3: rt::Scalar<f32>;
-        let mut local_58: rt::Scalar<bool>;
+        let mut local_62: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_56);
+        let _e2 = self.v_grid_of(path_57);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_12 = _e9;
-        let limit_2 = params_57.x().to_u32();
+        let limit_2 = params_60.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_12.x();
@@ -9243,50 +9510,50 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_12.x();
                     let first_12 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_12;
-                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_56.level));
+                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_57.level));
                     let _e31 = cost_12;
                     cost_12 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_12;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_56.exit));
+                    let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_57.exit));
                     let _e41 = t_24;
                     let span_8 = (end_6 - _e41).max(rt::Scalar(0f32));
-                    let top_8 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
+                    let top_9 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
                     let _e52 = t_24;
-                    let _e53 = self.v_path_height(path_56, _e52);
+                    let _e53 = self.v_path_height(path_57, _e52);
                     let _e55 = t_24;
-                    let _e56 = self.v_path_slope(path_56, _e55);
-                    let above_8 = <rt::Vec3<f32>>::from_scalars((_e53 - top_8), _e56, path_56.h.z());
+                    let _e56 = self.v_path_slope(path_57, _e55);
+                    let above_8 = <rt::Vec3<f32>>::from_scalars((_e53 - top_9), _e56, path_57.h.z());
                     let _e63 = t_24;
                     let _e67 = t_24;
-                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_56.h.x().abs() + (_e63 * (path_56.h.y().abs() + (_e67 * path_56.h.z().abs())))));
+                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_57.h.x().abs() + (_e63 * (path_57.h.y().abs() + (_e67 * path_57.h.z().abs())))));
                     let _e77 = t_24;
                     next_1 = _e77.max(end_6);
                     slope_3 = rt::Scalar(-1f32);
                     let _e82 = self.v_least_at(above_8, span_8);
                     let _e83 = self.v_quadratic(above_8, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_58 = above_8.x().elementwise_gt(of_heights);
+                        local_62 = above_8.x().elementwise_gt(of_heights);
                     } else {
-                        local_58 = rt::Scalar(false);
+                        local_62 = rt::Scalar(false);
                     }
-                    let _e90 = local_58;
+                    let _e90 = local_62;
                     if rt::Scalar::into_branch_condition(_e90) {
-                        if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_56.exit))) {
+                        if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_57.exit))) {
                             let _e93 = cell_12;
-                            let _e95 = self.v_frustum_slope(path_56, _e93.to_i32(), forward_3);
+                            let _e95 = self.v_frustum_slope(path_57, _e93.to_i32(), forward_3);
                             slope_3 = _e95;
                             let _e96 = slope_3;
                             if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
                                 let _e99 = cost_12;
-                                let _e101 = self.v_map_read(path_56, rt::Scalar(1u32));
+                                let _e101 = self.v_map_read(path_57, rt::Scalar(1u32));
                                 cost_12 = (_e99 + _e101);
                             }
                         }
                     } else {
                         let _e103 = cell_12;
                         let _e104 = t_24;
-                        let _e105 = self.v_gap_to(path_56, _e2, _e103, _e30, _e104);
+                        let _e105 = self.v_gap_to(path_57, _e2, _e103, _e30, _e104);
                         let _e106 = t_24;
                         let _e107 = cost_12;
                         let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_12, _e107);
@@ -9298,14 +9565,14 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_12;
                         let _e119 = t_24;
-                        let at_128 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_4 = at_128.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_128), forward_3);
+                        let at_133 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_4 = at_133.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_133), forward_3);
                         let _e131 = t_24;
-                        let far_8 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                        let far_9 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_3;
-                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_8));
+                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_9));
                         let _e145 = t_24;
-                        let rest_6 = (rt::Scalar(path_56.exit) - _e145);
+                        let rest_6 = (rt::Scalar(path_57.exit) - _e145);
                         let _e147 = slope_3;
                         let _e152 = self.v_stays_above(above_8, _e147, left_4.x(), _e2.step.x(), lost_1.x(), rest_6);
                         let _e153 = slope_3;
@@ -9315,10 +9582,10 @@ impl<'g> Resources<'g> {
                         next_1 = _e159.max((_e160 + _e152.min(_e158)));
                     }
                     let _e164 = next_1;
-                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_56.exit))) {
+                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_57.exit))) {
                         let _e168 = t_24;
                         let _e170 = cost_12;
-                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_56.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
+                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_57.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
                     }
                     let _e174 = slope_3;
                     if rt::Scalar::into_branch_condition(_e174.elementwise_ge(rt::Scalar(0f32))) {
@@ -9338,31 +9605,31 @@ impl<'g> Resources<'g> {
         }
         let _e184 = t_24;
         let _e186 = cost_12;
-        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_56.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
+        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_57.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
-    pub(crate) fn nearest_corner(&self, at_65: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_65)))
+    pub(crate) fn nearest_corner(&self, at_68: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_nearest_corner(&self, at_65: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_65.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_68: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_68.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
-        path_57: Path,
+        path_58: Path,
         grid_8: Grid,
         offset_6: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_4: impl rt::Into<rt::Scalar<f32>>,
         t_25: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_57, grid_8, rt::into(offset_6), rt::into(apex), rt::into(slope_4), rt::into(t_25)))
+        rt::into(self.v_stays_inside(path_58, grid_8, rt::into(offset_6), rt::into(apex), rt::into(slope_4), rt::into(t_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
         &self,
-        path_57: Path,
+        path_58: Path,
         grid_8: Grid,
         offset_6: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
@@ -9370,15 +9637,15 @@ impl<'g> Resources<'g> {
         t_25: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_59: rt::Scalar<bool>;
+        let mut local_63: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_7 = (rt::Scalar(path_57.exit) - t_25);
-        let _e8 = self.v_path_height(path_57, t_25);
+        let rest_7 = (rt::Scalar(path_58.exit) - t_25);
+        let _e8 = self.v_path_height(path_58, t_25);
         let height_17 = (_e8 - apex);
-        let terms = (path_57.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_57.exit)) * path_57.h.z().abs()));
-        let _e21 = self.v_path_slope(path_57, t_25);
-        let rise_4 = ((_e21 + (path_57.h.z().min(rt::Scalar(0f32)) * rest_7)) - (rt::Scalar(0.0000009536743f32) * terms));
+        let terms = (path_58.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_58.exit)) * path_58.h.z().abs()));
+        let _e21 = self.v_path_slope(path_58, t_25);
+        let rise_4 = ((_e21 + (path_58.h.z().min(rt::Scalar(0f32)) * rest_7)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_7;
         if rt::Scalar::into_branch_condition(rise_4.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
@@ -9386,25 +9653,25 @@ impl<'g> Resources<'g> {
         }
         let _e39 = most;
         let end_7 = (t_25 + _e39);
-        let _e52 = self.v_height_size(rt::Scalar(path_57.level));
-        let far_9 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_7)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
-        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_57.h.x().abs() + (end_7 * (path_57.h.y().abs() + (end_7 * path_57.h.z().abs())))));
-        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_9.x() + far_9.y())));
+        let _e52 = self.v_height_size(rt::Scalar(path_58.level));
+        let far_10 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_7)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
+        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_58.h.x().abs() + (end_7 * (path_58.h.y().abs() + (end_7 * path_58.h.z().abs())))));
+        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_10.x() + far_10.y())));
         let gap_3 = (height_17 - (rt::Scalar(2f32) * lost_2));
-        let _e85 = self.v_height_size(rt::Scalar(path_57.level));
+        let _e85 = self.v_height_size(rt::Scalar(path_58.level));
         let aside_5 = (((grid_8.origin - offset_6) + (grid_8.step * t_25)) / _e85);
         let c_17 = (((slope_4 * aside_5.length()) - gap_3) * ((slope_4 * aside_5.length()) + gap_3));
         if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
-            local_59 = c_17.elementwise_ge(rt::Scalar(0f32));
+            local_63 = c_17.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_59 = rt::Scalar(true);
+            local_63 = rt::Scalar(true);
         }
-        let _e102 = local_59;
+        let _e102 = local_63;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_27 = (((slope_4 * slope_4) * aside_5.dot(path_57.duv)) - (gap_3 * rise_4));
-        let a_27 = (((slope_4 * slope_4) * path_57.duv.dot(path_57.duv)) - (rise_4 * rise_4));
+        let b_27 = (((slope_4 * slope_4) * aside_5.dot(path_58.duv)) - (gap_3 * rise_4));
+        let a_27 = (((slope_4 * slope_4) * path_58.duv.dot(path_58.duv)) - (rise_4 * rise_4));
         let discriminant_3 = ((b_27 * b_27) - (a_27 * c_17));
         if rt::Scalar::into_branch_condition(discriminant_3.elementwise_ge(rt::Scalar(0f32))) {
             let root_4 = discriminant_3.sqrt();
@@ -9421,7 +9688,7 @@ impl<'g> Resources<'g> {
         leave_6 = _e135.min(_e136);
         let _e139 = leave_6;
         let _e145 = leave_6;
-        if rt::Scalar::into_branch_condition(((slope_4 * (aside_5 + (path_57.duv * _e139)).length()) + lost_2).elementwise_le((height_17 + (rise_4 * _e145)))) {
+        if rt::Scalar::into_branch_condition(((slope_4 * (aside_5 + (path_58.duv * _e139)).length()) + lost_2).elementwise_le((height_17 + (rise_4 * _e145)))) {
             let _e149 = leave_6;
             return _e149;
         }
@@ -9429,27 +9696,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cone(
         &self,
-        path_58: Path,
-        params_58: impl rt::Into<rt::Vec4<f32>>,
+        path_59: Path,
+        params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_58, rt::into(params_58)))
+        rt::into(self.v_search_cone(path_59, rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
-        path_58: Path,
-        params_58: rt::Vec4<f32>,
+        path_59: Path,
+        params_61: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_13: rt::Vec2<f32>;
         let mut t_26: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_58);
+        let _e2 = self.v_grid_of(path_59);
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_13 = _e9;
-        let limit_3 = params_58.x().to_u32();
+        let limit_3 = params_61.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_13.x();
@@ -9463,34 +9730,34 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_13.x();
                     let first_13 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_13;
-                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_58.level));
+                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_59.level));
                     let _e31 = cost_13;
                     cost_13 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_13;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_8 = _e35.x().min(_e35.y()).min(rt::Scalar(path_58.exit));
+                    let end_8 = _e35.x().min(_e35.y()).min(rt::Scalar(path_59.exit));
                     let _e41 = t_26;
                     let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_13;
                     let _e49 = t_26;
-                    let at_129 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_129);
+                    let at_134 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_134);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_26;
                     next_2 = _e54;
                     let _e56 = t_26;
-                    let _e57 = self.v_path_height(path_58, _e56);
+                    let _e57 = self.v_path_height(path_59, _e56);
                     if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
                         let _e59 = cell_13;
                         let texel_8 = (_e59 + _e52);
-                        let _e61 = self.v_cone_slope(path_58, texel_8);
+                        let _e61 = self.v_cone_slope(path_59, texel_8);
                         let _e62 = cost_13;
-                        let _e64 = self.v_map_read(path_58, rt::Scalar(1u32));
+                        let _e64 = self.v_map_read(path_59, rt::Scalar(1u32));
                         cost_13 = (_e62 + _e64);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
                             let _e68 = t_26;
                             let _e69 = t_26;
-                            let _e70 = self.v_stays_inside(path_58, _e2, texel_8, _e53, _e61, _e69);
+                            let _e70 = self.v_stays_inside(path_59, _e2, texel_8, _e53, _e61, _e69);
                             next_2 = (_e68 + _e70);
                         }
                     }
@@ -9498,7 +9765,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_8)) {
                         let _e74 = cell_13;
                         let _e75 = t_26;
-                        let _e76 = self.v_gap_to(path_58, _e2, _e74, _e30, _e75);
+                        let _e76 = self.v_gap_to(path_59, _e2, _e74, _e30, _e75);
                         let _e77 = t_26;
                         let _e78 = cost_13;
                         let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_13, _e78);
@@ -9509,10 +9776,10 @@ impl<'g> Resources<'g> {
                         next_2 = _e83.max(end_8);
                     }
                     let _e85 = next_2;
-                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_58.exit))) {
+                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_59.exit))) {
                         let _e89 = t_26;
                         let _e91 = cost_13;
-                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_58.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
+                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
                     }
                     let _e95 = cell_13;
                     let _e96 = next_2;
@@ -9525,44 +9792,44 @@ impl<'g> Resources<'g> {
         }
         let _e100 = t_26;
         let _e102 = cost_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_58.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
+        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
     }
     pub(crate) fn node_extent(
         &self,
         cell_14: impl rt::Into<rt::Scalar<i32>>,
-        image_4: impl rt::Into<rt::Vec2<i32>>,
+        image_7: impl rt::Into<rt::Vec2<i32>>,
         n_6: impl rt::Into<rt::Scalar<i32>>,
         level_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_14), rt::into(image_4), rt::into(n_6), rt::into(level_18)))
+        rt::into(self.v_node_extent(rt::into(cell_14), rt::into(image_7), rt::into(n_6), rt::into(level_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
         &self,
         cell_14: rt::Scalar<i32>,
-        image_4: rt::Vec2<i32>,
+        image_7: rt::Vec2<i32>,
         n_6: rt::Scalar<i32>,
         level_18: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_60: rt::Scalar<bool>;
+        let mut local_64: rt::Scalar<bool>;
 
-        let first_14 = ((image_4.x() >> level_18) << level_18);
+        let first_14 = ((image_7.x() >> level_18) << level_18);
         let side_6 = (rt::Scalar(1i32) << level_18);
-        if rt::Scalar::into_branch_condition(image_4.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low_4 = (cell_14 - (image_4.x() - first_14));
+        if rt::Scalar::into_branch_condition(image_7.y().elementwise_eq(rt::Scalar(0i32))) {
+            let low_4 = (cell_14 - (image_7.x() - first_14));
             return <rt::Vec2<i32>>::from_scalars(low_4, (low_4 + side_6.min((n_6 - first_14))));
         }
-        if rt::Scalar::into_branch_condition(image_4.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high_1 = ((cell_14 + (image_4.x() - first_14)) + rt::Scalar(1i32));
+        if rt::Scalar::into_branch_condition(image_7.y().elementwise_eq(rt::Scalar(1i32))) {
+            let high_1 = ((cell_14 + (image_7.x() - first_14)) + rt::Scalar(1i32));
             return <rt::Vec2<i32>>::from_scalars((high_1 - side_6.min(((n_6 - rt::Scalar(1i32)) - first_14))), high_1);
         }
         if rt::Scalar::into_branch_condition(level_18.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_60 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_64 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_60 = rt::Scalar(false);
+            local_64 = rt::Scalar(false);
         }
-        let _e43 = local_60;
+        let _e43 = local_64;
         if rt::Scalar::into_branch_condition(_e43) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_6, cell_14.elementwise_ge(n_6)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_14.elementwise_ge(n_6)));
         }
@@ -9594,16 +9861,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid(
         &self,
-        path_59: Path,
-        params_59: impl rt::Into<rt::Vec4<f32>>,
+        path_60: Path,
+        params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_59, rt::into(params_59)))
+        rt::into(self.v_search_pyramid(path_60, rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
-        path_59: Path,
-        params_59: rt::Vec4<f32>,
+        path_60: Path,
+        params_62: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut level_19: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -9611,14 +9878,14 @@ impl<'g> Resources<'g> {
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_61: rt::Scalar<bool>;
-        let mut local_62: rt::Scalar<bool>;
-        let mut local_63: rt::Scalar<bool>;
-        let mut local_64: rt::Scalar<bool>;
+        let mut local_65: rt::Scalar<bool>;
+        let mut local_66: rt::Scalar<bool>;
+        let mut local_67: rt::Scalar<bool>;
+        let mut local_68: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_59);
-        let _e4 = self.v_height_texels(rt::Scalar(path_59.level));
-        let long_5 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_59.exit));
+        let _e2 = self.v_grid_of(path_60);
+        let _e4 = self.v_height_texels(rt::Scalar(path_60.level));
+        let long_5 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_60.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = top;
@@ -9639,7 +9906,7 @@ impl<'g> Resources<'g> {
         }
         let _e37 = self.v_cell_of(_e2.origin);
         cell_15 = _e37.to_i32();
-        let limit_4 = params_59.x().to_u32();
+        let limit_4 = params_62.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e51 = cost_14.x();
@@ -9657,30 +9924,30 @@ impl<'g> Resources<'g> {
                     let place_24 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
                     let _e67 = level_19;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over_1 = <rt::Vec2<i32>>::from_scalars((place_24.x() >> above_level), (place_24.y() >> above_level));
+                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_24.x() >> above_level), (place_24.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
-                        if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_1.x()))) {
+                        if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_2.x()))) {
                             let _e89 = parent.y();
-                            local_62 = _e89.elementwise_ne(over_1.y());
+                            local_66 = _e89.elementwise_ne(over_2.y());
                         } else {
-                            local_62 = rt::Scalar(true);
+                            local_66 = rt::Scalar(true);
                         }
-                        let _e93 = local_62;
-                        local_61 = _e93;
+                        let _e93 = local_66;
+                        local_65 = _e93;
                     } else {
-                        local_61 = rt::Scalar(false);
+                        local_65 = rt::Scalar(false);
                     }
-                    let left_5 = local_61;
+                    let left_5 = local_65;
                     if rt::Scalar::into_branch_condition(left_5) {
                         let _e98 = level_19;
                         let _e99 = top;
-                        local_63 = _e98.elementwise_lt(_e99);
+                        local_67 = _e98.elementwise_lt(_e99);
                     } else {
-                        local_63 = rt::Scalar(false);
+                        local_67 = rt::Scalar(false);
                     }
-                    let _e102 = local_63;
+                    let _e102 = local_67;
                     if rt::Scalar::into_branch_condition(_e102) {
                         level_19 = above_level;
                     }
@@ -9692,7 +9959,7 @@ impl<'g> Resources<'g> {
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
-                    let end_9 = _e117.min(_e122).min(rt::Scalar(path_59.exit));
+                    let end_9 = _e117.min(_e122).min(rt::Scalar(path_60.exit));
                     let _e126 = t_27;
                     let span_10 = (end_9 - _e126).max(rt::Scalar(0f32));
                     let low_5 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
@@ -9703,9 +9970,9 @@ impl<'g> Resources<'g> {
                         cost_14 = (_e143 + HEIGHTS_READ);
                         let _e146 = cell_15;
                         let _e148 = cell_15;
-                        let _e150 = self.v_grid_cell(_e148, rt::Scalar(path_59.level));
+                        let _e150 = self.v_grid_cell(_e148, rt::Scalar(path_60.level));
                         let _e151 = t_27;
-                        let _e152 = self.v_gap_to(path_59, _e2, _e146.to_f32(), _e150, _e151);
+                        let _e152 = self.v_gap_to(path_60, _e2, _e146.to_f32(), _e150, _e151);
                         let _e153 = t_27;
                         let _e154 = t_27;
                         let _e157 = cost_14;
@@ -9715,30 +9982,30 @@ impl<'g> Resources<'g> {
                         }
                     } else {
                         let _e162 = cost_14;
-                        let _e164 = self.v_map_read(path_59, rt::Scalar(1u32));
+                        let _e164 = self.v_map_read(path_60, rt::Scalar(1u32));
                         cost_14 = (_e162 + _e164);
                         let _e167 = level_19;
                         let _e170 = level_19;
                         let node = <rt::Vec2<i32>>::from_scalars((place_24.x() >> _e167), (place_24.y() >> _e170));
                         let _e174 = level_19;
-                        let _e180 = self.v_search_texel(path_59, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_59.level)).to_i32() - rt::Scalar(1i32)));
+                        let _e180 = self.v_search_texel(path_60, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_60.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
                         let _e182 = t_27;
                         let furthest = (_e182 + span_10);
-                        let rounded = (path_59.h.x().abs() + (furthest * (path_59.h.y().abs() + (furthest * path_59.h.z().abs()))));
+                        let rounded = (path_60.h.x().abs() + (furthest * (path_60.h.y().abs() + (furthest * path_60.h.z().abs()))));
                         let _e197 = t_27;
-                        let _e198 = self.v_path_height(path_59, _e197);
+                        let _e198 = self.v_path_height(path_60, _e197);
                         let _e203 = t_27;
-                        let _e204 = self.v_path_slope(path_59, _e203);
-                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_59.h.z());
+                        let _e204 = self.v_path_slope(path_60, _e203);
+                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_60.h.z());
                         if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e214 = self.v_least_at(gap_4, span_10);
                             let _e215 = self.v_quadratic(gap_4, _e214);
-                            local_64 = _e215.elementwise_le(rt::Scalar(0f32));
+                            local_68 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_64 = rt::Scalar(true);
+                            local_68 = rt::Scalar(true);
                         }
-                        let _e219 = local_64;
+                        let _e219 = local_68;
                         if rt::Scalar::into_branch_condition(_e219) {
                             if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
                                 let _e223 = t_27;
@@ -9754,10 +10021,10 @@ impl<'g> Resources<'g> {
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_9.elementwise_ge(rt::Scalar(path_59.exit))) {
+                    if rt::Scalar::into_branch_condition(end_9.elementwise_ge(rt::Scalar(path_60.exit))) {
                         let _e244 = t_27;
                         let _e246 = cost_14;
-                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
+                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_60.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
                     }
                     let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_9)));
                     cell_15 = _e254.to_i32().clamp(low_5, last_6);
@@ -9777,7 +10044,7 @@ impl<'g> Resources<'g> {
         }
         let _e293 = t_27;
         let _e295 = cost_14;
-        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
+        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_60.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
     }
     pub(crate) fn texel_extent(
         &self,
@@ -9794,18 +10061,18 @@ impl<'g> Resources<'g> {
         n_7: rt::Scalar<i32>,
         level_20: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_65: rt::Scalar<bool>;
+        let mut local_69: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_7);
         let first_15 = ((_e3 >> level_20) << level_20);
         let last_7 = (first_15 + (rt::Scalar(1i32) << level_20)).min(n_7);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_65 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_69 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_65 = rt::Scalar(true);
+            local_69 = rt::Scalar(true);
         }
-        let _e20 = local_65;
+        let _e20 = local_69;
         if rt::Scalar::into_branch_condition(_e20) {
             return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_15), ((texel_2 - _e3) + last_7));
         }
@@ -9822,16 +10089,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid_texels(
         &self,
-        path_60: Path,
-        params_60: impl rt::Into<rt::Vec4<f32>>,
+        path_61: Path,
+        params_63: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_60, rt::into(params_60)))
+        rt::into(self.v_search_pyramid_texels(path_61, rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
-        path_60: Path,
-        params_60: rt::Vec4<f32>,
+        path_61: Path,
+        params_63: rt::Vec4<f32>,
     ) -> Found {
         let mut level_21: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
@@ -9841,11 +10108,11 @@ impl<'g> Resources<'g> {
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e3 = self.v_height_texels(rt::Scalar(path_60.level));
-        let _e6 = self.v_height_size(rt::Scalar(path_60.level));
-        let origin_6 = (path_60.uv * _e6);
-        let _e10 = self.v_height_size(rt::Scalar(path_60.level));
-        let step_7 = (path_60.duv * _e10);
+        let _e3 = self.v_height_texels(rt::Scalar(path_61.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_61.level));
+        let origin_6 = (path_61.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_61.level));
+        let step_7 = (path_61.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = level_21;
@@ -9861,10 +10128,10 @@ impl<'g> Resources<'g> {
         }
         let _e24 = self.v_cell_of(origin_6);
         texel_3 = _e24.to_i32();
-        let limit_5 = params_60.x().to_u32();
+        let limit_5 = params_63.x().to_u32();
         let _e35 = level_21;
-        finest_1 = params_60.y().to_u32().min(_e35);
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_60.ray).elementwise_eq(RAY_SHADOW)) {
+        finest_1 = params_63.y().to_u32().min(_e35);
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_61.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
         'naga_break: loop {
@@ -9894,10 +10161,10 @@ impl<'g> Resources<'g> {
                         let _e73 = level_21;
                         let node_1 = <rt::Vec2<i32>>::from_scalars((place_25.x() >> _e70), (place_25.y() >> _e73));
                         let _e76 = cost_15;
-                        let _e78 = self.v_map_read(path_60, rt::Scalar(1u32));
+                        let _e78 = self.v_map_read(path_61, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
                         let _e81 = level_21;
-                        let _e85 = self.v_search_texel(path_60, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
+                        let _e85 = self.v_search_texel(path_61, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
@@ -9910,13 +10177,13 @@ impl<'g> Resources<'g> {
                     let _e102 = self.v_leaves_extent(origin_6.y(), step_7.y(), _e96);
                     let leave_7 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
                     let _e109 = t_28;
-                    let end_10 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_60.exit)).max(_e109);
+                    let end_10 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_61.exit)).max(_e109);
                     let _e111 = t_28;
-                    let _e112 = self.v_path_height(path_60, _e111);
+                    let _e112 = self.v_path_height(path_61, _e111);
                     let _e113 = highest;
                     let _e115 = t_28;
-                    let _e116 = self.v_path_slope(path_60, _e115);
-                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_60.h.z());
+                    let _e116 = self.v_path_slope(path_61, _e115);
+                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_61.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
                         let _e125 = t_28;
@@ -9943,10 +10210,10 @@ impl<'g> Resources<'g> {
                         let _e160 = self.v_cell_of((origin_6 + (step_7 * _e157)));
                         texel_3 = _e160.to_i32().clamp(low_6, last_8);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_60.exit))) {
+                        if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_61.exit))) {
                             let _e166 = t_28;
                             let _e168 = cost_15;
-                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_60.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
+                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
                         let _e174 = self.v_cell_of((origin_6 + (step_7 * end_10)));
                         texel_3 = _e174.to_i32().clamp(low_6, last_8);
@@ -9963,7 +10230,7 @@ impl<'g> Resources<'g> {
         }
         let _e200 = t_28;
         let _e202 = cost_15;
-        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_60.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
+        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
     }
     pub(crate) fn leaves_window(
         &self,
@@ -9989,16 +10256,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_dilation_erosion(
         &self,
-        path_61: Path,
-        params_61: impl rt::Into<rt::Vec4<f32>>,
+        path_62: Path,
+        params_64: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_61, rt::into(params_61)))
+        rt::into(self.v_search_dilation_erosion(path_62, rt::into(params_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
-        path_61: Path,
-        params_61: rt::Vec4<f32>,
+        path_62: Path,
+        params_64: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_17: rt::Vec2<f32>;
         let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -10006,17 +10273,17 @@ impl<'g> Resources<'g> {
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_66: rt::Scalar<bool>;
-        let mut local_67: rt::Scalar<bool>;
-        let mut local_68: rt::Scalar<bool>;
-        let mut local_69: rt::Scalar<bool>;
+        let mut local_70: rt::Scalar<bool>;
+        let mut local_71: rt::Scalar<bool>;
+        let mut local_72: rt::Scalar<bool>;
+        let mut local_73: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_61);
-        let _e4 = self.v_height_texels(rt::Scalar(path_61.level));
+        let _e2 = self.v_grid_of(path_62);
+        let _e4 = self.v_height_texels(rt::Scalar(path_62.level));
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_17 = _e11;
-        let limit_6 = params_61.x().to_u32();
+        let limit_6 = params_64.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_16.x();
@@ -10029,41 +10296,41 @@ impl<'g> Resources<'g> {
                     cost_16 = (_e24 + STEP);
                     let _e27 = cell_17;
                     let _e28 = self.v_cell_leave(_e2, _e27);
-                    let end_11 = _e28.x().min(_e28.y()).min(rt::Scalar(path_61.exit));
+                    let end_11 = _e28.x().min(_e28.y()).min(rt::Scalar(path_62.exit));
                     let _e34 = t_29;
                     let span_11 = (end_11 - _e34).max(rt::Scalar(0f32));
                     let _e38 = t_29;
                     next_3 = _e38;
-                    looks = params_61.y().elementwise_gt(rt::Scalar(0.5f32));
+                    looks = params_64.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e45 = cell_17.x();
                     let _e48 = self.v_image_of(_e45.to_i32(), _e4.x());
                     let _e50 = cell_17.y();
                     let _e53 = self.v_image_of(_e50.to_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_66 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_70 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_66 = rt::Scalar(true);
+                        local_70 = rt::Scalar(true);
                     }
-                    let _e64 = local_66;
+                    let _e64 = local_70;
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e72 = self.v_search_texel(path_61, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_61.level).to_i32());
+                        let _e72 = self.v_search_texel(path_62, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_62.level).to_i32());
                         let _e73 = cost_16;
-                        let _e75 = self.v_map_read(path_61, rt::Scalar(1u32));
+                        let _e75 = self.v_map_read(path_62, rt::Scalar(1u32));
                         cost_16 = (_e73 + _e75);
                         let _e77 = cell_17;
-                        let _e79 = self.v_leaves_window(_e2, _e77, params_61.z());
+                        let _e79 = self.v_leaves_window(_e2, _e77, params_64.z());
                         let _e82 = t_29;
-                        let reach = (_e79.min(rt::Scalar(path_61.exit)) - _e82).max(rt::Scalar(0f32));
+                        let reach = (_e79.min(rt::Scalar(path_62.exit)) - _e82).max(rt::Scalar(0f32));
                         let _e86 = t_29;
                         let furthest_1 = (_e86 + reach);
-                        let rounded_1 = (path_61.h.x().abs() + (furthest_1 * (path_61.h.y().abs() + (furthest_1 * path_61.h.z().abs()))));
+                        let rounded_1 = (path_62.h.x().abs() + (furthest_1 * (path_62.h.y().abs() + (furthest_1 * path_62.h.z().abs()))));
                         let _e101 = t_29;
-                        let _e102 = self.v_path_height(path_61, _e101);
+                        let _e102 = self.v_path_height(path_62, _e101);
                         let _e108 = t_29;
-                        let _e109 = self.v_path_slope(path_61, _e108);
-                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_61.h.z());
+                        let _e109 = self.v_path_slope(path_62, _e108);
+                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_62.h.z());
                         if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
                             let _e116 = t_29;
                             safe_ = _e116;
@@ -10080,43 +10347,43 @@ impl<'g> Resources<'g> {
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_67 = _e131.elementwise_lt(end_11);
+                            local_71 = _e131.elementwise_lt(end_11);
                         } else {
-                            local_67 = rt::Scalar(false);
+                            local_71 = rt::Scalar(false);
                         }
-                        let _e134 = local_67;
+                        let _e134 = local_71;
                         if rt::Scalar::into_branch_condition(_e134) {
-                            let _e137 = self.v_path_height(path_61, end_11);
-                            local_68 = _e137.elementwise_lt(_e72.x());
+                            let _e137 = self.v_path_height(path_62, end_11);
+                            local_72 = _e137.elementwise_lt(_e72.x());
                         } else {
-                            local_68 = rt::Scalar(false);
+                            local_72 = rt::Scalar(false);
                         }
-                        let _e141 = local_68;
+                        let _e141 = local_72;
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
-                            let _e144 = self.v_bracket_between(path_61, _e142, end_11, _e143);
+                            let _e144 = self.v_bracket_between(path_62, _e142, end_11, _e143);
                             return _e144;
                         }
                     }
                     let _e145 = next_3;
                     if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_11))) {
                         let _e150 = t_29;
-                        local_69 = (!end_11.elementwise_gt(_e150));
+                        local_73 = (!end_11.elementwise_gt(_e150));
                     } else {
-                        local_69 = rt::Scalar(true);
+                        local_73 = rt::Scalar(true);
                     }
-                    let _e154 = local_69;
+                    let _e154 = local_73;
                     if rt::Scalar::into_branch_condition(_e154) {
                         let _e155 = looks;
                         if rt::Scalar::into_branch_condition(_e155) {
                             let _e156 = cost_16;
                             cost_16 = (_e156 + HEIGHTS_READ);
                             let _e159 = cell_17;
-                            let _e162 = self.v_height_cell(_e159.to_i32(), rt::Scalar(path_61.level));
+                            let _e162 = self.v_height_cell(_e159.to_i32(), rt::Scalar(path_62.level));
                             let _e163 = cell_17;
                             let _e164 = t_29;
-                            let _e165 = self.v_gap_to(path_61, _e2, _e163, _e162, _e164);
+                            let _e165 = self.v_gap_to(path_62, _e2, _e163, _e162, _e164);
                             let _e166 = t_29;
                             let _e167 = t_29;
                             let _e170 = cost_16;
@@ -10129,10 +10396,10 @@ impl<'g> Resources<'g> {
                         next_3 = _e175.max(end_11);
                     }
                     let _e177 = next_3;
-                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_61.exit))) {
+                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_62.exit))) {
                         let _e181 = t_29;
                         let _e183 = cost_16;
-                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
+                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
                     }
                     let _e187 = cell_17;
                     let _e188 = next_3;
@@ -10145,40 +10412,40 @@ impl<'g> Resources<'g> {
         }
         let _e192 = t_29;
         let _e194 = cost_16;
-        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
+        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
     }
     pub(crate) fn search_sphere(
         &self,
-        path_62: Path,
-        params_62: impl rt::Into<rt::Vec4<f32>>,
+        path_63: Path,
+        params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_62, rt::into(params_62)))
+        rt::into(self.v_search_sphere(path_63, rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
-        path_62: Path,
-        params_62: rt::Vec4<f32>,
+        path_63: Path,
+        params_65: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_18: rt::Vec2<f32>;
         let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_70: rt::Scalar<bool>;
+        let mut local_74: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_62);
+        let _e2 = self.v_grid_of(path_63);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_62, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_62, rt::Scalar(path_62.exit));
+        let _e9 = self.v_path_slope(path_63, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_63, rt::Scalar(path_63.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let fastest = <rt::Vec3<f32>>::new_21(path_62.duv, climb_1).length();
+        let fastest = <rt::Vec3<f32>>::new_21(path_63.duv, climb_1).length();
         let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_10 = (path_62.uv.abs() + (path_62.duv.abs() * rt::Scalar(path_62.exit)));
-        let height_terms = (path_62.h.x().abs() + (rt::Scalar(path_62.exit) * (path_62.h.y().abs() + (rt::Scalar(path_62.exit) * path_62.h.z().abs()))));
-        let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_10.x() + far_10.y()) + height_terms) + rt::Scalar(1f32)));
+        let far_11 = (path_63.uv.abs() + (path_63.duv.abs() * rt::Scalar(path_63.exit)));
+        let height_terms = (path_63.h.x().abs() + (rt::Scalar(path_63.exit) * (path_63.h.y().abs() + (rt::Scalar(path_63.exit) * path_63.h.z().abs()))));
+        let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_11.x() + far_11.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_18 = _e52;
-        let limit_7 = params_62.x().to_u32();
+        let limit_7 = params_65.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e61 = cost_17.x();
@@ -10191,18 +10458,18 @@ impl<'g> Resources<'g> {
                     cost_17 = (_e63 + STEP);
                     let _e66 = cell_18;
                     let _e67 = self.v_cell_leave(_e2, _e66);
-                    let end_12 = _e67.x().min(_e67.y()).min(rt::Scalar(path_62.exit));
+                    let end_12 = _e67.x().min(_e67.y()).min(rt::Scalar(path_63.exit));
                     let _e73 = t_30;
                     let span_12 = (end_12 - _e73).max(rt::Scalar(0f32));
                     let _e77 = t_30;
-                    let _e78 = self.v_path_uv(path_62, _e77);
+                    let _e78 = self.v_path_uv(path_63, _e77);
                     let _e79 = t_30;
-                    let _e80 = self.v_path_height(path_62, _e79);
-                    let _e82 = self.v_distance_at(path_62, _e78, _e80, params_62.z());
+                    let _e80 = self.v_path_height(path_63, _e79);
+                    let _e82 = self.v_distance_at(path_63, _e78, _e80, params_65.z());
                     let free_1 = (_e82 - lost_3);
                     let _e84 = cost_17;
-                    let _e86 = self.v_map_read(path_62, rt::Scalar(4u32));
-                    let _e89 = self.v_map_read(path_62, rt::Scalar(4u32));
+                    let _e86 = self.v_map_read(path_63, rt::Scalar(4u32));
+                    let _e89 = self.v_map_read(path_63, rt::Scalar(4u32));
                     cost_17 = ((_e84 + _e86) + _e89);
                     let _e91 = t_30;
                     next_4 = _e91;
@@ -10210,31 +10477,31 @@ impl<'g> Resources<'g> {
                         let _e95 = t_30;
                         next_4 = (_e95 + (free_1 / speed_2));
                     }
-                    if rt::Scalar::into_branch_condition(params_62.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_65.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_4;
                         let _e102 = t_30;
-                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_62.exit))))) {
+                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_63.exit))))) {
                             let _e110 = t_30;
                             let _e112 = cost_17;
-                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
+                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
                         }
                     } else {
                         let _e116 = next_4;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_12))) {
                             let _e121 = t_30;
-                            local_70 = (!end_12.elementwise_gt(_e121));
+                            local_74 = (!end_12.elementwise_gt(_e121));
                         } else {
-                            local_70 = rt::Scalar(true);
+                            local_74 = rt::Scalar(true);
                         }
-                        let _e125 = local_70;
+                        let _e125 = local_74;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
                             let _e129 = cell_18;
                             let _e130 = cell_18;
-                            let _e133 = self.v_height_cell(_e130.to_i32(), rt::Scalar(path_62.level));
+                            let _e133 = self.v_height_cell(_e130.to_i32(), rt::Scalar(path_63.level));
                             let _e134 = t_30;
-                            let _e135 = self.v_gap_to(path_62, _e2, _e129, _e133, _e134);
+                            let _e135 = self.v_gap_to(path_63, _e2, _e129, _e133, _e134);
                             let _e136 = t_30;
                             let _e137 = t_30;
                             let _e140 = cost_17;
@@ -10247,10 +10514,10 @@ impl<'g> Resources<'g> {
                         }
                     }
                     let _e147 = next_4;
-                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_62.exit))) {
+                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_63.exit))) {
                         let _e151 = t_30;
                         let _e153 = cost_17;
-                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
+                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
                     }
                     let _e157 = cell_18;
                     let _e158 = next_4;
@@ -10263,33 +10530,33 @@ impl<'g> Resources<'g> {
         }
         let _e162 = t_30;
         let _e164 = cost_17;
-        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
+        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
     }
     pub(crate) fn search_cone_moved(
         &self,
-        path_63: Path,
-        params_63: impl rt::Into<rt::Vec4<f32>>,
+        path_64: Path,
+        params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_63, rt::into(params_63)))
+        rt::into(self.v_search_cone_moved(path_64, rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
-        path_63: Path,
-        params_63: rt::Vec4<f32>,
+        path_64: Path,
+        params_66: rt::Vec4<f32>,
     ) -> Found {
         let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
-        let mut k_23: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_71: rt::Scalar<bool>;
+        let mut k_24: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_75: rt::Scalar<bool>;
 
-        let aside_6 = path_63.duv.length();
+        let aside_6 = path_64.duv.length();
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_23;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_63.x())) {
+                let _e14 = k_24;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_66.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -10297,17 +10564,17 @@ impl<'g> Resources<'g> {
                     let _e17 = cost_18;
                     cost_18 = (_e17 + STEP);
                     let _e20 = t_31;
-                    let _e21 = self.v_path_gap(path_63, _e20);
+                    let _e21 = self.v_path_gap(path_64, _e20);
                     let _e22 = cost_18;
                     cost_18 = (_e22 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
                         let _e27 = t_31;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_71 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_75 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_71 = rt::Scalar(false);
+                            local_75 = rt::Scalar(false);
                         }
-                        let _e35 = local_71;
+                        let _e35 = local_75;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
@@ -10322,83 +10589,83 @@ impl<'g> Resources<'g> {
                     near_5 = _e47;
                     near_gap_3 = _e21;
                     let _e48 = t_31;
-                    let _e49 = self.v_path_uv(path_63, _e48);
-                    let _e51 = self.v_search_texel_between(path_63, _e49, rt::Scalar(0i32));
+                    let _e49 = self.v_path_uv(path_64, _e48);
+                    let _e51 = self.v_search_texel_between(path_64, _e49, rt::Scalar(0i32));
                     let _e53 = self.v_slope_of(_e51.x());
                     let _e54 = cost_18;
-                    let _e56 = self.v_map_read(path_63, rt::Scalar(4u32));
+                    let _e56 = self.v_map_read(path_64, rt::Scalar(4u32));
                     cost_18 = (_e54 + _e56);
                     if rt::Scalar::into_branch_condition(_e53.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
                     let _e61 = t_31;
-                    let rest_8 = (rt::Scalar(path_63.exit) - _e61);
+                    let rest_8 = (rt::Scalar(path_64.exit) - _e61);
                     let _e63 = t_31;
-                    let _e64 = self.v_path_slope(path_63, _e63);
-                    let rise_5 = (_e64 + (path_63.h.z().min(rt::Scalar(0f32)) * rest_8));
-                    let terms_1 = (path_63.h.x().abs() + (rt::Scalar(path_63.exit) * (path_63.h.y().abs() + (rt::Scalar(path_63.exit) * path_63.h.z().abs()))));
-                    let far_11 = (((path_63.uv.abs() + (path_63.duv.abs() * rt::Scalar(path_63.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
-                    let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_11.x()) + far_11.y()));
+                    let _e64 = self.v_path_slope(path_64, _e63);
+                    let rise_5 = (_e64 + (path_64.h.z().min(rt::Scalar(0f32)) * rest_8));
+                    let terms_1 = (path_64.h.x().abs() + (rt::Scalar(path_64.exit) * (path_64.h.y().abs() + (rt::Scalar(path_64.exit) * path_64.h.z().abs()))));
+                    let far_12 = (((path_64.uv.abs() + (path_64.duv.abs() * rt::Scalar(path_64.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
+                    let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_12.x()) + far_12.y()));
                     let nearing = ((_e53 * aside_6) - rise_5);
                     let closing_3 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
                         let _e112 = t_31;
                         let _e114 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
+                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                     }
                     let _e118 = t_31;
                     t_31 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
                     let _e124 = t_31;
-                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_63.exit))) {
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_64.exit))) {
                         let _e128 = near_5;
                         let _e130 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
-                    let _e134 = k_23;
-                    k_23 = (_e134 + rt::Scalar(1f32));
+                    let _e134 = k_24;
+                    k_24 = (_e134 + rt::Scalar(1f32));
                 }
             }
         }
         let _e138 = t_31;
         let _e140 = t_31;
-        let _e141 = self.v_path_height(path_63, _e140);
+        let _e141 = self.v_path_height(path_64, _e140);
         let _e142 = cost_18;
-        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_63.exit), _e141, rt::Scalar(0f32), _e142);
+        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_64.exit), _e141, rt::Scalar(0f32), _e142);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
-        path_64: Path,
-        params_64: impl rt::Into<rt::Vec4<f32>>,
+        path_65: Path,
+        params_67: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_64, rt::into(params_64)))
+        rt::into(self.v_search_relaxed_cone(path_65, rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
-        path_64: Path,
-        params_64: rt::Vec4<f32>,
+        path_65: Path,
+        params_67: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_19: rt::Vec2<f32>;
         let mut t_32: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_72: rt::Scalar<bool>;
+        let mut local_76: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_73: rt::Scalar<bool>;
+        let mut local_77: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_64);
+        let _e2 = self.v_grid_of(path_65);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_7 = path_64.duv.length();
-        let _e11 = self.v_path_slope(path_64, rt::Scalar(0f32));
-        let terms_2 = (path_64.h.x().abs() + (rt::Scalar(path_64.exit) * path_64.h.y().abs()));
-        let _e33 = self.v_height_size(rt::Scalar(path_64.level));
-        let far_12 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_64.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let aside_7 = path_65.duv.length();
+        let _e11 = self.v_path_slope(path_65, rt::Scalar(0f32));
+        let terms_2 = (path_65.h.x().abs() + (rt::Scalar(path_65.exit) * path_65.h.y().abs()));
+        let _e33 = self.v_height_size(rt::Scalar(path_65.level));
+        let far_13 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_65.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_19 = _e36;
-        let limit_8 = params_64.x().to_u32();
+        let limit_8 = params_67.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e49 = cost_19.x();
@@ -10411,14 +10678,14 @@ impl<'g> Resources<'g> {
                     cost_19 = (_e51 + STEP);
                     let _e54 = cell_19;
                     let _e55 = self.v_cell_leave(_e2, _e54);
-                    let end_13 = _e55.x().min(_e55.y()).min(rt::Scalar(path_64.exit));
+                    let end_13 = _e55.x().min(_e55.y()).min(rt::Scalar(path_65.exit));
                     let _e61 = t_32;
                     let span_13 = (end_13 - _e61).max(rt::Scalar(0f32));
                     let _e65 = cell_19;
                     let _e66 = cell_19;
-                    let _e69 = self.v_height_cell(_e66.to_i32(), rt::Scalar(path_64.level));
+                    let _e69 = self.v_height_cell(_e66.to_i32(), rt::Scalar(path_65.level));
                     let _e70 = t_32;
-                    let _e71 = self.v_gap_to(path_64, _e2, _e65, _e69, _e70);
+                    let _e71 = self.v_gap_to(path_65, _e2, _e65, _e69, _e70);
                     let _e72 = cost_19;
                     cost_19 = (_e72 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e71.x().elementwise_le(rt::Scalar(0f32))) {
@@ -10426,17 +10693,17 @@ impl<'g> Resources<'g> {
                         let _e79 = t_32;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_72 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_76 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_72 = rt::Scalar(false);
+                            local_76 = rt::Scalar(false);
                         }
-                        let _e87 = local_72;
+                        let _e87 = local_76;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
                             let _e89 = t_32;
                             let _e90 = near_gap_4;
                             let _e92 = cost_19;
-                            let _e93 = self.v_entered_once(path_64, _e2, _e88, _e89, _e90, _e71.x(), _e92);
+                            let _e93 = self.v_entered_once(path_65, _e2, _e88, _e89, _e90, _e71.x(), _e92);
                             return _e93;
                         }
                         let _e94 = t_32;
@@ -10448,7 +10715,7 @@ impl<'g> Resources<'g> {
                     let _e100 = t_32;
                     start_1 = _e100;
                     gap = _e71.x();
-                    if rt::Scalar::into_branch_condition(params_64.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_67.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e107 = t_32;
                         let _e108 = t_32;
                         let _e111 = cost_19;
@@ -10461,10 +10728,10 @@ impl<'g> Resources<'g> {
                         gap = rt::Scalar(_e112.far_gap);
                     }
                     let _e119 = start_1;
-                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_64.exit))) {
+                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_65.exit))) {
                         let _e123 = t_32;
                         let _e125 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
+                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
                     }
                     let _e129 = start_1;
                     near_6 = _e129;
@@ -10474,9 +10741,9 @@ impl<'g> Resources<'g> {
                     let _e133 = cell_19;
                     let _e136 = start_1;
                     let _e139 = self.v_nearest_corner(((_e2.origin - _e133) + (_e2.step * _e136)));
-                    let _e141 = self.v_cone_slope(path_64, (_e131 + _e139));
+                    let _e141 = self.v_cone_slope(path_65, (_e131 + _e139));
                     let _e142 = cost_19;
-                    let _e144 = self.v_map_read(path_64, rt::Scalar(1u32));
+                    let _e144 = self.v_map_read(path_65, rt::Scalar(1u32));
                     cost_19 = (_e142 + _e144);
                     let _e146 = start_1;
                     next_5 = _e146;
@@ -10484,42 +10751,42 @@ impl<'g> Resources<'g> {
                         let nearing_1 = ((_e141 * aside_7) - _e11);
                         let closing_4 = (nearing_1 + (rt::Scalar(0.0000009536743f32) * nearing_1));
                         let _e155 = gap;
-                        let room_1 = (_e155 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e141 * (far_12.x() + far_12.y())))));
+                        let room_1 = (_e155 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e141 * (far_13.x() + far_13.y())))));
                         next_5 = rt::Scalar(300000000000000000000000000000000000000f32);
                         if rt::Scalar::into_branch_condition(closing_4.elementwise_gt(rt::Scalar(0f32))) {
                             let _e167 = start_1;
                             next_5 = (_e167 + (room_1.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_64.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_67.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
                         let _e178 = t_32;
-                        local_73 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_64.exit))));
+                        local_77 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_65.exit))));
                     } else {
-                        local_73 = rt::Scalar(false);
+                        local_77 = rt::Scalar(false);
                     }
-                    let _e186 = local_73;
+                    let _e186 = local_77;
                     if rt::Scalar::into_branch_condition(_e186) {
                         let _e188 = t_32;
                         let _e190 = gap;
                         let _e191 = cost_19;
-                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_64.exit), _e190, rt::Scalar(0f32), _e191);
+                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_65.exit), _e190, rt::Scalar(0f32), _e191);
                     }
                     let _e194 = next_5;
-                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_64.exit))) {
-                        let _e198 = self.v_path_gap(path_64, rt::Scalar(path_64.exit));
+                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_65.exit))) {
+                        let _e198 = self.v_path_gap(path_65, rt::Scalar(path_65.exit));
                         let _e199 = cost_19;
                         cost_19 = (_e199 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e198.elementwise_le(rt::Scalar(0f32))) {
                             let _e204 = start_1;
                             let _e206 = gap;
                             let _e207 = cost_19;
-                            let _e208 = self.v_entered_once(path_64, _e2, _e204, rt::Scalar(path_64.exit), _e206, _e198, _e207);
+                            let _e208 = self.v_entered_once(path_65, _e2, _e204, rt::Scalar(path_65.exit), _e206, _e198, _e207);
                             return _e208;
                         }
                         let _e210 = start_1;
                         let _e212 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
+                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
                     }
                     let _e216 = cell_19;
                     let _e217 = next_5;
@@ -10532,34 +10799,34 @@ impl<'g> Resources<'g> {
         }
         let _e221 = t_32;
         let _e223 = cost_19;
-        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
+        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
-        path_65: Path,
-        params_65: impl rt::Into<rt::Vec4<f32>>,
+        path_66: Path,
+        params_68: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_65, rt::into(params_65)))
+        rt::into(self.v_search_relaxed_cone_resting(path_66, rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
-        path_65: Path,
-        params_65: rt::Vec4<f32>,
+        path_66: Path,
+        params_68: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_20: rt::Vec2<f32>;
         let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_74: rt::Scalar<bool>;
+        let mut local_78: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_65);
+        let _e2 = self.v_grid_of(path_66);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_20 = _e9;
-        let limit_9 = params_65.x().to_u32();
+        let limit_9 = params_68.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_20.x();
@@ -10571,33 +10838,33 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_20;
                     cost_20 = (_e24 + STEP);
                     let _e27 = cell_20;
-                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_65.level));
+                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_66.level));
                     let _e31 = cost_20;
                     cost_20 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_20;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_14 = _e35.x().min(_e35.y()).min(rt::Scalar(path_65.exit));
+                    let end_14 = _e35.x().min(_e35.y()).min(rt::Scalar(path_66.exit));
                     let _e41 = t_33;
                     let span_14 = (end_14 - _e41).max(rt::Scalar(0f32));
                     let _e45 = cell_20;
                     let _e46 = t_33;
-                    let _e47 = self.v_gap_to(path_65, _e2, _e45, _e30, _e46);
+                    let _e47 = self.v_gap_to(path_66, _e2, _e45, _e30, _e46);
                     if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_7;
                         let _e52 = t_33;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_74 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_78 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_74 = rt::Scalar(false);
+                            local_78 = rt::Scalar(false);
                         }
-                        let _e60 = local_74;
+                        let _e60 = local_78;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
                             let _e62 = t_33;
                             let _e63 = near_gap_5;
                             let _e65 = cost_20;
-                            let _e66 = self.v_entered_once(path_65, _e2, _e61, _e62, _e63, _e47.x(), _e65);
+                            let _e66 = self.v_entered_once(path_66, _e2, _e61, _e62, _e63, _e47.x(), _e65);
                             return _e66;
                         }
                         let _e67 = t_33;
@@ -10615,10 +10882,10 @@ impl<'g> Resources<'g> {
                     }
                     let _e82 = t_33;
                     let start_4 = _e82.max(end_14);
-                    if rt::Scalar::into_branch_condition(start_4.elementwise_ge(rt::Scalar(path_65.exit))) {
+                    if rt::Scalar::into_branch_condition(start_4.elementwise_ge(rt::Scalar(path_66.exit))) {
                         let _e87 = t_33;
                         let _e89 = cost_20;
-                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_66.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
                     near_7 = start_4;
                     near_gap_5 = rt::Scalar(_e78.far_gap);
@@ -10626,32 +10893,32 @@ impl<'g> Resources<'g> {
                     let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_4)));
                     let _e101 = self.v_corner_height(_e30, _e100);
                     next_6 = start_4;
-                    let _e103 = self.v_path_height(path_65, start_4);
+                    let _e103 = self.v_path_height(path_66, start_4);
                     if rt::Scalar::into_branch_condition(_e103.elementwise_gt(_e101)) {
                         let _e105 = cell_20;
                         let texel_9 = (_e105 + _e100);
-                        let _e107 = self.v_cone_slope(path_65, texel_9);
+                        let _e107 = self.v_cone_slope(path_66, texel_9);
                         let _e108 = cost_20;
-                        let _e110 = self.v_map_read(path_65, rt::Scalar(1u32));
+                        let _e110 = self.v_map_read(path_66, rt::Scalar(1u32));
                         cost_20 = (_e108 + _e110);
                         if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e114 = self.v_stays_inside(path_65, _e2, texel_9, _e101, _e107, start_4);
+                            let _e114 = self.v_stays_inside(path_66, _e2, texel_9, _e101, _e107, start_4);
                             next_6 = (start_4 + _e114);
                         }
                     }
                     let _e116 = next_6;
-                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_65.exit))) {
-                        let _e120 = self.v_path_gap(path_65, rt::Scalar(path_65.exit));
+                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_66.exit))) {
+                        let _e120 = self.v_path_gap(path_66, rt::Scalar(path_66.exit));
                         let _e121 = cost_20;
                         cost_20 = (_e121 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
                             let _e127 = near_gap_5;
                             let _e128 = cost_20;
-                            let _e129 = self.v_entered_once(path_65, _e2, start_4, rt::Scalar(path_65.exit), _e127, _e120, _e128);
+                            let _e129 = self.v_entered_once(path_66, _e2, start_4, rt::Scalar(path_66.exit), _e127, _e120, _e128);
                             return _e129;
                         }
                         let _e132 = cost_20;
-                        return <Found>::new(FOUND_MISS, start_4, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
+                        return <Found>::new(FOUND_MISS, start_4, rt::Scalar(path_66.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
                     }
                     let _e136 = cell_20;
                     let _e137 = next_6;
@@ -10664,145 +10931,145 @@ impl<'g> Resources<'g> {
         }
         let _e141 = t_33;
         let _e143 = cost_20;
-        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
+        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_66.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
     }
-    pub(crate) fn search_stage(&self, path_66: Path) -> Found {
-        rt::into(self.v_search_stage(path_66))
+    pub(crate) fn search_stage(&self, path_67: Path) -> Found {
+        rt::into(self.v_search_stage(path_67))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_66: Path) -> Found {
+    fn v_search_stage(&self, path_67: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[5usize].params;
-                let _e11 = self.v_search_none(path_66, _e10);
+                let _e11 = self.v_search_none(path_67, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[5usize].params;
-                let _e17 = self.v_search_linear(path_66, _e16);
+                let _e17 = self.v_search_linear(path_67, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[5usize].params;
-                let _e23 = self.v_search_cells(path_66, _e22);
+                let _e23 = self.v_search_cells(path_67, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[5usize].params;
-                let _e29 = self.v_search_frustum(path_66, _e28);
+                let _e29 = self.v_search_frustum(path_67, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[5usize].params;
-                let _e35 = self.v_search_cone(path_66, _e34);
+                let _e35 = self.v_search_cone(path_67, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[5usize].params;
-                let _e41 = self.v_search_pyramid(path_66, _e40);
+                let _e41 = self.v_search_pyramid(path_67, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[5usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_66, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_67, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[5usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_66, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_67, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[5usize].params;
-                let _e59 = self.v_search_sphere(path_66, _e58);
+                let _e59 = self.v_search_sphere(path_67, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[5usize].params;
-                let _e65 = self.v_search_cone_moved(path_66, _e64);
+                let _e65 = self.v_search_cone_moved(path_67, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[5usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_66, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_67, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[5usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_66, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_67, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn trace(&self, path_67: Path) -> Hit {
-        rt::into(self.v_trace(path_67))
+    pub(crate) fn trace(&self, path_68: Path) -> Hit {
+        rt::into(self.v_trace(path_68))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_trace(&self, path_67: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_67);
-        let _e2 = self.v_refine_stage(path_67, _e1);
+    fn v_trace(&self, path_68: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_68);
+        let _e2 = self.v_refine_stage(path_68, _e1);
         return _e2;
     }
     pub(crate) fn object_none(
         &self,
-        pixel_73: PixelIn,
-        at_66: Entered,
-        params_66: impl rt::Into<rt::Vec4<f32>>,
+        pixel_76: PixelIn,
+        at_69: Entered,
+        params_69: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_none(pixel_73, at_66, rt::into(params_66)))
+        rt::into(self.v_object_none(pixel_76, at_69, rt::into(params_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_none(
         &self,
-        pixel_73: PixelIn,
-        at_66: Entered,
-        params_66: rt::Vec4<f32>,
+        pixel_76: PixelIn,
+        at_69: Entered,
+        params_69: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
         let mut first_3: FirstHit;
-        let mut k_24: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_75: rt::Scalar<bool>;
+        let mut k_25: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_79: rt::Scalar<bool>;
 
         let _e5 = cost_21;
         let _e6 = self.v_miss(_e5);
         first_3 = <FirstHit>::new(_e6, rt::Scalar(0u32), rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e13 = k_24;
-                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_66.segments))) {
+                let _e13 = k_25;
+                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_69.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e16 = k_24;
-                    let _e17 = self.v_segment_of(pixel_73, at_66, _e16);
+                    let _e16 = k_25;
+                    let _e17 = self.v_segment_of(pixel_76, at_69, _e16);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e17.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e21 = self.v_trace(_e17);
-                        let _e22 = k_24;
-                        let _e23 = self.v_hit_on_segment(pixel_73, at_66, _e17, _e21, _e22);
+                        let _e22 = k_25;
+                        let _e23 = self.v_hit_on_segment(pixel_76, at_69, _e17, _e21, _e22);
                         let _e24 = cost_21;
                         cost_21 = (_e24 + _e23.hit.cost);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e23.hit.found).elementwise_eq(rt::Scalar(1u32))) {
                             let _e34 = rt::Scalar(first_3.hit.found);
                             if rt::Scalar::into_branch_condition((!_e34.elementwise_eq(rt::Scalar(0u32)))) {
                                 let _e42 = rt::Scalar(first_3.key);
-                                local_75 = rt::Scalar(_e23.key).elementwise_gt(_e42);
+                                local_79 = rt::Scalar(_e23.key).elementwise_gt(_e42);
                             } else {
-                                local_75 = rt::Scalar(true);
+                                local_79 = rt::Scalar(true);
                             }
-                            let _e45 = local_75;
+                            let _e45 = local_79;
                             if rt::Scalar::into_branch_condition(_e45) {
                                 first_3 = _e23;
                             }
-                            if rt::Scalar::into_branch_condition(rt::Scalar(pixel_73.shell.order).elementwise_lt(SHELL_FOLDED)) {
+                            if rt::Scalar::into_branch_condition(rt::Scalar(pixel_76.shell.order).elementwise_lt(SHELL_FOLDED)) {
                                 break 'naga_break;
                             }
                         }
                     }
-                    let _e50 = k_24;
-                    k_24 = (_e50 + rt::Scalar(1u32));
+                    let _e50 = k_25;
+                    k_25 = (_e50 + rt::Scalar(1u32));
                 }
             }
         }
@@ -10811,41 +11078,41 @@ impl<'g> Resources<'g> {
         let _e56 = first_3;
         return _e56;
     }
-    pub(crate) fn first_in_all(&self, pixel_74: PixelIn, at_67: Entered) -> FirstHit {
-        rt::into(self.v_first_in_all(pixel_74, at_67))
+    pub(crate) fn first_in_all(&self, pixel_77: PixelIn, at_70: Entered) -> FirstHit {
+        rt::into(self.v_first_in_all(pixel_77, at_70))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_in_all(&self, pixel_74: PixelIn, at_67: Entered) -> FirstHit {
+    fn v_first_in_all(&self, pixel_77: PixelIn, at_70: Entered) -> FirstHit {
         let mut cost_22: rt::Vec3<u32> = NO_COST;
         let mut first_4: FirstHit;
         let mut reached_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut agreed: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut k_25: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_26: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut turns: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_76: rt::Scalar<bool>;
-        let mut local_77: rt::Scalar<bool>;
+        let mut local_80: rt::Scalar<bool>;
+        let mut local_81: rt::Scalar<bool>;
 
         let _e4 = cost_22;
         let _e5 = self.v_miss(_e4);
         first_4 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
-        let most_14 = (rt::Scalar(at_67.segments) * MOST_ROUNDS);
+        let most_14 = (rt::Scalar(at_70.segments) * MOST_ROUNDS);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = agreed;
-                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_67.segments))) {
+                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_70.segments))) {
                     let _e26 = turns;
-                    local_76 = _e26.elementwise_lt(most_14);
+                    local_80 = _e26.elementwise_lt(most_14);
                 } else {
-                    local_76 = rt::Scalar(false);
+                    local_80 = rt::Scalar(false);
                 }
-                let _e29 = local_76;
+                let _e29 = local_80;
                 if rt::Scalar::into_branch_condition(_e29) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = k_25;
-                    let _e31 = self.v_segment_of(pixel_74, at_67, _e30);
+                    let _e30 = k_26;
+                    let _e31 = self.v_segment_of(pixel_77, at_70, _e30);
                     let _e32 = reached_1;
                     let passed = (_e32 - rt::Scalar(_e31.start)).max(rt::Scalar(0f32));
                     if rt::Scalar::into_branch_condition((!passed.elementwise_lt(rt::Scalar(_e31.exit)))) {
@@ -10871,72 +11138,74 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition((!_e60.elementwise_eq(rt::Scalar(0u32)))) {
                         let _e68 = reached_1;
                         let _e69 = reached_1;
-                        local_77 = (rt::Scalar(_e31.start) + t_39).elementwise_gt((_e68 + (_e69 * rt::Scalar(0.000002f32))));
+                        local_81 = (rt::Scalar(_e31.start) + t_39).elementwise_gt((_e68 + (_e69 * rt::Scalar(0.000002f32))));
                     } else {
-                        local_77 = rt::Scalar(true);
+                        local_81 = rt::Scalar(true);
                     }
-                    let _e75 = local_77;
+                    let _e75 = local_81;
                     if rt::Scalar::into_branch_condition(_e75) {
                         reached_1 = (rt::Scalar(_e31.start) + t_39);
                         agreed = rt::Scalar(0u32);
                         let _e83 = cost_22;
-                        let _e85 = k_25;
-                        let _e86 = self.v_hit_on_segment(pixel_74, at_67, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e45.uv, rt::Scalar(_e45.height), t_39, _e83), _e85);
+                        let _e85 = k_26;
+                        let _e86 = self.v_hit_on_segment(pixel_77, at_70, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e45.uv, rt::Scalar(_e45.height), t_39, _e83), _e85);
                         first_4 = _e86;
+                        let _e89 = first_4.hit.cost;
+                        cost_22 = _e89;
                     }
-                    let _e87 = agreed;
-                    agreed = (_e87 + rt::Scalar(1u32));
-                    let _e90 = k_25;
-                    let _e94 = k_25;
-                    k_25 = (_e90 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e94 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_67.segments)));
-                    let _e100 = turns;
-                    turns = (_e100 + rt::Scalar(1u32));
+                    let _e90 = agreed;
+                    agreed = (_e90 + rt::Scalar(1u32));
+                    let _e93 = k_26;
+                    let _e97 = k_26;
+                    k_26 = (_e93 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e97 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_70.segments)));
+                    let _e103 = turns;
+                    turns = (_e103 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e107 = agreed;
-        rt::Scalar(first_4.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e107.elementwise_lt(rt::Scalar(at_67.segments)));
-        let _e113 = cost_22;
-        first_4.hit.cost = _e113;
-        let _e114 = first_4;
-        return _e114;
+        let _e110 = agreed;
+        rt::Scalar(first_4.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e110.elementwise_lt(rt::Scalar(at_70.segments)));
+        let _e116 = cost_22;
+        first_4.hit.cost = _e116;
+        let _e117 = first_4;
+        return _e117;
     }
     pub(crate) fn object_depth(
         &self,
-        pixel_75: PixelIn,
-        at_68: Entered,
-        params_67: impl rt::Into<rt::Vec4<f32>>,
+        pixel_78: PixelIn,
+        at_71: Entered,
+        params_70: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_depth(pixel_75, at_68, rt::into(params_67)))
+        rt::into(self.v_object_depth(pixel_78, at_71, rt::into(params_70)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_depth(
         &self,
-        pixel_75: PixelIn,
-        at_68: Entered,
-        params_67: rt::Vec4<f32>,
+        pixel_78: PixelIn,
+        at_71: Entered,
+        params_70: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_75, at_68);
+        let _e3 = self.v_first_in_all(pixel_78, at_71);
         return _e3;
     }
     pub(crate) fn object_hull(
         &self,
-        pixel_76: PixelIn,
-        at_69: Entered,
-        params_68: impl rt::Into<rt::Vec4<f32>>,
+        pixel_79: PixelIn,
+        at_72: Entered,
+        params_71: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_hull(pixel_76, at_69, rt::into(params_68)))
+        rt::into(self.v_object_hull(pixel_79, at_72, rt::into(params_71)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_hull(
         &self,
-        pixel_76: PixelIn,
-        at_69: Entered,
-        params_68: rt::Vec4<f32>,
+        pixel_79: PixelIn,
+        at_72: Entered,
+        params_71: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_76, at_69);
+        let _e3 = self.v_first_in_all(pixel_79, at_72);
         return _e3;
     }
     pub(crate) fn look_into_frame(&self, uv_18: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
@@ -10946,13 +11215,13 @@ impl<'g> Resources<'g> {
     #[inline(always)]
     fn v_look_into_frame(&self, uv_18: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_130 = ((uv_18 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_130);
-        let part_18 = (at_130 - _e8);
+        let at_135 = ((uv_18 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_135);
+        let part_19 = (at_135 - _e8);
         let _e12 = self.v_height_cell(_e8.to_i32(), rt::Scalar(0u32));
-        let x_6 = (rt::Scalar(1f32) - part_18.x());
-        let y_4 = (rt::Scalar(1f32) - part_18.y());
-        let weights_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_6 * y_4), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_18.x() * y_4), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_6 * part_18.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_18.x() * part_18.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
+        let x_6 = (rt::Scalar(1f32) - part_19.x());
+        let y_4 = (rt::Scalar(1f32) - part_19.y());
+        let weights_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_6 * y_4), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_19.x() * y_4), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_6 * part_19.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_19.x() * part_19.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
         let cover_2 = ((weights_6.x() + weights_6.y()) + (weights_6.z() + weights_6.w()));
         if rt::Scalar::into_branch_condition(cover_2.elementwise_gt(rt::Scalar(0f32))) {
             return <rt::Vec2<f32>>::from_scalars(cover_2, (weights_6.dot(_e12) / cover_2));
@@ -10961,17 +11230,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn look_along(
         &self,
-        path_68: Path,
-        image_5: Image,
+        path_69: Path,
+        image_8: Image,
         steps_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_look_along(path_68, image_5, rt::into(steps_1)))
+        rt::into(self.v_look_along(path_69, image_8, rt::into(steps_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_look_along(
         &self,
-        path_68: Path,
-        image_5: Image,
+        path_69: Path,
+        image_8: Image,
         steps_1: rt::Scalar<u32>,
     ) -> rt::Vec2<f32> {
         let mut height_7: rt::Scalar<f32> = rt::Scalar(0.5f32);
@@ -10979,9 +11248,9 @@ impl<'g> Resources<'g> {
         let mut step_4: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        let beyond_8 = (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / _e7);
-        let low_7 = (image_5.corner - beyond_8);
-        let high_2 = ((image_5.corner + image_5.extent) + beyond_8);
+        let beyond_7 = (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / _e7);
+        let low_7 = (image_8.corner - beyond_7);
+        let high_2 = ((image_8.corner + image_8.extent) + beyond_7);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = step_4;
@@ -10991,7 +11260,7 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e23 = height_7;
-                    let _e30 = self.v_path_uv(path_68, ((_e23 - path_68.h.x()) / path_68.h.y()));
+                    let _e30 = self.v_path_uv(path_69, ((_e23 - path_69.h.x()) / path_69.h.y()));
                     let _e32 = self.v_look_into_frame(_e30.clamp(low_7, high_2));
                     cover = _e32.x();
                     let _e34 = height_7;
@@ -11008,50 +11277,50 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_blend(
         &self,
-        pixel_77: PixelIn,
-        at_70: Entered,
-        params_69: impl rt::Into<rt::Vec4<f32>>,
+        pixel_80: PixelIn,
+        at_73: Entered,
+        params_72: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_blend(pixel_77, at_70, rt::into(params_69)))
+        rt::into(self.v_object_blend(pixel_80, at_73, rt::into(params_72)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_blend(
         &self,
-        pixel_77: PixelIn,
-        at_70: Entered,
-        params_69: rt::Vec4<f32>,
+        pixel_80: PixelIn,
+        at_73: Entered,
+        params_72: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_23: rt::Vec3<u32> = NO_COST;
         let mut cover_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut along_18: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut heaviest: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_26: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_27: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut first_5: FirstHit;
-        let mut local_78: rt::Scalar<bool>;
+        let mut local_82: rt::Scalar<bool>;
 
-        let toward_7 = (-pixel_77.direction.normalize());
+        let toward_7 = (-pixel_80.direction.normalize());
         let _e6 = self.v_frames_around(toward_7);
         'naga_break: loop {
             'naga_continue: {
-                let _e19 = k_26;
+                let _e19 = k_27;
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(FRAMES)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e22 = k_26;
+                    let _e22 = k_27;
                     let _e23 = self.v_frame_number(_e6, _e22);
                     let _e24 = self.v_image_of_object(_e23);
-                    let _e25 = k_26;
+                    let _e25 = k_27;
                     let _e26 = self.v_frame_weight(_e6, _e25);
                     if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_7).elementwise_ge(rt::Scalar(0.05f32))) {
-                        let _e31 = k_26;
-                        let _e32 = self.v_segment_of(pixel_77, at_70, _e31);
-                        let _e35 = self.v_look_along(_e32, _e24, params_69.w().to_u32());
+                        let _e31 = k_27;
+                        let _e32 = self.v_segment_of(pixel_80, at_73, _e31);
+                        let _e35 = self.v_look_along(_e32, _e24, params_72.w().to_u32());
                         let seen_6 = (_e26 * _e35.x());
                         let _e38 = cost_23;
-                        cost_23 = (_e38 + (LOOK * (params_69.w().to_u32() + rt::Scalar(1u32))));
+                        cost_23 = (_e38 + (LOOK * (params_72.w().to_u32() + rt::Scalar(1u32))));
                         let _e46 = cover_1;
                         cover_1 = (_e46 + seen_6);
                         let _e48 = along_18;
@@ -11059,12 +11328,12 @@ impl<'g> Resources<'g> {
                         let _e60 = most_1;
                         if rt::Scalar::into_branch_condition(seen_6.elementwise_gt(_e60)) {
                             most_1 = seen_6;
-                            let _e62 = k_26;
+                            let _e62 = k_27;
                             heaviest = _e62;
                         }
                     }
-                    let _e63 = k_26;
-                    k_26 = (_e63 + rt::Scalar(1u32));
+                    let _e63 = k_27;
+                    k_27 = (_e63 + rt::Scalar(1u32));
                 }
             }
         }
@@ -11074,74 +11343,74 @@ impl<'g> Resources<'g> {
         let _e72 = cover_1;
         if rt::Scalar::into_branch_condition((!_e72.elementwise_lt(rt::Scalar(0.5f32)))) {
             let _e78 = along_18;
-            local_78 = _e78.elementwise_lt(rt::Scalar(0f32));
+            local_82 = _e78.elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_78 = rt::Scalar(true);
+            local_82 = rt::Scalar(true);
         }
-        let _e82 = local_78;
+        let _e82 = local_82;
         if rt::Scalar::into_branch_condition(_e82) {
             let _e83 = first_5;
             return _e83;
         }
         let _e84 = heaviest;
-        let _e85 = self.v_segment_of(pixel_77, at_70, _e84);
+        let _e85 = self.v_segment_of(pixel_80, at_73, _e84);
         let _e86 = along_18;
         let _e87 = cover_1;
         let t_40 = ((_e86 / _e87) - rt::Scalar(_e85.start));
         let _e93 = self.v_path_uv(_e85, t_40);
         let _e94 = self.v_path_height(_e85, t_40);
         let _e95 = cost_23;
-        let hit_56 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_40, _e95);
+        let hit_58 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_40, _e95);
         let _e97 = heaviest;
-        let _e98 = self.v_hit_on_segment(pixel_77, at_70, _e85, hit_56, _e97);
+        let _e98 = self.v_hit_on_segment(pixel_80, at_73, _e85, hit_58, _e97);
         return _e98;
     }
-    pub(crate) fn object_stage(&self, pixel_78: PixelIn, at_71: Entered) -> FirstHit {
-        rt::into(self.v_object_stage(pixel_78, at_71))
+    pub(crate) fn object_stage(&self, pixel_81: PixelIn, at_74: Entered) -> FirstHit {
+        rt::into(self.v_object_stage(pixel_81, at_74))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_object_stage(&self, pixel_78: PixelIn, at_71: Entered) -> FirstHit {
+    fn v_object_stage(&self, pixel_81: PixelIn, at_74: Entered) -> FirstHit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_object_none(pixel_78, at_71, _e11);
+                let _e12 = self.v_object_none(pixel_81, at_74, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_object_depth(pixel_78, at_71, _e17);
+                let _e18 = self.v_object_depth(pixel_81, at_74, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_object_hull(pixel_78, at_71, _e23);
+                let _e24 = self.v_object_hull(pixel_81, at_74, _e23);
                 return _e24;
             }
             _ => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_object_blend(pixel_78, at_71, _e29);
+                let _e30 = self.v_object_blend(pixel_81, at_74, _e29);
                 return _e30;
             }
         }
     }
-    pub(crate) fn first_hit(&self, pixel_79: PixelIn, at_72: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_79, at_72))
+    pub(crate) fn first_hit(&self, pixel_82: PixelIn, at_75: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_82, at_75))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_first_hit(&self, pixel_79: PixelIn, at_72: Entered) -> FirstHit {
-        let _e2 = self.v_object_stage(pixel_79, at_72);
+    fn v_first_hit(&self, pixel_82: PixelIn, at_75: Entered) -> FirstHit {
+        let _e2 = self.v_object_stage(pixel_82, at_75);
         return _e2;
     }
-    pub(crate) fn footprint_m(&self, at_73: Entered) -> f32 {
-        rt::into(self.v_footprint_m(at_73))
+    pub(crate) fn footprint_m(&self, at_76: Entered) -> f32 {
+        rt::into(self.v_footprint_m(at_76))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_footprint_m(&self, at_73: Entered) -> rt::Scalar<f32> {
+    fn v_footprint_m(&self, at_76: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        return ((rt::Scalar(at_73.footprint) * at_73.metric.x().sqrt()) / _e7.x());
+        return ((rt::Scalar(at_76.footprint) * at_76.metric.x().sqrt()) / _e7.x());
     }
     pub(crate) fn near_uv(&self, uv_19: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_near_uv(rt::into(uv_19)))
@@ -11159,34 +11428,34 @@ impl<'g> Resources<'g> {
         }
         return uv_19;
     }
-    pub(crate) fn from_hit(&self, at_74: Entered, hit_19: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_74, hit_19, light_1))
+    pub(crate) fn from_hit(&self, at_77: Entered, hit_20: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_77, hit_20, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_from_hit(&self, at_74: Entered, hit_19: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_74, light_1.direction);
-        let _e6 = self.v_near_uv(hit_19.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_74.level));
-        let h_7 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_7, rt::Scalar(0f32), rt::Scalar(0f32), at_74.metric, RAY_SHADOW, rt::Scalar(at_74.level), rt::Scalar(0f32), rt::Scalar(1f32));
+    fn v_from_hit(&self, at_77: Entered, hit_20: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_77, light_1.direction);
+        let _e6 = self.v_near_uv(hit_20.uv);
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_77.level));
+        let h_8 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
+        return <Path>::new(_e6, _e4.xy(), h_8, rt::Scalar(0f32), rt::Scalar(0f32), at_77.metric, RAY_SHADOW, rt::Scalar(at_77.level), rt::Scalar(0f32), rt::Scalar(1f32));
     }
-    pub(crate) fn way_out(&self, path_69: Path, light_2: Toward) -> f32 {
-        rt::into(self.v_way_out(path_69, light_2))
+    pub(crate) fn way_out(&self, path_70: Path, light_2: Toward) -> f32 {
+        rt::into(self.v_way_out(path_70, light_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_way_out(&self, path_69: Path, light_2: Toward) -> rt::Scalar<f32> {
+    fn v_way_out(&self, path_70: Path, light_2: Toward) -> rt::Scalar<f32> {
         let mut way_6: rt::Scalar<f32>;
         let mut interval_7: rt::Vec2<f32>;
 
-        way_6 = ((rt::Scalar(1f32) - path_69.h.x()) / path_69.h.y()).min(rt::Scalar(light_2.distance));
+        way_6 = ((rt::Scalar(1f32) - path_70.h.x()) / path_70.h.y()).min(rt::Scalar(light_2.distance));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
             let _e21 = way_6;
-            let _e24 = self.v_inside_unit(path_69.uv.x(), path_69.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
+            let _e24 = self.v_inside_unit(path_70.uv.x(), path_70.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
             interval_7 = _e24;
             let _e30 = interval_7;
-            let _e31 = self.v_inside_unit(path_69.uv.y(), path_69.duv.y(), _e30);
+            let _e31 = self.v_inside_unit(path_70.uv.y(), path_70.duv.y(), _e30);
             interval_7 = _e31;
             let _e33 = interval_7.y();
             way_6 = _e33;
@@ -11194,14 +11463,14 @@ impl<'g> Resources<'g> {
         let _e34 = way_6;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_75: Entered, hit_20: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_75, hit_20, light_3))
+    pub(crate) fn light_ray(&self, at_78: Entered, hit_21: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_78, hit_21, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_75: Entered, hit_20: Hit, light_3: Toward) -> LightRay {
-        let mut local_79: rt::Scalar<bool>;
+    fn v_light_ray(&self, at_78: Entered, hit_21: Hit, light_3: Toward) -> LightRay {
+        let mut local_83: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_75, hit_20, light_3);
+        let _e3 = self.v_from_hit(at_78, hit_21, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -11216,11 +11485,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.to_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_79 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
+            local_83 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_79 = rt::Scalar(true);
+            local_83 = rt::Scalar(true);
         }
-        let _e45 = local_79;
+        let _e45 = local_83;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -11230,86 +11499,86 @@ impl<'g> Resources<'g> {
         let _e51 = self.v_path_uv(_e3, end_15);
         let gap_7 = (end_15 * (_e31.y() + (_e31.z() * end_15)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
-        let h_8 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_84 = <Path>::new(_e51, _e3.duv, h_8, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_84);
+        let h_9 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
+        let path_86 = <Path>::new(_e51, _e3.duv, h_9, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_86);
     }
-    pub(crate) fn shadow_search_stage(&self, path_70: Path) -> Found {
-        rt::into(self.v_shadow_search_stage(path_70))
+    pub(crate) fn shadow_search_stage(&self, path_71: Path) -> Found {
+        rt::into(self.v_shadow_search_stage(path_71))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_search_stage(&self, path_70: Path) -> Found {
+    fn v_shadow_search_stage(&self, path_71: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[9usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[9usize].params;
-                let _e11 = self.v_search_none(path_70, _e10);
+                let _e11 = self.v_search_none(path_71, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[9usize].params;
-                let _e17 = self.v_search_linear(path_70, _e16);
+                let _e17 = self.v_search_linear(path_71, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[9usize].params;
-                let _e23 = self.v_search_cells(path_70, _e22);
+                let _e23 = self.v_search_cells(path_71, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[9usize].params;
-                let _e29 = self.v_search_frustum(path_70, _e28);
+                let _e29 = self.v_search_frustum(path_71, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[9usize].params;
-                let _e35 = self.v_search_cone(path_70, _e34);
+                let _e35 = self.v_search_cone(path_71, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[9usize].params;
-                let _e41 = self.v_search_pyramid(path_70, _e40);
+                let _e41 = self.v_search_pyramid(path_71, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[9usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_70, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_71, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[9usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_70, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_71, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[9usize].params;
-                let _e59 = self.v_search_sphere(path_70, _e58);
+                let _e59 = self.v_search_sphere(path_71, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[9usize].params;
-                let _e65 = self.v_search_cone_moved(path_70, _e64);
+                let _e65 = self.v_search_cone_moved(path_71, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[9usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_70, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_71, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[9usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_70, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_71, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn free_way(&self, at_76: Entered, hit_21: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_76, hit_21, light_4))
+    pub(crate) fn free_way(&self, at_79: Entered, hit_22: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_79, hit_22, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_free_way(&self, at_76: Entered, hit_21: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_76, hit_21, light_4);
+    fn v_free_way(&self, at_79: Entered, hit_22: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_79, hit_22, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -11342,23 +11611,23 @@ impl<'g> Resources<'g> {
         place_15: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_80: rt::Scalar<bool>;
-        let mut local_81: rt::Scalar<bool>;
+        let mut local_84: rt::Scalar<bool>;
+        let mut local_85: rt::Scalar<bool>;
 
         let least_6 = (place_15.x().min(place_15.y()) - half);
         let most_15 = (place_15.x().max(place_15.y()) + half);
         if rt::Scalar::into_branch_condition(place_15.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_80 = least_6.elementwise_ge(rt::Scalar(0f32));
+            local_84 = least_6.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_80 = rt::Scalar(false);
+            local_84 = rt::Scalar(false);
         }
-        let _e19 = local_80;
+        let _e19 = local_84;
         if rt::Scalar::into_branch_condition(_e19) {
-            local_81 = most_15.elementwise_le(rt::Scalar(view_8.size).to_f32());
+            local_85 = most_15.elementwise_le(rt::Scalar(view_8.size).to_f32());
         } else {
-            local_81 = rt::Scalar(false);
+            local_85 = rt::Scalar(false);
         }
-        let _e26 = local_81;
+        let _e26 = local_85;
         return _e26;
     }
     pub(crate) fn is_before(
@@ -11381,16 +11650,16 @@ impl<'g> Resources<'g> {
         low_m: rt::Scalar<f32>,
         high_m: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_82: rt::Scalar<bool>;
+        let mut local_86: rt::Scalar<bool>;
 
         let low_8 = (plane.xyz().dot((position + (direction_5 * low_m))) + plane.w());
         let high_3 = (plane.xyz().dot((position + (direction_5 * high_m))) + plane.w());
         if rt::Scalar::into_branch_condition(low_8.elementwise_gt(rt::Scalar(0f32))) {
-            local_82 = high_3.elementwise_gt(rt::Scalar(0f32));
+            local_86 = high_3.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_82 = rt::Scalar(false);
+            local_86 = rt::Scalar(false);
         }
-        let _e24 = local_82;
+        let _e24 = local_86;
         return _e24;
     }
     pub(crate) fn is_left_out(
@@ -11414,37 +11683,37 @@ impl<'g> Resources<'g> {
         low_m_1: rt::Scalar<f32>,
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut k_27: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_83: rt::Scalar<bool>;
-        let mut local_84: rt::Scalar<bool>;
+        let mut k_28: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_87: rt::Scalar<bool>;
+        let mut local_88: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e8 = k_27;
+                let _e8 = k_28;
                 if rt::Scalar::into_branch_condition(_e8.elementwise_lt(rt::Scalar(5u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e12 = k_27;
+                    let _e12 = k_28;
                     let plane_1 = grid_10.planes[rt::Scalar::into_array_index(_e12)];
-                    let _e14 = k_27;
-                    k_27 = (_e14 + rt::Scalar(1u32));
+                    let _e14 = k_28;
+                    k_28 = (_e14 + rt::Scalar(1u32));
                     let _e19 = self.v_is_before(plane_1, a_11.position, a_11.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
                         let _e24 = self.v_is_before(plane_1, b_11.position, b_11.direction, low_m_1, high_m_1);
-                        local_83 = _e24;
+                        local_87 = _e24;
                     } else {
-                        local_83 = rt::Scalar(false);
+                        local_87 = rt::Scalar(false);
                     }
-                    let _e26 = local_83;
+                    let _e26 = local_87;
                     if rt::Scalar::into_branch_condition(_e26) {
                         let _e31 = self.v_is_before(plane_1, c_8.position, c_8.direction, low_m_1, high_m_1);
-                        local_84 = _e31;
+                        local_88 = _e31;
                     } else {
-                        local_84 = rt::Scalar(false);
+                        local_88 = rt::Scalar(false);
                     }
-                    let _e33 = local_84;
+                    let _e33 = local_88;
                     if rt::Scalar::into_branch_condition(_e33) {
                         return rt::Scalar(true);
                     }
@@ -11456,72 +11725,72 @@ impl<'g> Resources<'g> {
     pub(crate) fn light_place(
         &self,
         view_9: LightView,
-        point_9: impl rt::Into<rt::Vec3<f32>>,
+        point_12: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_light_place(view_9, rt::into(point_9)))
+        rt::into(self.v_light_place(view_9, rt::into(point_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_light_place(
         &self,
         view_9: LightView,
-        point_9: rt::Vec3<f32>,
+        point_12: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_131 = <rt::Vec4<f32>>::new_31(point_9, rt::Scalar(1f32));
-        let depth_7 = view_9.depth.dot(at_131);
-        let over_2 = rt::Scalar(1f32).select(depth_7, rt::Scalar(view_9.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_9.column.dot(at_131), view_9.row.dot(at_131)) / rt::Vec2::splat_from_scalar(over_2)), depth_7);
+        let at_136 = <rt::Vec4<f32>>::new_31(point_12, rt::Scalar(1f32));
+        let depth_7 = view_9.depth.dot(at_136);
+        let over_3 = rt::Scalar(1f32).select(depth_7, rt::Scalar(view_9.from_point).elementwise_eq(rt::Scalar(1u32)));
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_9.column.dot(at_136), view_9.row.dot(at_136)) / rt::Vec2::splat_from_scalar(over_3)), depth_7);
     }
     pub(crate) fn patch_normal(
         &self,
-        at_77: Entered,
+        at_80: Entered,
         uv_20: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_77, rt::into(uv_20)))
+        rt::into(self.v_patch_normal(at_80, rt::into(uv_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_patch_normal(
         &self,
-        at_77: Entered,
+        at_80: Entered,
         uv_20: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let facet = at_77.facing.normalize();
-            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_77.normal).elementwise_ge(rt::Scalar(0f32))));
+            let facet = at_80.facing.normalize();
+            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_80.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_20, rt::Scalar(at_77.level));
+        let _e18 = self.v_height_and_slope(uv_20, rt::Scalar(at_80.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_2 = (at_77.tangent + (at_77.normal * (_e18.y() * _e24)));
+        let along_u_2 = (at_80.tangent + (at_80.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_2 = (at_77.bitangent + (at_77.normal * (_e18.z() * _e33)));
+        let along_v_2 = (at_80.bitangent + (at_80.normal * (_e18.z() * _e33)));
         let across_7 = along_v_2.cross(along_u_2).normalize();
-        return (across_7 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_7.dot(at_77.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_7 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_7.dot(at_80.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
         view_10: LightView,
-        point_10: impl rt::Into<rt::Vec3<f32>>,
+        point_13: impl rt::Into<rt::Vec3<f32>>,
         normal_15: impl rt::Into<rt::Vec3<f32>>,
         texel_4: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_plane_depth(view_10, rt::into(point_10), rt::into(normal_15), rt::into(texel_4)))
+        rt::into(self.v_plane_depth(view_10, rt::into(point_13), rt::into(normal_15), rt::into(texel_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_depth(
         &self,
         view_10: LightView,
-        point_10: rt::Vec3<f32>,
+        point_13: rt::Vec3<f32>,
         normal_15: rt::Vec3<f32>,
         texel_4: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let corner_7 = ((view_10.corner.xyz() + (view_10.across.xyz() * texel_4.x())) + (view_10.along.xyz() * texel_4.y()));
         if rt::Scalar::into_branch_condition(rt::Scalar(view_10.from_point).elementwise_eq(rt::Scalar(1u32))) {
-            return (normal_15.dot((point_10 - view_10.eye.xyz())) / normal_15.dot(corner_7));
+            return (normal_15.dot((point_13 - view_10.eye.xyz())) / normal_15.dot(corner_7));
         }
-        return (normal_15.dot((point_10 - corner_7)) / normal_15.dot(view_10.depth.xyz()));
+        return (normal_15.dot((point_13 - corner_7)) / normal_15.dot(view_10.depth.xyz()));
     }
     pub(crate) fn light_texel(
         &self,
@@ -11542,24 +11811,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn row_sees(
         &self,
-        at_78: InView,
+        at_81: InView,
         row_6: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_78, rt::into(row_6), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_81, rt::into(row_6), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_row_sees(
         &self,
-        at_78: InView,
+        at_81: InView,
         row_6: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column: rt::Scalar<f32>;
 
-        let view_20 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_78.number))];
-        column = at_78.low.x().floor();
+        let view_20 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_81.number))];
+        column = at_81.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = column;
@@ -11570,13 +11839,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e18 = column;
                     let _e24 = column;
-                    let wide_2 = (at_78.high.x().min((_e18 + rt::Scalar(1f32))) - at_78.low.x().max(_e24));
+                    let wide_2 = (at_81.high.x().min((_e18 + rt::Scalar(1f32))) - at_81.low.x().max(_e24));
                     let _e27 = column;
                     let place_26 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_20, at_78.point, at_78.normal, (place_26 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_8 = _e35.clamp(rt::Scalar(at_78.least_depth), rt::Scalar(at_78.most_depth));
+                    let _e35 = self.v_plane_depth(view_20, at_81.point, at_81.normal, (place_26 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_8 = _e35.clamp(rt::Scalar(at_81.least_depth), rt::Scalar(at_81.most_depth));
                     let key = (rt::Scalar(view_20.near) / (rt::Scalar(view_20.near) + depth_8.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_26.to_i32(), rt::Scalar(at_78.number).to_i32());
+                    let _e48 = self.v_light_texel(place_26.to_i32(), rt::Scalar(at_81.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -11591,20 +11860,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_part(
         &self,
-        number_9: impl rt::Into<rt::Scalar<u32>>,
-        at_79: Entered,
+        number_11: impl rt::Into<rt::Scalar<u32>>,
+        at_82: Entered,
         normal_16: impl rt::Into<rt::Vec3<f32>>,
         place_17: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_9), at_79, rt::into(normal_16), rt::into(place_17), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_11), at_82, rt::into(normal_16), rt::into(place_17), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
         &self,
-        number_9: rt::Scalar<u32>,
-        at_79: Entered,
+        number_11: rt::Scalar<u32>,
+        at_82: Entered,
         normal_16: rt::Vec3<f32>,
         place_17: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
@@ -11613,15 +11882,15 @@ impl<'g> Resources<'g> {
         let mut seen: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut row_7: rt::Scalar<f32>;
 
-        let view_21 = self.frame.light_views[rt::Scalar::into_array_index(number_9)];
+        let view_21 = self.frame.light_views[rt::Scalar::into_array_index(number_11)];
         let texel_m = (rt::Scalar(view_21.texel_m) * rt::Scalar(1f32).select(place_17.z(), rt::Scalar(view_21.from_point).elementwise_eq(rt::Scalar(1u32))));
-        let _e19 = self.v_footprint_m(at_79);
-        let point_22 = (at_79.point + (normal_16 * (bias * texel_m.max(_e19))));
+        let _e19 = self.v_footprint_m(at_82);
+        let point_25 = (at_82.point + (normal_16 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
         let low_9 = (place_17.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_4 = (low_9 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
         let last_9 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_21.size).to_f32(), rt::Scalar(view_21.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_9, point_22, normal_16, low_9, high_4, (place_17.z() - reach_1), (place_17.z() + reach_1));
+        let in_view = <InView>::new(number_11, point_25, normal_16, low_9, high_4, (place_17.z() - reach_1), (place_17.z() + reach_1));
         row_7 = low_9.y().floor();
         'naga_break: loop {
             'naga_continue: {
@@ -11648,58 +11917,58 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_seen(
         &self,
-        at_80: Entered,
+        at_83: Entered,
         uv_21: impl rt::Into<rt::Vec2<f32>>,
-        number_10: impl rt::Into<rt::Scalar<u32>>,
+        number_12: impl rt::Into<rt::Scalar<u32>>,
         toward_1: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_80, rt::into(uv_21), rt::into(number_10), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_83, rt::into(uv_21), rt::into(number_12), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
-        at_80: Entered,
+        at_83: Entered,
         uv_21: rt::Vec2<f32>,
-        number_10: rt::Scalar<u32>,
+        number_12: rt::Scalar<u32>,
         toward_1: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
         bias_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut k_28: rt::Scalar<u32>;
+        let mut k_29: rt::Scalar<u32>;
 
-        let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_10)];
+        let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_12)];
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_80, uv_21);
+        let _e14 = self.v_patch_normal(at_83, uv_21);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward_1).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let width_6 = filter_texels.max(rt::Scalar(0.001f32));
-        k_28 = rt::Scalar(light_17.first_view);
+        k_29 = rt::Scalar(light_17.first_view);
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_28;
+                let _e24 = k_29;
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt((rt::Scalar(light_17.first_view) + rt::Scalar(light_17.views)))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e31 = k_28;
+                    let _e31 = k_29;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_light_place(_e33, at_80.point);
-                    let _e38 = k_28;
+                    let _e35 = self.v_light_place(_e33, at_83.point);
+                    let _e38 = k_29;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
                     let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_6));
                     if rt::Scalar::into_branch_condition(_e43) {
-                        let _e44 = k_28;
-                        let _e45 = self.v_seen_part(_e44, at_80, _e14, _e35, width_6, bias_1);
+                        let _e44 = k_29;
+                        let _e45 = self.v_seen_part(_e44, at_83, _e14, _e35, width_6, bias_1);
                         return _e45;
                     }
-                    let _e46 = k_28;
-                    k_28 = (_e46 + rt::Scalar(1u32));
+                    let _e46 = k_29;
+                    k_29 = (_e46 + rt::Scalar(1u32));
                 }
             }
         }
@@ -11755,40 +12024,40 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_81: Entered,
+        at_84: Entered,
         v_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_81, rt::into(v_1)))
+        rt::into(self.v_to_tangent_space(at_84, rt::into(v_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_to_tangent_space(
         &self,
-        at_81: Entered,
+        at_84: Entered,
         v_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_3 = at_81.tangent.normalize();
-        let along_v_3 = at_81.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_81.normal.dot(v_1));
+        let along_u_3 = at_84.tangent.normalize();
+        let along_v_3 = at_84.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_84.normal.dot(v_1));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_82: Entered,
+        at_85: Entered,
         uv_22: impl rt::Into<rt::Vec2<f32>>,
         level_22: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_82, rt::into(uv_22), rt::into(level_22)))
+        rt::into(self.v_normals_of_level(at_85, rt::into(uv_22), rt::into(level_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_82: Entered,
+        at_85: Entered,
         uv_22: rt::Vec2<f32>,
         level_22: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_22.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_82, uv_22);
-            let _e6 = self.v_to_tangent_space(at_82, _e5);
+            let _e5 = self.v_finest_normal(at_85, uv_22);
+            let _e6 = self.v_to_tangent_space(at_85, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
@@ -11799,8 +12068,8 @@ impl<'g> Resources<'g> {
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_7 = ((tile.x() * at_82.tangent.normalize().dot(at_82.tangent)) / at_82.tangent.dot(at_82.tangent));
-        let y_5 = ((tile.y() * at_82.bitangent.normalize().dot(at_82.bitangent)) / at_82.bitangent.dot(at_82.bitangent));
+        let x_7 = ((tile.x() * at_85.tangent.normalize().dot(at_85.tangent)) / at_85.tangent.dot(at_85.tangent));
+        let y_5 = ((tile.y() * at_85.bitangent.normalize().dot(at_85.bitangent)) / at_85.bitangent.dot(at_85.bitangent));
         let _e44 = self.v_normal_at(uv_22, rt::Scalar(0i32), (level_22 - rt::Scalar(1u32)));
         let _e48 = self.v_normal_at(uv_22, rt::Scalar(1i32), (level_22 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_7), (_e44.y() * y_5), _e44.z());
@@ -11818,16 +12087,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_83: Entered,
+        at_86: Entered,
         normals: Normals,
         view_12: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_83, normals, rt::into(view_12)))
+        rt::into(self.v_seen_normals(at_86, normals, rt::into(view_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_83: Entered,
+        at_86: Entered,
         normals: Normals,
         view_12: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -11847,7 +12116,7 @@ impl<'g> Resources<'g> {
         let along_37 = (with_x / rt::Vec3::splat_from_scalar(a_28.max((with_x.length() / most_16))));
         let rest_9 = (with_y - (along_37 * b_28));
         let across_8 = (rest_9 / rt::Vec3::splat_from_scalar(d_2.max((rest_9.length() / most_16))));
-        let _e77 = self.v_to_tangent_space(at_83, view_12);
+        let _e77 = self.v_to_tangent_space(at_86, view_12);
         let middle_15 = (_e77.z() - _e77.xy().dot(slope_12));
         let _e91 = self.v_facing_four(middle_15, (-((_e77.x() * a_28) + (_e77.y() * b_28))), (-(_e77.y() * d_2)));
         let one = middle_15.max(rt::Scalar(0f32));
@@ -11855,36 +12124,36 @@ impl<'g> Resources<'g> {
         let _e95 = self.v_mean_of_five(one, _e94);
         let all_1 = _e95.max(rt::Scalar(0.001f32));
         let aside_8 = ((along_37 * ((_e91.x() - _e91.y()) / all_1)) + (across_8 * ((_e91.z() - _e91.w()) / all_1)));
-        let _e113 = self.v_from_tangent_space(at_83, (first_16.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
+        let _e113 = self.v_from_tangent_space(at_86, (first_16.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
         return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_16.xyz(), along_37, across_8, slope_12, <rt::Vec2<f32>>::from_scalars(a_28, b_28), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_84: Entered) -> f32 {
-        rt::into(self.v_table_part(at_84))
+    pub(crate) fn table_part(&self, at_87: Entered) -> f32 {
+        rt::into(self.v_table_part(at_87))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_table_part(&self, at_84: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_87: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_84.fade) * ((rt::Scalar(at_84.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_87.fade) * ((rt::Scalar(at_87.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_85: Entered,
+        at_88: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_85, seen_1, table, rt::into(part_6)))
+        rt::into(self.v_with_table(at_88, seen_1, table, rt::into(part_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_with_table(
         &self,
-        at_85: Entered,
+        at_88: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: rt::Scalar<f32>,
@@ -11893,7 +12162,7 @@ impl<'g> Resources<'g> {
 
         told = seen_1;
         let before_4 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_85, table.mean);
+        let _e9 = self.v_from_tangent_space(at_88, table.mean);
         let mean_4 = (before_4 + ((_e9 - before_4) * part_6));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
@@ -11971,22 +12240,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_86: Entered,
+        at_89: Entered,
         uv_25: impl rt::Into<rt::Vec2<f32>>,
         view_13: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_86, rt::into(uv_25), rt::into(view_13), levels_2))
+        rt::into(self.v_table_of(at_89, rt::into(uv_25), rt::into(view_13), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_86: Entered,
+        at_89: Entered,
         uv_25: rt::Vec2<f32>,
         view_13: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_86, view_13);
+        let _e4 = self.v_climb(at_89, view_13);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_8 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
@@ -12006,8 +12275,8 @@ impl<'g> Resources<'g> {
         let _e52 = self.v_seen_in_levels(uv_25, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_9);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_9 = ((tile_1.x() * at_86.tangent.normalize().dot(at_86.tangent)) / at_86.tangent.dot(at_86.tangent));
-        let y_7 = ((tile_1.y() * at_86.bitangent.normalize().dot(at_86.bitangent)) / at_86.bitangent.dot(at_86.bitangent));
+        let x_9 = ((tile_1.x() * at_89.tangent.normalize().dot(at_89.tangent)) / at_89.tangent.dot(at_89.tangent));
+        let y_7 = ((tile_1.y() * at_89.bitangent.normalize().dot(at_89.bitangent)) / at_89.bitangent.dot(at_89.bitangent));
         let mean_5 = _e56.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_9), (mean_5.y() * y_7), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
@@ -12016,51 +12285,51 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_87: Entered,
+        at_90: Entered,
         uv_26: impl rt::Into<rt::Vec2<f32>>,
         view_14: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_87, rt::into(uv_26), rt::into(view_14)))
+        rt::into(self.v_mesostructure_normals(at_90, rt::into(uv_26), rt::into(view_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_87: Entered,
+        at_90: Entered,
         uv_26: rt::Vec2<f32>,
         view_14: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_85: rt::Scalar<bool>;
+        let mut local_89: rt::Scalar<bool>;
         let mut first_6: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
         let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_one_seen(at_87.normal);
+            let _e9 = self.v_one_seen(at_90.normal);
             return _e9;
         }
-        let upright_3 = at_87.normal.dot(view_14);
+        let upright_3 = at_90.normal.dot(view_14);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_87.fade)));
+        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_90.fade)));
         let _e22 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_6 = ((rt::Scalar(at_87.footprint) * _e22) * width_7);
+        let texels_6 = ((rt::Scalar(at_90.footprint) * _e22) * width_7);
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_6, _e27);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_85 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
+            local_89 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_85 = rt::Scalar(false);
+            local_89 = rt::Scalar(false);
         }
-        let _e39 = local_85;
+        let _e39 = local_89;
         if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_87, uv_26);
+            let _e40 = self.v_finest_normal(at_90, uv_26);
             let _e41 = self.v_one_seen(_e40);
             return _e41;
         }
-        let _e43 = self.v_normals_of_level(at_87, uv_26, rt::Scalar(_e28.fine));
+        let _e43 = self.v_normals_of_level(at_90, uv_26, rt::Scalar(_e28.fine));
         first_6 = _e43.first;
         second = _e43.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_87, uv_26, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e54 = self.v_normals_of_level(at_90, uv_26, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
             let _e55 = first_6;
             let _e57 = first_6;
             first_6 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
@@ -12070,15 +12339,15 @@ impl<'g> Resources<'g> {
         }
         let _e69 = first_6;
         let _e70 = second;
-        let _e72 = self.v_seen_normals(at_87, <Normals>::new(_e69, _e70), view_14);
-        let _e73 = self.v_table_part(at_87);
+        let _e72 = self.v_seen_normals(at_90, <Normals>::new(_e69, _e70), view_14);
+        let _e73 = self.v_table_part(at_90);
         if rt::Scalar::into_branch_condition(_e73.elementwise_gt(rt::Scalar(0f32))) {
             let _e79 = rt::Scalar(self.surface_settings.height_levels);
-            let _e80 = self.v_levels_of(rt::Scalar(at_87.footprint), _e79);
+            let _e80 = self.v_levels_of(rt::Scalar(at_90.footprint), _e79);
             let _e81 = self.v_has_table(_e80);
             if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_87, uv_26, view_14, _e80);
-                let _e83 = self.v_with_table(at_87, _e72, _e82, _e73);
+                let _e82 = self.v_table_of(at_90, uv_26, view_14, _e80);
+                let _e83 = self.v_with_table(at_90, _e72, _e82, _e73);
                 return _e83;
             }
         }
@@ -12086,63 +12355,63 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_88: Entered,
-        hit_22: Hit,
+        at_91: Entered,
+        hit_23: Hit,
         light_5: Toward,
-        params_70: impl rt::Into<rt::Vec4<f32>>,
+        params_73: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_88, hit_22, light_5, rt::into(params_70)))
+        rt::into(self.v_shadow_ray(at_91, hit_23, light_5, rt::into(params_73)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_ray(
         &self,
-        at_88: Entered,
-        hit_22: Hit,
+        at_91: Entered,
+        hit_23: Hit,
         light_5: Toward,
-        params_70: rt::Vec4<f32>,
+        params_73: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_88, hit_22, light_5);
+        let _e4 = self.v_free_way(at_91, hit_23, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_89: Entered,
-        hit_23: Hit,
+        at_92: Entered,
+        hit_24: Hit,
         light_6: Toward,
-        params_71: impl rt::Into<rt::Vec4<f32>>,
+        params_74: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_89, hit_23, light_6, rt::into(params_71)))
+        rt::into(self.v_shadow_none(at_92, hit_24, light_6, rt::into(params_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_none(
         &self,
-        at_89: Entered,
-        hit_23: Hit,
+        at_92: Entered,
+        hit_24: Hit,
         light_6: Toward,
-        params_71: rt::Vec4<f32>,
+        params_74: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_90: Entered,
-        hit_24: Hit,
+        at_93: Entered,
+        hit_25: Hit,
         light_7: Toward,
-        params_72: impl rt::Into<rt::Vec4<f32>>,
+        params_75: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_90, hit_24, light_7, rt::into(params_72)))
+        rt::into(self.v_shadow_entry(at_93, hit_25, light_7, rt::into(params_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_90: Entered,
-        hit_24: Hit,
+        at_93: Entered,
+        hit_25: Hit,
         light_7: Toward,
-        params_72: rt::Vec4<f32>,
+        params_75: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_90, hit_24, light_7);
+        let _e4 = self.v_from_hit(at_93, hit_25, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -12161,7 +12430,7 @@ impl<'g> Resources<'g> {
         }
         let _e51 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_4 = ((_e41.uv - _e4.uv).abs() * _e51);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_72.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_75.x()));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
         rt::into(self.v_mixed(rt::into(seed)))
@@ -12183,13 +12452,13 @@ impl<'g> Resources<'g> {
         let _e17 = x_2;
         return (_e16 ^ (_e17 >> rt::Scalar(16u32)));
     }
-    pub(crate) fn seed_of(&self, hit_25: Hit) -> u32 {
-        rt::into(self.v_seed_of(hit_25))
+    pub(crate) fn seed_of(&self, hit_26: Hit) -> u32 {
+        rt::into(self.v_seed_of(hit_26))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_seed_of(&self, hit_25: Hit) -> rt::Scalar<u32> {
-        let place_27 = ((hit_25.uv - hit_25.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+    fn v_seed_of(&self, hit_26: Hit) -> rt::Scalar<u32> {
+        let place_27 = ((hit_26.uv - hit_26.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
         let _e10 = self.v_mixed(place_27.y());
         let _e12 = self.v_mixed((place_27.x() ^ _e10));
         return _e12;
@@ -12219,9 +12488,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_sine_of(&self, turn_2: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let part_19 = (turn_2 - turn_2.floor());
-        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_19 - rt::Scalar(0.5f32)).abs()).abs()));
-        return _e11.select((rt::Scalar(0f32) - _e11), part_19.elementwise_gt(rt::Scalar(0.5f32)));
+        let part_20 = (turn_2 - turn_2.floor());
+        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_20 - rt::Scalar(0.5f32)).abs()).abs()));
+        return _e11.select((rt::Scalar(0f32) - _e11), part_20.elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn turned_1(&self, turn_3: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_turned_1(rt::into(turn_3)))
@@ -12237,10 +12506,10 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: impl rt::Into<rt::Scalar<u32>>,
-        k_29: impl rt::Into<rt::Scalar<u32>>,
+        k_30: impl rt::Into<rt::Scalar<u32>>,
         count_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_29), rt::into(count_4)))
+        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_30), rt::into(count_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12248,14 +12517,14 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: rt::Scalar<u32>,
-        k_29: rt::Scalar<u32>,
+        k_30: rt::Scalar<u32>,
         count_4: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_1 + k_29) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_1 + k_30) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_29.to_f32() + _e9) / count_4.to_f32());
+        let ring = ((k_30.to_f32() + _e9) / count_4.to_f32());
         let _e16 = self.v_unit_of(seed_1);
-        let _e18 = self.v_turned_1(((k_29.to_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let _e18 = self.v_turned_1(((k_30.to_f32() * rt::Scalar(0.618034f32)) + _e16));
         let place_28 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_4 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
@@ -12266,41 +12535,41 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_91: Entered,
-        hit_26: Hit,
+        at_94: Entered,
+        hit_27: Hit,
         light_9: Toward,
-        params_73: impl rt::Into<rt::Vec4<f32>>,
+        params_76: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_91, hit_26, light_9, rt::into(params_73)))
+        rt::into(self.v_shadow_soft(at_94, hit_27, light_9, rt::into(params_76)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_91: Entered,
-        hit_26: Hit,
+        at_94: Entered,
+        hit_27: Hit,
         light_9: Toward,
-        params_73: rt::Vec4<f32>,
+        params_76: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_30: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_31: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_7 = params_73.x().to_u32();
-        let _e6 = self.v_seed_of(hit_26);
+        let count_7 = params_76.x().to_u32();
+        let _e6 = self.v_seed_of(hit_27);
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_30;
+                let _e11 = k_31;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_7)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
-                    let _e14 = k_30;
+                    let _e14 = k_31;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_7);
-                    let _e16 = self.v_free_way(at_91, hit_26, _e15);
+                    let _e16 = self.v_free_way(at_94, hit_27, _e15);
                     free = (_e13 + _e16);
-                    let _e18 = k_30;
-                    k_30 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_31;
+                    k_31 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
@@ -12309,49 +12578,49 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_92: Entered,
-        hit_27: Hit,
+        at_95: Entered,
+        hit_28: Hit,
         light_10: Toward,
-        params_74: impl rt::Into<rt::Vec4<f32>>,
+        params_77: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_92, hit_27, light_10, rt::into(params_74)))
+        rt::into(self.v_shadow_heuristic(at_95, hit_28, light_10, rt::into(params_77)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_92: Entered,
-        hit_27: Hit,
+        at_95: Entered,
+        hit_28: Hit,
         light_10: Toward,
-        params_74: rt::Vec4<f32>,
+        params_77: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_2: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_31: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_32: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_92, hit_27, light_10);
+        let _e4 = self.v_from_hit(at_95, hit_28, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let _e11 = self.v_way_out(_e4, light_10);
         'naga_break: loop {
             'naga_continue: {
-                let _e16 = k_31;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_74.x())) {
+                let _e16 = k_32;
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_77.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = k_31;
-                    let part_20 = (_e19 / params_74.x());
+                    let _e19 = k_32;
+                    let part_21 = (_e19 / params_77.x());
                     let _e22 = most_2;
-                    let _e24 = self.v_path_gap(_e4, (part_20 * _e11));
-                    most_2 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_20)));
-                    let _e31 = k_31;
-                    k_31 = (_e31 + rt::Scalar(1f32));
+                    let _e24 = self.v_path_gap(_e4, (part_21 * _e11));
+                    most_2 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_21)));
+                    let _e31 = k_32;
+                    k_32 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
         let _e35 = most_2;
-        return (rt::Scalar(1f32) - (params_74.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_77.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
@@ -12392,11 +12661,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_25);
         let _e4 = self.v_texels_around(uv_27, _e3);
-        let k_44 = level_25.to_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_44);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_44);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_44);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_44);
+        let k_45 = level_25.to_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_45);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_45);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_45);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_45);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -12432,110 +12701,110 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_93: Entered,
-        hit_28: Hit,
+        at_96: Entered,
+        hit_29: Hit,
         light_11: Toward,
-        params_75: impl rt::Into<rt::Vec4<f32>>,
+        params_78: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_93, hit_28, light_11, rt::into(params_75)))
+        rt::into(self.v_shadow_horizon(at_96, hit_29, light_11, rt::into(params_78)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_93: Entered,
-        hit_28: Hit,
+        at_96: Entered,
+        hit_29: Hit,
         light_11: Toward,
-        params_75: rt::Vec4<f32>,
+        params_78: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_93, light_11.direction);
-        let map_5 = self.surface_settings.maps[3usize];
-        let along_39 = (_e5.xy() * map_5.tile_m);
+        let _e5 = self.v_climb(at_96, light_11.direction);
+        let map_6 = self.surface_settings.maps[3usize];
+        let along_39 = (_e5.xy() * map_6.tile_m);
         let _e13 = self.v_turn_of(along_39);
-        let azimuth_4 = (_e13 * params_75.x());
+        let azimuth_4 = (_e13 * params_78.x());
         let first_17 = azimuth_4.floor();
-        let count_8 = params_75.x().to_i32();
+        let count_8 = params_78.x().to_i32();
         let before_5 = (first_17.to_i32() % count_8);
-        let part_21 = (azimuth_4 - first_17);
-        let _e24 = self.v_shadow_texel_between(hit_28.uv, before_5, rt::Scalar(at_93.level));
+        let part_22 = (azimuth_4 - first_17);
+        let _e24 = self.v_shadow_texel_between(hit_29.uv, before_5, rt::Scalar(at_96.level));
         let low_10 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_28.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_93.level));
-        let sine_1 = (low_10 + ((_e31.x() - low_10) * part_21));
+        let _e31 = self.v_shadow_texel_between(hit_29.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_96.level));
+        let sine_1 = (low_10 + ((_e31.x() - low_10) * part_22));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
-        let far_13 = (squared_4 * along_39.dot(along_39)).sqrt();
-        let _e48 = self.v_from_hit(at_93, hit_28, light_11);
+        let far_14 = (squared_4 * along_39.dot(along_39)).sqrt();
+        let _e48 = self.v_from_hit(at_96, hit_29, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_9 = (_e49 * _e52);
-        let horizon = far_13.max(near_9);
-        let up_6 = at_93.normal.dot(light_11.direction);
+        let horizon = far_14.max(near_9);
+        let up_6 = at_96.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
         }
         let flat = (rt::Scalar(1f32) - (up_6 * up_6)).max(rt::Scalar(0f32));
-        let beside_5 = (flat + (up_6 * horizon));
-        if rt::Scalar::into_branch_condition((!beside_5.elementwise_gt(rt::Scalar(0f32)))) {
+        let beside_6 = (flat + (up_6 * horizon));
+        if rt::Scalar::into_branch_condition((!beside_6.elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
         }
-        let _e86 = self.v_part_above(((flat.sqrt() * (up_6 - horizon)) / (beside_5 * rt::Scalar(light_11.radius))));
+        let _e86 = self.v_part_above(((flat.sqrt() * (up_6 - horizon)) / (beside_6 * rt::Scalar(light_11.radius))));
         return _e86;
     }
     pub(crate) fn open_part(
         &self,
-        at_94: Entered,
-        hit_29: Hit,
+        at_97: Entered,
+        hit_30: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_94, hit_29, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_97, hit_30, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_open_part(
         &self,
-        at_94: Entered,
-        hit_29: Hit,
+        at_97: Entered,
+        hit_30: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_29.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_94.level));
+        let _e9 = self.v_shadow_texel_between(hit_30.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_97.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_95: Entered,
-        hit_30: Hit,
+        at_98: Entered,
+        hit_31: Hit,
         light_12: Toward,
-        params_76: impl rt::Into<rt::Vec4<f32>>,
+        params_79: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_95, hit_30, light_12, rt::into(params_76)))
+        rt::into(self.v_shadow_visibility(at_98, hit_31, light_12, rt::into(params_79)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_95: Entered,
-        hit_30: Hit,
+        at_98: Entered,
+        hit_31: Hit,
         light_12: Toward,
-        params_76: rt::Vec4<f32>,
+        params_79: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_95, light_12.direction);
+        let _e5 = self.v_climb(at_98, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let map_6 = self.surface_settings.maps[3usize];
-        let along_40 = (_e5.xy() * map_6.tile_m);
+        let map_7 = self.surface_settings.maps[3usize];
+        let along_40 = (_e5.xy() * map_7.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_18 = (_e5.z() * _e21);
         let squared_5 = ((height_18 * height_18) / (along_40.dot(along_40) + (height_18 * height_18)));
-        let azimuths = params_76.x().to_i32();
-        let elevations_1 = params_76.y().to_i32();
+        let azimuths = params_79.x().to_i32();
+        let elevations_1 = params_79.y().to_i32();
         let _e32 = self.v_turn_of(along_40);
-        let azimuth_5 = (_e32 * params_76.x());
-        let elevation_4 = ((squared_5 * params_76.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_76.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_76.z().elementwise_lt(rt::Scalar(2f32))) {
+        let azimuth_5 = (_e32 * params_79.x());
+        let elevation_4 = ((squared_5 * params_79.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_79.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_79.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_29 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_95, hit_30, a_29, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+            let _e56 = self.v_open_part(at_98, hit_31, a_29, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().to_i32() % azimuths);
@@ -12544,160 +12813,160 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_95, hit_30, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_95, hit_30, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_98, hit_31, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_98, hit_31, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_95, hit_30, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_98, hit_31, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_95, hit_30, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_98, hit_31, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_96: Entered,
-        hit_31: Hit,
+        at_99: Entered,
+        hit_32: Hit,
         light_13: Toward,
-        params_77: impl rt::Into<rt::Vec4<f32>>,
+        params_80: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_96, hit_31, light_13, rt::into(params_77)))
+        rt::into(self.v_shadow_map(at_99, hit_32, light_13, rt::into(params_80)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_map(
         &self,
-        at_96: Entered,
-        hit_31: Hit,
+        at_99: Entered,
+        hit_32: Hit,
         light_13: Toward,
-        params_77: rt::Vec4<f32>,
+        params_80: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_96, hit_31.uv, rt::Scalar(light_13.number), light_13.direction, params_77.z(), params_77.w());
+        let _e9 = self.v_light_seen(at_99, hit_32.uv, rt::Scalar(light_13.number), light_13.direction, params_80.z(), params_80.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_97: Entered,
-        hit_32: Hit,
+        at_100: Entered,
+        hit_33: Hit,
         light_14: Toward,
-        params_78: impl rt::Into<rt::Vec4<f32>>,
+        params_81: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_97, hit_32, light_14, rt::into(params_78)))
+        rt::into(self.v_shadow_scene(at_100, hit_33, light_14, rt::into(params_81)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_scene(
         &self,
-        at_97: Entered,
-        hit_32: Hit,
+        at_100: Entered,
+        hit_33: Hit,
         light_14: Toward,
-        params_78: rt::Vec4<f32>,
+        params_81: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_98: Entered, hit_33: Hit, light_15: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_98, hit_33, light_15))
+    pub(crate) fn shadow_stage(&self, at_101: Entered, hit_34: Hit, light_15: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_101, hit_34, light_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_98: Entered, hit_33: Hit, light_15: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_101: Entered, hit_34: Hit, light_15: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[8usize].params;
-                let _e13 = self.v_shadow_ray(at_98, hit_33, light_15, _e12);
+                let _e13 = self.v_shadow_ray(at_101, hit_34, light_15, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[8usize].params;
-                let _e19 = self.v_shadow_none(at_98, hit_33, light_15, _e18);
+                let _e19 = self.v_shadow_none(at_101, hit_34, light_15, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[8usize].params;
-                let _e25 = self.v_shadow_entry(at_98, hit_33, light_15, _e24);
+                let _e25 = self.v_shadow_entry(at_101, hit_34, light_15, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[8usize].params;
-                let _e31 = self.v_shadow_soft(at_98, hit_33, light_15, _e30);
+                let _e31 = self.v_shadow_soft(at_101, hit_34, light_15, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[8usize].params;
-                let _e37 = self.v_shadow_heuristic(at_98, hit_33, light_15, _e36);
+                let _e37 = self.v_shadow_heuristic(at_101, hit_34, light_15, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[8usize].params;
-                let _e43 = self.v_shadow_horizon(at_98, hit_33, light_15, _e42);
+                let _e43 = self.v_shadow_horizon(at_101, hit_34, light_15, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[8usize].params;
-                let _e49 = self.v_shadow_visibility(at_98, hit_33, light_15, _e48);
+                let _e49 = self.v_shadow_visibility(at_101, hit_34, light_15, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[8usize].params;
-                let _e55 = self.v_shadow_map(at_98, hit_33, light_15, _e54);
+                let _e55 = self.v_shadow_map(at_101, hit_34, light_15, _e54);
                 return _e55;
             }
             _ => {
                 let _e60 = self.surface_settings.choices[8usize].params;
-                let _e61 = self.v_shadow_scene(at_98, hit_33, light_15, _e60);
+                let _e61 = self.v_shadow_scene(at_101, hit_34, light_15, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_80: PixelIn, at_99: Entered, hit_34: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_80, at_99, hit_34))
+    pub(crate) fn mirrored_light(&self, pixel_83: PixelIn, at_102: Entered, hit_35: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_83, at_102, hit_35))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mirrored_light(&self, pixel_80: PixelIn, at_99: Entered, hit_34: Hit) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_34.found).elementwise_eq(rt::Scalar(0u32))) {
+    fn v_mirrored_light(&self, pixel_83: PixelIn, at_102: Entered, hit_35: Hit) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_35.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
-        let down_2 = pixel_80.direction.normalize();
-        let up_7 = (down_2 - (at_99.normal * (rt::Scalar(2f32) * down_2.dot(at_99.normal))));
-        let _e24 = self.v_shadow_stage(at_99, hit_34, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
+        let down_2 = pixel_83.direction.normalize();
+        let up_7 = (down_2 - (at_102.normal * (rt::Scalar(2f32) * down_2.dot(at_102.normal))));
+        let _e24 = self.v_shadow_stage(at_102, hit_35, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
         return _e24;
     }
-    pub(crate) fn normal_of_frames(&self, at_100: Entered, frames_2: Frames) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_frames(at_100, frames_2))
+    pub(crate) fn normal_of_frames(&self, at_103: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_frames(at_103, frames_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_of_frames(&self, at_100: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+    fn v_normal_of_frames(&self, at_103: Entered, frames_2: Frames) -> rt::Vec3<f32> {
         let mut sum_3: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let mut k_32: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_33: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut seen_2: Entered;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e9 = k_32;
+                let _e9 = k_33;
                 if rt::Scalar::into_branch_condition(_e9.elementwise_lt(FRAMES)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e12 = k_32;
+                    let _e12 = k_33;
                     let _e13 = self.v_frame_number(frames_2, _e12);
                     let _e14 = self.v_image_of_object(_e13);
-                    seen_2 = at_100;
+                    seen_2 = at_103;
                     let _e17 = self.v_tangent_of_image(_e14);
                     seen_2.tangent = _e17;
                     let _e19 = self.v_bitangent_of_image(_e14);
                     seen_2.bitangent = _e19;
                     seen_2.normal = _e14.toward;
-                    let _e23 = self.v_place_in_image(_e14, at_100.point);
-                    let uv_36 = _e23.xy();
+                    let _e23 = self.v_place_in_image(_e14, at_103.point);
+                    let uv_37 = _e23.xy();
                     let _e25 = sum_3;
                     let _e26 = seen_2;
-                    let _e27 = self.v_finest_normal(_e26, uv_36);
-                    let _e28 = k_32;
+                    let _e27 = self.v_finest_normal(_e26, uv_37);
+                    let _e28 = k_33;
                     let _e29 = self.v_frame_weight(frames_2, _e28);
                     sum_3 = (_e25 + (_e27 * _e29));
-                    let _e32 = k_32;
-                    k_32 = (_e32 + rt::Scalar(1u32));
+                    let _e32 = k_33;
+                    k_33 = (_e32 + rt::Scalar(1u32));
                 }
             }
         }
@@ -12708,40 +12977,40 @@ impl<'g> Resources<'g> {
             let _e40 = sum_3;
             return (_e40 / rt::Vec3::splat_from_scalar(square_4.sqrt()));
         }
-        return at_100.normal;
+        return at_103.normal;
     }
-    pub(crate) fn normal_of_mask(&self, image_6: Image, path_71: Path, hit_35: Hit) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_mask(image_6, path_71, hit_35))
+    pub(crate) fn normal_of_mask(&self, image_9: Image, path_72: Path, hit_36: Hit) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_mask(image_9, path_72, hit_36))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_normal_of_mask(&self, image_6: Image, path_71: Path, hit_35: Hit) -> rt::Vec3<f32> {
-        let _e3 = self.v_grid_of(path_71);
-        let at_132 = (_e3.origin + (_e3.step * rt::Scalar(hit_35.t)));
-        let _e9 = self.v_cell_of(at_132);
+    fn v_normal_of_mask(&self, image_9: Image, path_72: Path, hit_36: Hit) -> rt::Vec3<f32> {
+        let _e3 = self.v_grid_of(path_72);
+        let at_137 = (_e3.origin + (_e3.step * rt::Scalar(hit_36.t)));
+        let _e9 = self.v_cell_of(at_137);
         let _e12 = self.v_grid_cell(_e9.to_i32(), rt::Scalar(0u32));
-        let part_22 = (at_132 - _e9);
-        let rise_u_2 = (((_e12.y() - _e12.x()) * (rt::Scalar(1f32) - part_22.y())) + ((_e12.w() - _e12.z()) * part_22.y()));
-        let rise_v_2 = (((_e12.z() - _e12.x()) * (rt::Scalar(1f32) - part_22.x())) + ((_e12.w() - _e12.y()) * part_22.x()));
-        let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (image_6.u.xyz().normalize() * rise_u_2)) - (image_6.v.xyz().normalize() * rise_v_2));
+        let part_23 = (at_137 - _e9);
+        let rise_u_2 = (((_e12.y() - _e12.x()) * (rt::Scalar(1f32) - part_23.y())) + ((_e12.w() - _e12.z()) * part_23.y()));
+        let rise_v_2 = (((_e12.z() - _e12.x()) * (rt::Scalar(1f32) - part_23.x())) + ((_e12.w() - _e12.y()) * part_23.x()));
+        let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (image_9.u.xyz().normalize() * rise_u_2)) - (image_9.v.xyz().normalize() * rise_v_2));
         let square_5 = outward.dot(outward);
         if rt::Scalar::into_branch_condition(square_5.elementwise_gt(rt::Scalar(0f32))) {
             return (outward / rt::Vec3::splat_from_scalar(square_5.sqrt()));
         }
-        return image_6.toward;
+        return image_9.toward;
     }
     pub(crate) fn object_color(
         &self,
-        at_101: Entered,
+        at_104: Entered,
         view_15: impl rt::Into<rt::Vec3<f32>>,
         asked_1: impl rt::Into<rt::Scalar<bool>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_color(at_101, rt::into(view_15), rt::into(asked_1)))
+        rt::into(self.v_object_color(at_104, rt::into(view_15), rt::into(asked_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_color(
         &self,
-        at_101: Entered,
+        at_104: Entered,
         view_15: rt::Vec3<f32>,
         asked_1: rt::Scalar<bool>,
     ) -> rt::Vec3<f32> {
@@ -12752,23 +13021,23 @@ impl<'g> Resources<'g> {
         let mut image1_: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut image2_: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut image3_: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut k_33: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_34: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut weight1_: rt::Scalar<f32>;
         let mut weight2_: rt::Scalar<f32>;
         let mut weight3_: rt::Scalar<f32>;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e19 = k_33;
+                let _e19 = k_34;
                 let _e22 = rt::Scalar(self.surface_settings.images);
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(_e22)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e24 = k_33;
+                    let _e24 = k_34;
                     let _e25 = self.v_image_of_object(_e24);
-                    let _e27 = self.v_angle_to_image(_e25, at_101.point, view_15, asked_1);
+                    let _e27 = self.v_angle_to_image(_e25, at_104.point, view_15, asked_1);
                     let _e28 = angle1_;
                     if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e28)) {
                         let _e30 = angle3_;
@@ -12782,7 +13051,7 @@ impl<'g> Resources<'g> {
                         let _e34 = image1_;
                         image2_ = _e34;
                         angle1_ = _e27;
-                        let _e35 = k_33;
+                        let _e35 = k_34;
                         image1_ = _e35;
                     } else {
                         let _e36 = angle2_;
@@ -12794,7 +13063,7 @@ impl<'g> Resources<'g> {
                             let _e40 = image2_;
                             image3_ = _e40;
                             angle2_ = _e27;
-                            let _e41 = k_33;
+                            let _e41 = k_34;
                             image2_ = _e41;
                         } else {
                             let _e42 = angle3_;
@@ -12802,7 +13071,7 @@ impl<'g> Resources<'g> {
                                 let _e44 = angle3_;
                                 angle4_ = _e44;
                                 angle3_ = _e27;
-                                let _e45 = k_33;
+                                let _e45 = k_34;
                                 image3_ = _e45;
                             } else {
                                 let _e46 = angle4_;
@@ -12812,8 +13081,8 @@ impl<'g> Resources<'g> {
                             }
                         }
                     }
-                    let _e48 = k_33;
-                    k_33 = (_e48 + rt::Scalar(1u32));
+                    let _e48 = k_34;
+                    k_34 = (_e48 + rt::Scalar(1u32));
                 }
             }
         }
@@ -12841,15 +13110,15 @@ impl<'g> Resources<'g> {
         }
         let _e106 = image1_;
         let _e107 = self.v_image_of_object(_e106);
-        let _e109 = self.v_place_in_image(_e107, at_101.point);
+        let _e109 = self.v_place_in_image(_e107, at_104.point);
         let uv1_ = _e109.xy();
         let _e111 = image2_;
         let _e112 = self.v_image_of_object(_e111);
-        let _e114 = self.v_place_in_image(_e112, at_101.point);
+        let _e114 = self.v_place_in_image(_e112, at_104.point);
         let uv2_ = _e114.xy();
         let _e116 = image3_;
         let _e117 = self.v_image_of_object(_e116);
-        let _e119 = self.v_place_in_image(_e117, at_101.point);
+        let _e119 = self.v_place_in_image(_e117, at_104.point);
         let uv3_ = _e119.xy();
         let _e122 = self.v_color_at(uv1_, rt::Scalar(0u32));
         let _e124 = weight1_;
@@ -12885,27 +13154,27 @@ impl<'g> Resources<'g> {
         let parts_6 = (((farthest + (rt::Scalar(1u32) << level_27)) - rt::Scalar(1u32)) >> level_27);
         return parts_6.clamp(rt::Scalar(1u32), DICE_PARTS).select(rt::Scalar(1u32), level_27.elementwise_eq(COARSEST));
     }
-    pub(crate) fn pixel_direction(&self, pixel_81: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_direction(rt::into(pixel_81)))
+    pub(crate) fn pixel_direction(&self, pixel_84: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_direction(rt::into(pixel_84)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_direction(&self, pixel_81: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_direction(&self, pixel_84: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.corner;
         let _e7 = self.frame.right;
         let _e14 = self.frame.down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_81.x())) + (_e14.xyz() * pixel_81.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_84.x())) + (_e14.xyz() * pixel_84.y()));
     }
-    pub(crate) fn pixel_eye(&self, pixel_82: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_eye(rt::into(pixel_82)))
+    pub(crate) fn pixel_eye(&self, pixel_85: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_eye(rt::into(pixel_85)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_pixel_eye(&self, pixel_82: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_eye(&self, pixel_85: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.eye;
         let _e7 = self.frame.eye_right;
         let _e14 = self.frame.eye_down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_82.x())) + (_e14.xyz() * pixel_82.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_85.x())) + (_e14.xyz() * pixel_85.y()));
     }
     pub(crate) fn pixel_of(
         &self,
@@ -12914,9 +13183,9 @@ impl<'g> Resources<'g> {
         c_9: Corner,
         shell_4: Shell,
         side_3: impl rt::Into<rt::Scalar<f32>>,
-        point_11: impl rt::Into<rt::Vec2<f32>>,
+        point_14: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_14, b_14, c_9, shell_4, rt::into(side_3), rt::into(point_11)))
+        rt::into(self.v_pixel_of(a_14, b_14, c_9, shell_4, rt::into(side_3), rt::into(point_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12927,156 +13196,156 @@ impl<'g> Resources<'g> {
         c_9: Corner,
         shell_4: Shell,
         side_3: rt::Scalar<f32>,
-        point_11: rt::Vec2<f32>,
+        point_14: rt::Vec2<f32>,
     ) -> PixelIn {
-        let _e6 = self.v_pixel_eye(point_11);
-        let _e7 = self.v_pixel_direction(point_11);
+        let _e6 = self.v_pixel_eye(point_14);
+        let _e7 = self.v_pixel_direction(point_14);
         return <PixelIn>::new(_e6, _e7, side_3, a_14, b_14, c_9, shell_4);
     }
     pub(crate) fn placed_over(
         &self,
-        at_102: Entered,
+        at_105: Entered,
         uv_28: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_over(at_102, rt::into(uv_28)))
+        rt::into(self.v_placed_over(at_105, rt::into(uv_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_over(
         &self,
-        at_102: Entered,
+        at_105: Entered,
         uv_28: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_9 = (uv_28 - at_102.uv);
+        let aside_9 = (uv_28 - at_105.uv);
         let _e6 = rt::Scalar(self.surface_settings.bias_m);
         let _e9 = rt::Scalar(self.surface_settings.scale_m);
-        let _e11 = self.v_height_at(uv_28, rt::Scalar(at_102.level));
+        let _e11 = self.v_height_at(uv_28, rt::Scalar(at_105.level));
         let height_19 = (_e6 + (_e9 * _e11));
-        placed = at_102;
-        placed.point = (((at_102.point + (at_102.tangent * aside_9.x())) + (at_102.bitangent * aside_9.y())) + (at_102.normal * height_19));
+        placed = at_105;
+        placed.point = (((at_105.point + (at_105.tangent * aside_9.x())) + (at_105.bitangent * aside_9.y())) + (at_105.normal * height_19));
         placed.uv = uv_28;
         let _e29 = placed;
         return _e29;
     }
     pub(crate) fn surface_plane_place(
         &self,
-        pixel_83: PixelIn,
-        at_103: Entered,
-        path_72: Path,
-        hit_36: Hit,
-        params_79: impl rt::Into<rt::Vec4<f32>>,
+        pixel_86: PixelIn,
+        at_106: Entered,
+        path_73: Path,
+        hit_37: Hit,
+        params_82: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_83, at_103, path_72, hit_36, rt::into(params_79)))
+        rt::into(self.v_surface_plane_place(pixel_86, at_106, path_73, hit_37, rt::into(params_82)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_place(
         &self,
-        pixel_83: PixelIn,
-        at_103: Entered,
-        path_72: Path,
-        hit_36: Hit,
-        params_79: rt::Vec4<f32>,
+        pixel_86: PixelIn,
+        at_106: Entered,
+        path_73: Path,
+        hit_37: Hit,
+        params_82: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_103, hit_36.uv);
+        let _e6 = self.v_placed_over(at_106, hit_37.uv);
         return _e6;
     }
     pub(crate) fn placed_at(
         &self,
-        pixel_84: PixelIn,
-        at_104: Entered,
+        pixel_87: PixelIn,
+        at_107: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
-        point_12: impl rt::Into<rt::Vec3<f32>>,
+        point_15: impl rt::Into<rt::Vec3<f32>>,
         uv_29: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_84, at_104, rt::into(weights_4), rt::into(point_12), rt::into(uv_29)))
+        rt::into(self.v_placed_at(pixel_87, at_107, rt::into(weights_4), rt::into(point_15), rt::into(uv_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_at(
         &self,
-        pixel_84: PixelIn,
-        at_104: Entered,
+        pixel_87: PixelIn,
+        at_107: Entered,
         weights_4: rt::Vec3<f32>,
-        point_12: rt::Vec3<f32>,
+        point_15: rt::Vec3<f32>,
         uv_29: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_84, weights_4, point_12, uv_29, at_104.facing);
+        let _e6 = self.v_frame_at(pixel_87, weights_4, point_15, uv_29, at_107.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_104.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_104.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_104.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_107.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_107.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_107.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_prism_place(
         &self,
-        pixel_85: PixelIn,
-        at_105: Entered,
-        path_73: Path,
-        hit_37: Hit,
-        params_80: impl rt::Into<rt::Vec4<f32>>,
+        pixel_88: PixelIn,
+        at_108: Entered,
+        path_74: Path,
+        hit_38: Hit,
+        params_83: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_85, at_105, path_73, hit_37, rt::into(params_80)))
+        rt::into(self.v_surface_prism_place(pixel_88, at_108, path_74, hit_38, rt::into(params_83)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_prism_place(
         &self,
-        pixel_85: PixelIn,
-        at_105: Entered,
-        path_73: Path,
-        hit_37: Hit,
-        params_80: rt::Vec4<f32>,
+        pixel_88: PixelIn,
+        at_108: Entered,
+        path_74: Path,
+        hit_38: Hit,
+        params_83: rt::Vec4<f32>,
     ) -> Entered {
-        let along_41 = pixel_85.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_85, along_41);
-        let _e8 = self.v_prism_of(pixel_85, along_41, _e7, params_80);
-        let s_4 = ((rt::Scalar(path_73.start) + rt::Scalar(hit_37.t)) - _e7);
-        let _e15 = self.v_point_of_way(pixel_85, _e8, (along_41 * s_4), rt::Scalar(hit_37.height));
+        let along_41 = pixel_88.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_88, along_41);
+        let _e8 = self.v_prism_of(pixel_88, along_41, _e7, params_83);
+        let s_4 = ((rt::Scalar(path_74.start) + rt::Scalar(hit_38.t)) - _e7);
+        let _e15 = self.v_point_of_way(pixel_88, _e8, (along_41 * s_4), rt::Scalar(hit_38.height));
         let weights_7 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_85, at_105, weights_7, (pixel_85.origin + (along_41 * (rt::Scalar(path_73.start) + rt::Scalar(hit_37.t)))), hit_37.uv);
+        let _e24 = self.v_placed_at(pixel_88, at_108, weights_7, (pixel_88.origin + (along_41 * (rt::Scalar(path_74.start) + rt::Scalar(hit_38.t)))), hit_38.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_106: Entered,
+        at_109: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_106, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_109, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_frame(
         &self,
-        at_106: Entered,
+        at_109: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_86: rt::Scalar<bool>;
+        let mut local_90: rt::Scalar<bool>;
 
-        placed_2 = at_106;
-        let _e5 = self.v_quadric_slope(at_106.of_surface.xyz(), aside);
+        placed_2 = at_109;
+        let _e5 = self.v_quadric_slope(at_109.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_86 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_90 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_86 = rt::Scalar(false);
+            local_90 = rt::Scalar(false);
         }
-        let _e15 = local_86;
+        let _e15 = local_90;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_5 = at_106.metric;
+        let m_5 = at_109.metric;
         let area_6 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
         let along_t = (((_e5.x() * m_5.z()) - (_e5.y() * m_5.y())) / area_6);
         let along_b = (((_e5.y() * m_5.x()) - (_e5.x() * m_5.y())) / area_6);
-        placed_2.tangent = (at_106.tangent + (at_106.normal * _e5.x()));
-        placed_2.bitangent = (at_106.bitangent + (at_106.normal * _e5.y()));
-        placed_2.normal = ((at_106.normal - (at_106.tangent * along_t)) - (at_106.bitangent * along_b)).normalize();
+        placed_2.tangent = (at_109.tangent + (at_109.normal * _e5.x()));
+        placed_2.bitangent = (at_109.bitangent + (at_109.normal * _e5.y()));
+        placed_2.normal = ((at_109.normal - (at_109.tangent * along_t)) - (at_109.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_3 = _e63.dot(_e65);
@@ -13092,185 +13361,185 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
-        pixel_86: PixelIn,
-        at_107: Entered,
-        path_74: Path,
-        hit_38: Hit,
-        params_81: impl rt::Into<rt::Vec4<f32>>,
+        pixel_89: PixelIn,
+        at_110: Entered,
+        path_75: Path,
+        hit_39: Hit,
+        params_84: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_86, at_107, path_74, hit_38, rt::into(params_81)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_110, path_75, hit_39, rt::into(params_84)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_place(
         &self,
-        pixel_86: PixelIn,
-        at_107: Entered,
-        path_74: Path,
-        hit_38: Hit,
-        params_81: rt::Vec4<f32>,
+        pixel_89: PixelIn,
+        at_110: Entered,
+        path_75: Path,
+        hit_39: Hit,
+        params_84: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_107, (hit_38.uv - at_107.uv));
+        let _e8 = self.v_quadric_frame(at_110, (hit_39.uv - at_110.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_86.origin + (pixel_86.direction.normalize() * (rt::Scalar(path_74.start) + rt::Scalar(hit_38.t))));
-        placed_3.uv = hit_38.uv;
+        placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_75.start) + rt::Scalar(hit_39.t))));
+        placed_3.uv = hit_39.uv;
         let _e21 = placed_3;
         return _e21;
     }
     pub(crate) fn surface_quadric_vertical_place(
         &self,
-        pixel_87: PixelIn,
-        at_108: Entered,
-        path_75: Path,
-        hit_39: Hit,
-        params_82: impl rt::Into<rt::Vec4<f32>>,
+        pixel_90: PixelIn,
+        at_111: Entered,
+        path_76: Path,
+        hit_40: Hit,
+        params_85: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_87, at_108, path_75, hit_39, rt::into(params_82)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_111, path_76, hit_40, rt::into(params_85)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
-        pixel_87: PixelIn,
-        at_108: Entered,
-        path_75: Path,
-        hit_39: Hit,
-        params_82: rt::Vec4<f32>,
+        pixel_90: PixelIn,
+        at_111: Entered,
+        path_76: Path,
+        hit_40: Hit,
+        params_85: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_10 = (hit_39.uv - at_108.uv);
+        let aside_10 = (hit_40.uv - at_111.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_39.uv, rt::Scalar(at_108.level));
+        let _e16 = self.v_height_at(hit_40.uv, rt::Scalar(at_111.level));
         let height_20 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_108.of_surface.xyz(), aside_10);
-        let lifted_2 = (((_e19 - at_108.of_surface.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_108, aside_10);
+        let _e27 = self.v_quadric_at(at_111.of_surface.xyz(), aside_10);
+        let lifted_2 = (((_e19 - at_111.of_surface.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_111, aside_10);
         placed_4 = _e29;
-        placed_4.point = (((at_108.point + (at_108.tangent * aside_10.x())) + (at_108.bitangent * aside_10.y())) + (at_108.normal * (height_20 + lifted_2)));
-        placed_4.uv = hit_39.uv;
+        placed_4.point = (((at_111.point + (at_111.tangent * aside_10.x())) + (at_111.bitangent * aside_10.y())) + (at_111.normal * (height_20 + lifted_2)));
+        placed_4.uv = hit_40.uv;
         let _e47 = placed_4;
         return _e47;
     }
     pub(crate) fn surface_tetrahedra_place(
         &self,
-        pixel_88: PixelIn,
-        at_109: Entered,
-        path_76: Path,
-        hit_40: Hit,
-        params_83: impl rt::Into<rt::Vec4<f32>>,
+        pixel_91: PixelIn,
+        at_112: Entered,
+        path_77: Path,
+        hit_41: Hit,
+        params_86: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_88, at_109, path_76, hit_40, rt::into(params_83)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_112, path_77, hit_41, rt::into(params_86)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
-        pixel_88: PixelIn,
-        at_109: Entered,
-        path_76: Path,
-        hit_40: Hit,
-        params_83: rt::Vec4<f32>,
+        pixel_91: PixelIn,
+        at_112: Entered,
+        path_77: Path,
+        hit_41: Hit,
+        params_86: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
-        let mut number_11: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut number_13: rt::Scalar<u32> = rt::Scalar(1u32);
 
-        let along_42 = pixel_88.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_88, along_42);
-        let t_41 = ((rt::Scalar(path_76.start) + rt::Scalar(hit_40.t)) - _e7);
-        let _e13 = self.v_tetrahedron(pixel_88, along_42, _e7, rt::Scalar(0u32));
+        let along_42 = pixel_91.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_91, along_42);
+        let t_41 = ((rt::Scalar(path_77.start) + rt::Scalar(hit_41.t)) - _e7);
+        let _e13 = self.v_tetrahedron(pixel_91, along_42, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
         beside_1 = (_e17 - t_41).max((t_41 - _e21));
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = number_11;
+                let _e27 = number_13;
                 if rt::Scalar::into_branch_condition(_e27.elementwise_lt(rt::Scalar(3u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = number_11;
-                    let _e31 = self.v_tetrahedron(pixel_88, along_42, _e7, _e30);
+                    let _e30 = number_13;
+                    let _e31 = self.v_tetrahedron(pixel_91, along_42, _e7, _e30);
                     let aside_11 = (_e31.inside.x() - t_41).max((t_41 - _e31.inside.y()));
                     let _e39 = beside_1;
                     if rt::Scalar::into_branch_condition(aside_11.elementwise_lt(_e39)) {
                         nearest = _e31;
                         beside_1 = aside_11;
                     }
-                    let _e41 = number_11;
-                    number_11 = (_e41 + rt::Scalar(1u32));
+                    let _e41 = number_13;
+                    number_13 = (_e41 + rt::Scalar(1u32));
                 }
             }
         }
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
         let weights_8 = (_e45 + (_e47 * t_41));
-        let point_23 = (pixel_88.origin + (along_42 * (rt::Scalar(path_76.start) + rt::Scalar(hit_40.t))));
-        let _e58 = self.v_placed_at(pixel_88, at_109, weights_8.xyz(), point_23, hit_40.uv);
+        let point_26 = (pixel_91.origin + (along_42 * (rt::Scalar(path_77.start) + rt::Scalar(hit_41.t))));
+        let _e58 = self.v_placed_at(pixel_91, at_112, weights_8.xyz(), point_26, hit_41.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
-        pixel_89: PixelIn,
-        at_110: Entered,
-        path_77: Path,
-        hit_41: Hit,
-        params_84: impl rt::Into<rt::Vec4<f32>>,
+        pixel_92: PixelIn,
+        at_113: Entered,
+        path_78: Path,
+        hit_42: Hit,
+        params_87: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_89, at_110, path_77, hit_41, rt::into(params_84)))
+        rt::into(self.v_surface_facets_place(pixel_92, at_113, path_78, hit_42, rt::into(params_87)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_place(
         &self,
-        pixel_89: PixelIn,
-        at_110: Entered,
-        path_77: Path,
-        hit_41: Hit,
-        params_84: rt::Vec4<f32>,
+        pixel_92: PixelIn,
+        at_113: Entered,
+        path_78: Path,
+        hit_42: Hit,
+        params_87: rt::Vec4<f32>,
     ) -> Entered {
-        return at_110;
+        return at_113;
     }
     pub(crate) fn surface_slices_place(
         &self,
-        pixel_90: PixelIn,
-        at_111: Entered,
-        path_78: Path,
-        hit_42: Hit,
-        params_85: impl rt::Into<rt::Vec4<f32>>,
+        pixel_93: PixelIn,
+        at_114: Entered,
+        path_79: Path,
+        hit_43: Hit,
+        params_88: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_90, at_111, path_78, hit_42, rt::into(params_85)))
+        rt::into(self.v_surface_slices_place(pixel_93, at_114, path_79, hit_43, rt::into(params_88)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_place(
         &self,
-        pixel_90: PixelIn,
-        at_111: Entered,
-        path_78: Path,
-        hit_42: Hit,
-        params_85: rt::Vec4<f32>,
+        pixel_93: PixelIn,
+        at_114: Entered,
+        path_79: Path,
+        hit_43: Hit,
+        params_88: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_111, hit_42.uv);
+        let _e6 = self.v_placed_over(at_114, hit_43.uv);
         return _e6;
     }
-    pub(crate) fn placed_in_image(&self, pixel_91: PixelIn, at_112: Entered, path_79: Path, hit_43: Hit) -> Entered {
-        rt::into(self.v_placed_in_image(pixel_91, at_112, path_79, hit_43))
+    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_115: Entered, path_80: Path, hit_44: Hit) -> Entered {
+        rt::into(self.v_placed_in_image(pixel_94, at_115, path_80, hit_44))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_placed_in_image(&self, pixel_91: PixelIn, at_112: Entered, path_79: Path, hit_43: Hit) -> Entered {
+    fn v_placed_in_image(&self, pixel_94: PixelIn, at_115: Entered, path_80: Path, hit_44: Hit) -> Entered {
         let mut placed_5: Entered;
 
-        let _e6 = self.v_image_of_object(rt::Scalar(path_79.base).to_u32());
-        placed_5 = at_112;
-        placed_5.point = (pixel_91.origin + (pixel_91.direction.normalize() * (rt::Scalar(path_79.start) + rt::Scalar(hit_43.t))));
-        placed_5.uv = hit_43.uv;
+        let _e6 = self.v_image_of_object(rt::Scalar(path_80.base).to_u32());
+        placed_5 = at_115;
+        placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_80.start) + rt::Scalar(hit_44.t))));
+        placed_5.uv = hit_44.uv;
         let _e20 = self.v_tangent_of_image(_e6);
         placed_5.tangent = _e20;
         let _e22 = self.v_bitangent_of_image(_e6);
@@ -13278,243 +13547,277 @@ impl<'g> Resources<'g> {
         placed_5.normal = _e6.toward;
         let _e27 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(CELLS_MASK)) {
-            let _e31 = self.v_normal_of_mask(_e6, path_79, hit_43);
+            let _e31 = self.v_normal_of_mask(_e6, path_80, hit_44);
             placed_5.normal = _e31;
         }
-        placed_5.metric = path_79.metric;
+        placed_5.metric = path_80.metric;
         placed_5.facing = _e6.toward;
         let _e36 = placed_5;
         return _e36;
     }
     pub(crate) fn surface_object_place(
         &self,
-        pixel_92: PixelIn,
-        at_113: Entered,
-        path_80: Path,
-        hit_44: Hit,
-        params_86: impl rt::Into<rt::Vec4<f32>>,
+        pixel_95: PixelIn,
+        at_116: Entered,
+        path_81: Path,
+        hit_45: Hit,
+        params_89: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_place(pixel_92, at_113, path_80, hit_44, rt::into(params_86)))
+        rt::into(self.v_surface_object_place(pixel_95, at_116, path_81, hit_45, rt::into(params_89)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_place(
         &self,
-        pixel_92: PixelIn,
-        at_113: Entered,
-        path_80: Path,
-        hit_44: Hit,
-        params_86: rt::Vec4<f32>,
+        pixel_95: PixelIn,
+        at_116: Entered,
+        path_81: Path,
+        hit_45: Hit,
+        params_89: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_in_image(pixel_92, at_113, path_80, hit_44);
+        let _e5 = self.v_placed_in_image(pixel_95, at_116, path_81, hit_45);
         return _e5;
     }
     pub(crate) fn surface_frames_place(
         &self,
-        pixel_93: PixelIn,
-        at_114: Entered,
-        path_81: Path,
-        hit_45: Hit,
-        params_87: impl rt::Into<rt::Vec4<f32>>,
+        pixel_96: PixelIn,
+        at_117: Entered,
+        path_82: Path,
+        hit_46: Hit,
+        params_90: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_place(pixel_93, at_114, path_81, hit_45, rt::into(params_87)))
+        rt::into(self.v_surface_frames_place(pixel_96, at_117, path_82, hit_46, rt::into(params_90)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_frames_place(
         &self,
-        pixel_93: PixelIn,
-        at_114: Entered,
-        path_81: Path,
-        hit_45: Hit,
-        params_87: rt::Vec4<f32>,
+        pixel_96: PixelIn,
+        at_117: Entered,
+        path_82: Path,
+        hit_46: Hit,
+        params_90: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_6: Entered;
-        let mut local_87: rt::Scalar<bool>;
+        let mut local_91: rt::Scalar<bool>;
 
-        let _e5 = self.v_placed_in_image(pixel_93, at_114, path_81, hit_45);
+        let _e5 = self.v_placed_in_image(pixel_96, at_117, path_82, hit_46);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
             let _e16 = rt::Scalar(self.surface_settings.cells);
-            local_87 = _e16.elementwise_ne(CELLS_MASK);
+            local_91 = _e16.elementwise_ne(CELLS_MASK);
         } else {
-            local_87 = rt::Scalar(false);
+            local_91 = rt::Scalar(false);
         }
-        let _e20 = local_87;
+        let _e20 = local_91;
         if rt::Scalar::into_branch_condition(_e20) {
             let _e22 = placed_6;
-            let _e26 = self.v_frames_around((-pixel_93.direction.normalize()));
+            let _e26 = self.v_frames_around((-pixel_96.direction.normalize()));
             let _e27 = self.v_normal_of_frames(_e22, _e26);
             placed_6.normal = _e27;
         }
         let _e28 = placed_6;
         return _e28;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_94: PixelIn, at_115: Entered, path_82: Path, hit_46: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_94, at_115, path_82, hit_46))
+    pub(crate) fn surface_object_slices_place(
+        &self,
+        pixel_97: PixelIn,
+        at_118: Entered,
+        path_83: Path,
+        hit_47: Hit,
+        params_91: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_object_slices_place(pixel_97, at_118, path_83, hit_47, rt::into(params_91)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_94: PixelIn, at_115: Entered, path_82: Path, hit_46: Hit) -> Entered {
+    #[inline(always)]
+    fn v_surface_object_slices_place(
+        &self,
+        pixel_97: PixelIn,
+        at_118: Entered,
+        path_83: Path,
+        hit_47: Hit,
+        params_91: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut of_image: Path;
+
+        of_image = path_83;
+        let _e8 = self.v_slice_at(at_118.point);
+        rt::Scalar(of_image.base) = rt::Scalar(_e8.number).to_f32();
+        let _e11 = of_image;
+        let _e12 = self.v_placed_in_image(pixel_97, at_118, _e11, hit_47);
+        return _e12;
+    }
+    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_119: Entered, path_84: Path, hit_48: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_98, at_119, path_84, hit_48))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_place_stage(&self, pixel_98: PixelIn, at_119: Entered, path_84: Path, hit_48: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_94, at_115, path_82, hit_46, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_98, at_119, path_84, hit_48, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_94, at_115, path_82, hit_46, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_98, at_119, path_84, hit_48, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_94, at_115, path_82, hit_46, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_119, path_84, hit_48, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_94, at_115, path_82, hit_46, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_119, path_84, hit_48, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_94, at_115, path_82, hit_46, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_119, path_84, hit_48, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_94, at_115, path_82, hit_46, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_98, at_119, path_84, hit_48, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_94, at_115, path_82, hit_46, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_98, at_119, path_84, hit_48, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_place(pixel_94, at_115, path_82, hit_46, _e55);
+                let _e56 = self.v_surface_object_place(pixel_98, at_119, path_84, hit_48, _e55);
                 return _e56;
             }
-            _ => {
+            8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_place(pixel_94, at_115, path_82, hit_46, _e61);
+                let _e62 = self.v_surface_frames_place(pixel_98, at_119, path_84, hit_48, _e61);
                 return _e62;
+            }
+            _ => {
+                let _e67 = self.surface_settings.choices[1usize].params;
+                let _e68 = self.v_surface_object_slices_place(pixel_98, at_119, path_84, hit_48, _e67);
+                return _e68;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_95: PixelIn, at_116: Entered, path_83: Path, hit_47: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_95, at_116, path_83, hit_47))
+    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_120: Entered, path_85: Path, hit_49: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_99, at_120, path_85, hit_49))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_place_on_segment(&self, pixel_95: PixelIn, at_116: Entered, path_83: Path, hit_47: Hit) -> Entered {
+    fn v_place_on_segment(&self, pixel_99: PixelIn, at_120: Entered, path_85: Path, hit_49: Hit) -> Entered {
         let mut placed_7: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_95, at_116, path_83, hit_47);
+        let _e4 = self.v_surface_place_stage(pixel_99, at_120, path_85, hit_49);
         placed_7 = _e4;
-        let _e7 = self.v_depth_on_ray(pixel_95, path_83, hit_47);
+        let _e7 = self.v_depth_on_ray(pixel_99, path_85, hit_49);
         rt::Scalar(placed_7.depth) = _e7;
         let _e8 = placed_7;
         return _e8;
     }
     pub(crate) fn place_hit(
         &self,
-        pixel_96: PixelIn,
-        at_117: Entered,
+        pixel_100: PixelIn,
+        at_121: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
-        hit_48: Hit,
+        hit_50: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_96, at_117, rt::into(segment), hit_48))
+        rt::into(self.v_place_hit(pixel_100, at_121, rt::into(segment), hit_50))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_place_hit(
         &self,
-        pixel_96: PixelIn,
-        at_117: Entered,
+        pixel_100: PixelIn,
+        at_121: Entered,
         segment: rt::Scalar<u32>,
-        hit_48: Hit,
+        hit_50: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_96, at_117, segment);
-        let _e5 = self.v_place_on_segment(pixel_96, at_117, _e4, hit_48);
+        let _e4 = self.v_segment_of(pixel_100, at_121, segment);
+        let _e5 = self.v_place_on_segment(pixel_100, at_121, _e4, hit_50);
         return _e5;
     }
     pub(crate) fn toward_light(
         &self,
-        number_12: impl rt::Into<rt::Scalar<u32>>,
+        number_14: impl rt::Into<rt::Scalar<u32>>,
         position_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> Toward {
-        rt::into(self.v_toward_light(rt::into(number_12), rt::into(position_1)))
+        rt::into(self.v_toward_light(rt::into(number_14), rt::into(position_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_toward_light(
         &self,
-        number_12: rt::Scalar<u32>,
+        number_14: rt::Scalar<u32>,
         position_1: rt::Vec3<f32>,
     ) -> Toward {
-        let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_12)];
+        let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_14)];
         if rt::Scalar::into_branch_condition(light_18.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
             let toward_10 = (light_18.place.xyz() - position_1);
             let squared_6 = toward_10.dot(toward_10);
             let distance_3 = squared_6.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_6.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_10.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_12);
+            return <Toward>::new(toward_10.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_14);
         }
-        return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_12);
+        return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_14);
     }
     pub(crate) fn point_of_light(
         &self,
-        at_118: Entered,
-        hit_49: Hit,
-        number_13: impl rt::Into<rt::Scalar<u32>>,
-        k_34: impl rt::Into<rt::Scalar<u32>>,
+        at_122: Entered,
+        hit_51: Hit,
+        number_15: impl rt::Into<rt::Scalar<u32>>,
+        k_35: impl rt::Into<rt::Scalar<u32>>,
         count_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_118, hit_49, rt::into(number_13), rt::into(k_34), rt::into(count_5)))
+        rt::into(self.v_point_of_light(at_122, hit_51, rt::into(number_15), rt::into(k_35), rt::into(count_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_light(
         &self,
-        at_118: Entered,
-        hit_49: Hit,
-        number_13: rt::Scalar<u32>,
-        k_34: rt::Scalar<u32>,
+        at_122: Entered,
+        hit_51: Hit,
+        number_15: rt::Scalar<u32>,
+        k_35: rt::Scalar<u32>,
         count_5: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_13, at_118.point);
+        let _e6 = self.v_toward_light(number_15, at_122.point);
         if rt::Scalar::into_branch_condition(count_5.elementwise_gt(rt::Scalar(0u32))) {
-            let _e9 = self.v_seed_of(hit_49);
-            let _e10 = self.v_point_of_disc(_e6, _e9, k_34, count_5);
+            let _e9 = self.v_seed_of(hit_51);
+            let _e10 = self.v_point_of_disc(_e6, _e9, k_35, count_5);
             return _e10;
         }
         return _e6;
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_119: Entered,
-        hit_50: Hit,
-        number_14: impl rt::Into<rt::Scalar<u32>>,
-        k_35: impl rt::Into<rt::Scalar<u32>>,
+        at_123: Entered,
+        hit_52: Hit,
+        number_16: impl rt::Into<rt::Scalar<u32>>,
+        k_36: impl rt::Into<rt::Scalar<u32>>,
         count_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_119, hit_50, rt::into(number_14), rt::into(k_35), rt::into(count_6)))
+        rt::into(self.v_ray_to_light(at_123, hit_52, rt::into(number_16), rt::into(k_36), rt::into(count_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ray_to_light(
         &self,
-        at_119: Entered,
-        hit_50: Hit,
-        number_14: rt::Scalar<u32>,
-        k_35: rt::Scalar<u32>,
+        at_123: Entered,
+        hit_52: Hit,
+        number_16: rt::Scalar<u32>,
+        k_36: rt::Scalar<u32>,
         count_6: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_119, hit_50, number_14, k_35, count_6);
-        let _e6 = self.v_light_ray(at_119, hit_50, _e5);
+        let _e5 = self.v_point_of_light(at_123, hit_52, number_16, k_36, count_6);
+        let _e6 = self.v_light_ray(at_123, hit_52, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
@@ -13543,16 +13846,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_120: Entered,
+        at_124: Entered,
         seen_3: SeenNormals,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_120, seen_3, rt::into(toward_3)))
+        rt::into(self.v_seen_cosine(at_124, seen_3, rt::into(toward_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_120: Entered,
+        at_124: Entered,
         seen_3: SeenNormals,
         toward_3: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -13561,7 +13864,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_3.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_3.normal.dot(toward_3).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_120, toward_3);
+        let _e10 = self.v_to_tangent_space(at_124, toward_3);
         let middle_16 = seen_3.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_16, seen_3.along.dot(_e10), seen_3.across.dot(_e10));
         let one_1 = (rt::Scalar(seen_3.middle_seen) * middle_16.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
@@ -13639,9 +13942,9 @@ impl<'g> Resources<'g> {
         view_16: impl rt::Into<rt::Vec3<f32>>,
         toward_4: impl rt::Into<rt::Vec3<f32>>,
         color_7: impl rt::Into<rt::Vec3<f32>>,
-        params_88: impl rt::Into<rt::Vec4<f32>>,
+        params_92: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_18), rt::into(mean), rt::into(cosine_1), rt::into(view_16), rt::into(toward_4), rt::into(color_7), rt::into(params_88)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_18), rt::into(mean), rt::into(cosine_1), rt::into(view_16), rt::into(toward_4), rt::into(color_7), rt::into(params_92)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
@@ -13652,7 +13955,7 @@ impl<'g> Resources<'g> {
         view_16: rt::Vec3<f32>,
         toward_4: rt::Vec3<f32>,
         color_7: rt::Vec3<f32>,
-        params_88: rt::Vec4<f32>,
+        params_92: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_2: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -13710,53 +14013,53 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn reflected_light(
         &self,
-        at_121: Entered,
-        hit_51: Hit,
+        at_125: Entered,
+        hit_53: Hit,
         seen_4: SeenNormals,
         view_18: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_121, hit_51, seen_4, rt::into(view_18), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_125, hit_53, seen_4, rt::into(view_18), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_121: Entered,
-        hit_51: Hit,
+        at_125: Entered,
+        hit_53: Hit,
         seen_4: SeenNormals,
         view_18: rt::Vec3<f32>,
         color_9: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_16: rt::Vec3<f32>;
-        let mut k_36: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_37: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_121, hit_51, (seen_4.normal * rt::Scalar(seen_4.length)), view_18, diffuse);
+        let _e20 = self.v_ambient_stage(at_125, hit_53, (seen_4.normal * rt::Scalar(seen_4.length)), view_18, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_36;
+                let _e24 = k_37;
                 let _e27 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt(_e27)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e29 = k_36;
-                    let _e31 = self.v_toward_light(_e29, at_121.point);
-                    let _e33 = self.v_seen_cosine(at_121, seen_4, _e31.direction);
+                    let _e29 = k_37;
+                    let _e31 = self.v_toward_light(_e29, at_125.point);
+                    let _e33 = self.v_seen_cosine(at_125, seen_4, _e31.direction);
                     let _e37 = self.v_shade_stage(seen_4.normal, rt::Scalar(seen_4.length), _e33, view_18, _e31.direction, diffuse);
                     let _e38 = light_16;
-                    let _e41 = k_36;
+                    let _e41 = k_37;
                     let _e44 = self.frame.lights[rt::Scalar::into_array_index(_e41)].color;
-                    let _e48 = k_36;
+                    let _e48 = k_37;
                     light_16 = (_e38 + ((_e37 * _e44.xyz()) * (rt::Scalar(_e31.falloff) * visible[rt::Scalar::into_array_index(_e48)].x())));
-                    let _e54 = k_36;
-                    k_36 = (_e54 + rt::Scalar(1u32));
+                    let _e54 = k_37;
+                    k_37 = (_e54 + rt::Scalar(1u32));
                 }
             }
         }
@@ -13765,31 +14068,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_color(
         &self,
-        at_122: Entered,
-        hit_52: Hit,
+        at_126: Entered,
+        hit_54: Hit,
         view_19: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_surface_color(at_122, hit_52, rt::into(view_19)))
+        rt::into(self.v_surface_color(at_126, hit_54, rt::into(view_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_color(
         &self,
-        at_122: Entered,
-        hit_52: Hit,
+        at_126: Entered,
+        hit_54: Hit,
         view_19: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let mut local_88: rt::Scalar<bool>;
+        let mut local_92: rt::Scalar<bool>;
 
         let _e5 = rt::Scalar(self.surface_settings.images);
         if rt::Scalar::into_branch_condition((!_e5.elementwise_eq(rt::Scalar(0u32)))) {
             let _e13 = rt::Scalar(self.surface_settings.has_color);
-            local_88 = _e13.elementwise_ne(rt::Scalar(1u32));
+            local_92 = _e13.elementwise_ne(rt::Scalar(1u32));
         } else {
-            local_88 = rt::Scalar(true);
+            local_92 = rt::Scalar(true);
         }
-        let _e17 = local_88;
+        let _e17 = local_92;
         if rt::Scalar::into_branch_condition(_e17) {
-            let _e20 = self.v_color_or_white(hit_52.uv, rt::Scalar(at_122.footprint));
+            let _e20 = self.v_color_or_white(hit_54.uv, rt::Scalar(at_126.footprint));
             return _e20;
         }
         let how = self.surface_settings.choices[3usize].params.z();
@@ -13797,10 +14100,10 @@ impl<'g> Resources<'g> {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         }
         if rt::Scalar::into_branch_condition(how.elementwise_eq(rt::Scalar(3f32))) {
-            let _e35 = self.v_color_of_frames(at_122, view_19);
+            let _e35 = self.v_color_of_frames(at_126, view_19);
             return _e35;
         }
-        let _e38 = self.v_object_color(at_122, view_19, how.elementwise_eq(rt::Scalar(1f32)));
+        let _e38 = self.v_object_color(at_126, view_19, how.elementwise_eq(rt::Scalar(1f32)));
         return _e38;
     }
     pub(crate) fn z_of(&self, depth_6: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -13822,100 +14125,100 @@ impl<'g> Resources<'g> {
     pub(crate) fn shade_hit(
         &self,
         origin_2: impl rt::Into<rt::Vec3<f32>>,
-        at_123: Entered,
-        hit_53: Hit,
+        at_127: Entered,
+        hit_55: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_2), at_123, hit_53, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_2), at_127, hit_55, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(
         &self,
         origin_2: rt::Vec3<f32>,
-        at_123: Entered,
-        hit_53: Hit,
+        at_127: Entered,
+        hit_55: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_53.found).elementwise_eq(rt::Scalar(0u32))) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_53.cost.x(), hit_53.cost.y(), hit_53.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_55.found).elementwise_eq(rt::Scalar(0u32))) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_55.cost.x(), hit_55.cost.y(), hit_55.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_53.uv, rt::Scalar(at_123.level));
-        let view_22 = (origin_2 - at_123.point).normalize();
-        let _e49 = self.v_mesostructure_normals(at_123, hit_53.uv, view_22);
-        let _e50 = self.v_surface_color(at_123, hit_53, view_22);
-        let _e51 = self.v_reflected_light(at_123, hit_53, _e49, view_22, _e50, visible_1);
+        let _e44 = self.v_height_at(hit_55.uv, rt::Scalar(at_127.level));
+        let view_22 = (origin_2 - at_127.point).normalize();
+        let _e49 = self.v_mesostructure_normals(at_127, hit_55.uv, view_22);
+        let _e50 = self.v_surface_color(at_127, hit_55, view_22);
+        let _e51 = self.v_reflected_light(at_127, hit_55, _e49, view_22, _e50, visible_1);
         let _e56 = self.frame.forward;
-        let depth_9 = (at_123.point - origin_2).dot(_e56.xyz());
+        let depth_9 = (at_127.point - origin_2).dot(_e56.xyz());
         let _e61 = self.v_height_size(rt::Scalar(0u32));
-        let _e67 = self.v_cell_of(((hit_53.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e87 = self.v_z_of(rt::Scalar(at_123.depth));
+        let _e67 = self.v_cell_of(((hit_55.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e87 = self.v_z_of(rt::Scalar(at_127.depth));
         let _e90 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_53.exhausted), hit_53.uv, _e44, at_123.point, _e49.normal, depth_9, rt::Scalar(hit_53.t), _e67.to_i32(), hit_53.cost.x(), hit_53.cost.y(), hit_53.cost.z(), visible_1[0usize].x(), rt::Scalar(at_123.level), _e87, _e90);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_55.exhausted), hit_55.uv, _e44, at_127.point, _e49.normal, depth_9, rt::Scalar(hit_55.t), _e67.to_i32(), hit_55.cost.x(), hit_55.cost.y(), hit_55.cost.z(), visible_1[0usize].x(), rt::Scalar(at_127.level), _e87, _e90);
     }
     pub(crate) fn visible_light(
         &self,
-        at_124: Entered,
-        hit_54: Hit,
-        number_15: impl rt::Into<rt::Scalar<u32>>,
+        at_128: Entered,
+        hit_56: Hit,
+        number_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_124, hit_54, rt::into(number_15)))
+        rt::into(self.v_visible_light(at_128, hit_56, rt::into(number_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_visible_light(
         &self,
-        at_124: Entered,
-        hit_54: Hit,
-        number_15: rt::Scalar<u32>,
+        at_128: Entered,
+        hit_56: Hit,
+        number_17: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_15, at_124.point);
-        let _e5 = self.v_shadow_stage(at_124, hit_54, _e4);
+        let _e4 = self.v_toward_light(number_17, at_128.point);
+        let _e5 = self.v_shadow_stage(at_128, hit_56, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_125: Entered, hit_55: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_125, hit_55))
+    pub(crate) fn visible_lights(&self, at_129: Entered, hit_57: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_129, hit_57))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_125: Entered, hit_55: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_129: Entered, hit_57: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut k_37: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_38: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_55.found).elementwise_eq(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_57.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
             return _e7;
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_37;
+                let _e10 = k_38;
                 let _e13 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e10.elementwise_lt(_e13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_37;
-                    let _e17 = k_37;
-                    let _e18 = self.v_visible_light(at_125, hit_55, _e17);
+                    let _e15 = k_38;
+                    let _e17 = k_38;
+                    let _e18 = self.v_visible_light(at_129, hit_57, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e23 = k_37;
-                    k_37 = (_e23 + rt::Scalar(1u32));
+                    let _e23 = k_38;
+                    k_38 = (_e23 + rt::Scalar(1u32));
                 }
             }
         }
         let _e26 = visible_2;
         return _e26;
     }
-    pub(crate) fn shade_pixel(&self, pixel_97: PixelIn) -> PixelOut {
-        rt::into(self.v_shade_pixel(pixel_97))
+    pub(crate) fn shade_pixel(&self, pixel_101: PixelIn) -> PixelOut {
+        rt::into(self.v_shade_pixel(pixel_101))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_shade_pixel(&self, pixel_97: PixelIn) -> PixelOut {
-        let _e1 = self.v_enter_relief(pixel_97);
-        let _e2 = self.v_first_hit(pixel_97, _e1);
-        let _e5 = self.v_place_hit(pixel_97, _e1, rt::Scalar(_e2.segment), _e2.hit);
+    fn v_shade_pixel(&self, pixel_101: PixelIn) -> PixelOut {
+        let _e1 = self.v_enter_relief(pixel_101);
+        let _e2 = self.v_first_hit(pixel_101, _e1);
+        let _e5 = self.v_place_hit(pixel_101, _e1, rt::Scalar(_e2.segment), _e2.hit);
         let _e9 = self.v_visible_lights(_e5, _e2.hit);
-        let _e10 = self.v_shade_hit(pixel_97.origin, _e5, _e2.hit, _e9);
+        let _e10 = self.v_shade_hit(pixel_101.origin, _e5, _e2.hit, _e9);
         return _e10;
     }
     pub(crate) fn weighted_site(
@@ -13943,10 +14246,10 @@ impl<'g> Resources<'g> {
         a_16: BaseSite,
         b_16: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
-        at_126: impl rt::Into<rt::Scalar<u32>>,
+        at_130: impl rt::Into<rt::Scalar<u32>>,
         parts_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_126), rt::into(parts_2)))
+        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_130), rt::into(parts_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13955,11 +14258,11 @@ impl<'g> Resources<'g> {
         a_16: BaseSite,
         b_16: BaseSite,
         shares: rt::Vec2<f32>,
-        at_126: rt::Scalar<u32>,
+        at_130: rt::Scalar<u32>,
         parts_2: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_2 - at_126).to_f32() * shares.x());
-        let of_b = (at_126.to_f32() * shares.y());
+        let of_a = ((parts_2 - at_130).to_f32() * shares.x());
+        let of_b = (at_130.to_f32() * shares.y());
         let sum_10 = (of_a + of_b);
         let _e17 = self.v_weighted_site(a_16, b_16, b_16, <rt::Vec3<f32>>::from_scalars((of_a / sum_10), (of_b / sum_10), rt::Scalar(0f32)));
         return _e17;
@@ -14026,11 +14329,11 @@ impl<'g> Resources<'g> {
         let right_5 = (((grid_11.right.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e30) + grid_11.middle.x());
         let _e42 = share;
         let down_3 = (grid_11.middle.y() - ((grid_11.up.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e42));
-        let far_14 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
+        let far_15 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_133 = <rt::Vec3<f32>>::from_scalars(right_5, down_3, _e49).clamp((-far_14), far_14);
+        let at_138 = <rt::Vec3<f32>>::from_scalars(right_5, down_3, _e49).clamp((-far_15), far_15);
         let _e60 = share;
-        return <Voxel>::new((at_133 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
+        return <Voxel>::new((at_138 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
     }
 }
 

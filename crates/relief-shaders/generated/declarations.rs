@@ -168,6 +168,10 @@ pub const MODULES: &[Module] = &[
 //
 // Kautz and Seidel 2001, section 4.
 "# },
+    Module { path: "surface/object_slices", head: r#"// Slices through an object: a ray ends on the first one at which all images see something as high as it is.
+//
+// Kautz and Seidel 2001, sections 4.1 and 5: the product of the tests of all images.
+"# },
     Module { path: "surface/plane", head: r#"// The flat base surface: one straight segment a ray.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 4, equations 7 and 11. The frame is interpolated over the
@@ -4273,6 +4277,7 @@ fn first_in_all(pixel: PixelIn, at: Entered) -> FirstHit {
             reached = path.start + t;
             agreed = 0u;
             first = hit_on_segment(pixel, at, path, Hit(1u, 0u, hit.uv, hit.height, t, cost), k);
+            cost = first.hit.cost;
         }
         agreed = agreed + 1u;
         k = select(k + 1u, 0u, k + 1u == at.segments);
@@ -4303,9 +4308,74 @@ fn within_bounds(x: f32, dx: f32, low: f32, high: f32, interval: vec2f) -> vec2f
     },
     Declaration {
         module: "shared/object_path",
+        name: "beyond_image",
+        sampling: None,
+        uses: &["Image", "height_size"],
+        text: r#"// How far an image reaches beyond its sides, in its own texture coordinates: to the centres of the texels
+// around it, which see nothing.
+fn beyond_image(image: Image) -> vec2f {
+    return vec2f(0.5, 0.5) / (image.extent * height_size(0u));
+}"#,
+    },
+    Declaration {
+        module: "shared/object_path",
+        name: "metric_of_image",
+        sampling: None,
+        uses: &["Image", "bitangent_of_image", "surface_settings", "tangent_of_image"],
+        text: r#"// As in `Path`.
+fn metric_of_image(image: Image) -> vec4f {
+    let tangent = tangent_of_image(image);
+    let bitangent = bitangent_of_image(image);
+    return vec4f(
+        dot(tangent, tangent),
+        dot(tangent, bitangent),
+        dot(bitangent, bitangent),
+        surface_settings.scale_m,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/object_path",
+        name: "OnImage",
+        sampling: None,
+        uses: &["is_inside"],
+        text: r#"// A point as an image sees it: the texture coordinates, what is compared with the map, and the map.
+struct OnImage {
+    uv: vec2f,
+    height: f32,
+    map: f32,
+    // Whether it is in the space that the image looks at.
+    is_inside: bool,
+}"#,
+    },
+    Declaration {
+        module: "shared/object_path",
+        name: "on_image",
+        sampling: None,
+        uses: &["CELLS_MASK", "EMPTY_HEIGHT", "Image", "OnImage", "beyond_image", "cell_of", "cell_parts", "grid_cell", "height_size", "is_inside", "surface_settings"],
+        text: r#"fn on_image(image: Image, point: vec3f) -> OnImage {
+    let u = dot(image.u.xyz, point) + image.u.w;
+    let v = dot(image.v.xyz, point) + image.v.w;
+    let h = dot(image.height.xyz, point) + image.height.w;
+    let beyond = beyond_image(image);
+    let beside = max(abs(u - 0.5) - beyond.x, abs(v - 0.5) - beyond.y);
+    let uv = image.corner + image.extent * vec2f(u, v);
+    let at = (uv * height_size(0u) - vec2f(0.5, 0.5)) * f32(cell_parts());
+    let cell = cell_of(at);
+    let part = at - cell;
+    let heights = grid_cell(vec2i(cell), 0u);
+    let top = heights.x + (heights.y - heights.x) * part.x;
+    let bottom = heights.z + (heights.w - heights.z) * part.x;
+    let map = top + (bottom - top) * part.y;
+    let is_inside = beside <= 0.5 && h > EMPTY_HEIGHT && h <= 1.0;
+    return OnImage(uv, select(h, 0.5, surface_settings.cells == CELLS_MASK), map, is_inside);
+}"#,
+    },
+    Declaration {
+        module: "shared/object_path",
         name: "path_through_image",
         sampling: None,
-        uses: &["CELLS_MASK", "EMPTY_HEIGHT", "NEVER", "Path", "PixelIn", "RAY_VIEW", "bitangent_of_image", "height_size", "image_of_object", "surface_settings", "tangent_of_image", "within_bounds"],
+        uses: &["CELLS_MASK", "EMPTY_HEIGHT", "NEVER", "Path", "PixelIn", "RAY_VIEW", "beyond_image", "image_of_object", "metric_of_image", "surface_settings", "within_bounds"],
         text: r#"// A ray's way through the image of that number, which the path has in place of a base.
 fn path_through_image(pixel: PixelIn, k: u32) -> Path {
     let along = normalize(pixel.direction);
@@ -4316,8 +4386,7 @@ fn path_through_image(pixel: PixelIn, k: u32) -> Path {
     let du = dot(image.u.xyz, along);
     let dv = dot(image.v.xyz, along);
     let dh = dot(image.height.xyz, along);
-    // Between the centres of the texels around the image, which see nothing.
-    let beyond = vec2f(0.5, 0.5) / (image.extent * height_size(0u));
+    let beyond = beyond_image(image);
     var interval = vec2f(0.0, NEVER);
     interval = within_bounds(u, du, 0.0 - beyond.x, 1.0 + beyond.x, interval);
     interval = within_bounds(v, dv, 0.0 - beyond.y, 1.0 + beyond.y, interval);
@@ -4328,20 +4397,13 @@ fn path_through_image(pixel: PixelIn, k: u32) -> Path {
         // What is asked is where the mask is a half.
         height = vec3f(0.5, 0.0, 0.0);
     }
-    let tangent = tangent_of_image(image);
-    let bitangent = bitangent_of_image(image);
     return Path(
         image.corner + image.extent * vec2f(u + du * start, v + dv * start),
         image.extent * vec2f(du, dv),
         height,
         interval.y - start,
         f32(k),
-        vec4f(
-            dot(tangent, tangent),
-            dot(tangent, bitangent),
-            dot(bitangent, bitangent),
-            surface_settings.scale_m,
-        ),
+        metric_of_image(image),
         RAY_VIEW,
         0u,
         start,
@@ -7307,6 +7369,128 @@ fn surface_facets_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) ->
         uses: &["Entered", "Hit", "Path", "PixelIn", "placed_in_image"],
         text: r#"fn surface_object_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
     return placed_in_image(pixel, at, path, hit);
+}"#,
+    },
+    Declaration {
+        module: "surface/object_slices",
+        name: "SLIVER",
+        sampling: None,
+        uses: &[],
+        text: r#"// How long a segment is, as a part of its distance: there is no other hit on it than its end.
+const SLIVER = 0.0000005;"#,
+    },
+    Declaration {
+        module: "surface/object_slices",
+        name: "HIGHEST",
+        sampling: None,
+        uses: &[],
+        text: r#"// Higher than any map is over a slice.
+const HIGHEST = 2.0;"#,
+    },
+    Declaration {
+        module: "surface/object_slices",
+        name: "surface_object_slices_enter",
+        sampling: None,
+        uses: &["Entered", "PixelIn", "passed_by", "plane_normal", "triangle_distance"],
+        text: r#"fn surface_object_slices_enter(pixel: PixelIn, params: vec4f) -> Entered {
+    let n = plane_normal(pixel);
+    var at = passed_by();
+    at.segments = select(0u, 1u, dot(n, n) > 0.0);
+    at.point = pixel.origin + pixel.direction * triangle_distance(pixel, n);
+    return at;
+}"#,
+    },
+    Declaration {
+        module: "surface/object_slices",
+        name: "OnSlice",
+        sampling: None,
+        uses: &["OnImage"],
+        text: r#"// A point of a slice in the image of which the surface is nearest to it.
+struct OnSlice {
+    // Whether it is in the solids of all images.
+    passes: bool,
+    number: u32,
+    nearest: OnImage,
+    // How far that surface is above it.
+    over: f32,
+}"#,
+    },
+    Declaration {
+        module: "surface/object_slices",
+        name: "with_image",
+        sampling: None,
+        uses: &["OnSlice", "image_of_object", "on_image", "slices_stage"],
+        text: r#"// The same with one image more.
+fn with_image(slice: OnSlice, number: u32, point: vec3f) -> OnSlice {
+    let at = on_image(image_of_object(number), point);
+    let over = at.map - at.height;
+    let passes = at.is_inside && slices_stage(at.map, at.height, 0.0);
+    if (over < slice.over) {
+        return OnSlice(passes, number, at, over);
+    }
+    return OnSlice(passes, slice.number, slice.nearest, slice.over);
+}"#,
+    },
+    Declaration {
+        module: "surface/object_slices",
+        name: "slice_at",
+        sampling: None,
+        uses: &["HIGHEST", "OnImage", "OnSlice", "surface_settings", "with_image"],
+        text: r#"// The same with all images, or up to the first that sees nothing as high.
+fn slice_at(point: vec3f) -> OnSlice {
+    var slice = OnSlice(true, 0u, OnImage(vec2f(0.0, 0.0), 0.0, 0.0, false), HIGHEST);
+    var number = 0u;
+    while (number < surface_settings.images && slice.passes) {
+        slice = with_image(slice, number, point);
+        number = number + 1u;
+    }
+    return slice;
+}"#,
+    },
+    Declaration {
+        module: "surface/object_slices",
+        name: "surface_object_slices_segment",
+        sampling: None,
+        uses: &["Entered", "Path", "PixelIn", "RAY_VIEW", "SLIVER", "image_of_object", "metric_of_image", "slice_at"],
+        text: r#"fn surface_object_slices_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
+    let slice = slice_at(at.point);
+    let far = length(at.point - pixel.origin);
+    let lead = far * SLIVER;
+    return Path(
+        slice.nearest.uv,
+        vec2f(0.0, 0.0),
+        vec3f(slice.nearest.height, 0.0, 0.0),
+        select(0.0, lead, slice.passes),
+        lead,
+        metric_of_image(image_of_object(slice.number)),
+        RAY_VIEW,
+        0u,
+        far - lead,
+        1.0,
+    );
+}"#,
+    },
+    Declaration {
+        module: "surface/object_slices",
+        name: "surface_object_slices_polish",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn", "surface_settings"],
+        text: r#"// Where a slice is drawn, all images have been read.
+fn surface_object_slices_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Hit {
+    var counted = hit;
+    counted.cost = hit.cost + vec3u(surface_settings.images, 0u, 16u * surface_settings.images);
+    return counted;
+}"#,
+    },
+    Declaration {
+        module: "surface/object_slices",
+        name: "surface_object_slices_place",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn", "placed_in_image", "slice_at"],
+        text: r#"fn surface_object_slices_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
+    var of_image = path;
+    of_image.base = f32(slice_at(at.point).number);
+    return placed_in_image(pixel, at, of_image, hit);
 }"#,
     },
     Declaration {

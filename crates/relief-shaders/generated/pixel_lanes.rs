@@ -390,6 +390,54 @@ lanes! { fn zero_normals() -> Normals {
 } }
 
 #[derive(Clone, Copy)]
+pub struct OnImage {
+    pub uv: Vec2<F>,
+    pub height: F,
+    pub map: F,
+    pub is_inside: M,
+}
+lanes! { fn sel_on_image(m: M, a: &OnImage, b: &OnImage) -> OnImage {
+    OnImage {
+        uv: Vec2 { x: sel(m, a.uv.x, b.uv.x), y: sel(m, a.uv.y, b.uv.y) },
+        height: sel(m, a.height, b.height),
+        map: sel(m, a.map, b.map),
+        is_inside: sel_m(m, a.is_inside, b.is_inside),
+    }
+} }
+lanes! { fn zero_on_image() -> OnImage {
+    OnImage {
+        uv: Vec2 { x: splat(0f32), y: splat(0f32) },
+        height: splat(0f32),
+        map: splat(0f32),
+        is_inside: splat_m(false),
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct OnSlice {
+    pub passes: M,
+    pub number: U,
+    pub nearest: OnImage,
+    pub over: F,
+}
+lanes! { fn sel_on_slice(m: M, a: &OnSlice, b: &OnSlice) -> OnSlice {
+    OnSlice {
+        passes: sel_m(m, a.passes, b.passes),
+        number: sel_u(m, a.number, b.number),
+        nearest: sel_on_image(m, &a.nearest, &b.nearest),
+        over: sel(m, a.over, b.over),
+    }
+} }
+lanes! { fn zero_on_slice() -> OnSlice {
+    OnSlice {
+        passes: splat_m(false),
+        number: splat_u(0u32),
+        nearest: zero_on_image(),
+        over: splat(0f32),
+    }
+} }
+
+#[derive(Clone, Copy)]
 pub struct Shell {
     pub heights: Vec2<F>,
     pub order: U,
@@ -1667,6 +1715,10 @@ lanes! { fn bent_exit(r: &Resources<'_>, within: M, h_a0: Vec3<F>) -> F {
     let e_71 = exit_v0;
     return e_71;
 } }
+lanes! { fn beyond_image(r: &Resources<'_>, image_a0: &Image) -> Vec2<F> {
+    let e_6 = height_size(r, splat_u(0u32));
+    return Vec2 { x: div(splat(0.5f32), mul(image_a0.extent.x, e_6.x)), y: div(splat(0.5f32), mul(image_a0.extent.y, e_6.y)) };
+} }
 lanes! { fn bitangent_of_image(r: &Resources<'_>, image_a0: &Image) -> Vec3<F> {
     let e_10 = mul(add(add(add(mul(image_a0.v.x, image_a0.v.x), mul(image_a0.v.y, image_a0.v.y)), mul(image_a0.v.z, image_a0.v.z)), splat(0.0f32)), image_a0.extent.y);
     return Vec3 { x: div(image_a0.v.x, e_10), y: div(image_a0.v.y, e_10), z: div(image_a0.v.z, e_10) };
@@ -2311,6 +2363,19 @@ lanes! { fn surface_frames_enter(r: &Resources<'_>, pixel_a0: &PixelIn, params_a
     let e_8 = at_v0;
     return e_8;
 } }
+lanes! { fn surface_object_slices_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut at_v0: Entered = zero_entered();
+    let n_2 = plane_normal(r, pixel_a0);
+    let e_3 = passed_by(r);
+    at_v0 = e_3;
+    at_v0.segments = sel_u(gt(add(add(add(mul(n_2.x, n_2.x), mul(n_2.y, n_2.y)), mul(n_2.z, n_2.z)), splat(0.0f32)), splat(0.0f32)), splat_u(1u32), splat_u(0u32));
+    let e_15 = triangle_distance(r, ex, pixel_a0, n_2);
+    at_v0.point = Vec3 { x: add(pixel_a0.origin.x, mul(pixel_a0.direction.x, e_15)), y: add(pixel_a0.origin.y, mul(pixel_a0.direction.y, e_15)), z: add(pixel_a0.origin.z, mul(pixel_a0.direction.z, e_15)) };
+    let e_18 = at_v0;
+    return e_18;
+} }
 lanes! { fn surface_enter_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn) -> Entered {
     let mut ex = within;
     let mut ret: Entered = zero_entered();
@@ -2347,9 +2412,13 @@ lanes! { fn surface_enter_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn
             let e_53 = surface_object_enter(r, pixel_a0, r.surface_settings.choices[1].params);
             return e_53;
         }
-        _ => {
+        8u32 => {
             let e_59 = surface_frames_enter(r, pixel_a0, r.surface_settings.choices[1].params);
             return e_59;
+        }
+        _ => {
+            let e_65 = surface_object_slices_enter(r, ex, pixel_a0, r.surface_settings.choices[1].params);
+            return e_65;
         }
     }
 } }
@@ -2871,6 +2940,11 @@ lanes! { fn tangent_of_image(r: &Resources<'_>, image_a0: &Image) -> Vec3<F> {
     let e_10 = mul(add(add(add(mul(image_a0.u.x, image_a0.u.x), mul(image_a0.u.y, image_a0.u.y)), mul(image_a0.u.z, image_a0.u.z)), splat(0.0f32)), image_a0.extent.x);
     return Vec3 { x: div(image_a0.u.x, e_10), y: div(image_a0.u.y, e_10), z: div(image_a0.u.z, e_10) };
 } }
+lanes! { fn metric_of_image(r: &Resources<'_>, image_a0: &Image) -> Vec4<F> {
+    let tangent_1 = tangent_of_image(r, image_a0);
+    let bitangent_2 = bitangent_of_image(r, image_a0);
+    return Vec4 { x: add(add(add(mul(tangent_1.x, tangent_1.x), mul(tangent_1.y, tangent_1.y)), mul(tangent_1.z, tangent_1.z)), splat(0.0f32)), y: add(add(add(mul(tangent_1.x, bitangent_2.x), mul(tangent_1.y, bitangent_2.y)), mul(tangent_1.z, bitangent_2.z)), splat(0.0f32)), z: add(add(add(mul(bitangent_2.x, bitangent_2.x), mul(bitangent_2.y, bitangent_2.y)), mul(bitangent_2.z, bitangent_2.z)), splat(0.0f32)), w: splat(r.surface_settings.scale_m) };
+} }
 lanes! { fn path_through_image_ll(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, k_a1: U) -> Path {
     let mut ex = within;
     let mut ret: Path = zero_path();
@@ -2885,27 +2959,25 @@ lanes! { fn path_through_image_ll(r: &Resources<'_>, within: M, pixel_a0: &Pixel
     let du_28 = add(add(add(mul(image_4.u.x, along_3.x), mul(image_4.u.y, along_3.y)), mul(image_4.u.z, along_3.z)), splat(0.0f32));
     let dv_31 = add(add(add(mul(image_4.v.x, along_3.x), mul(image_4.v.y, along_3.y)), mul(image_4.v.z, along_3.z)), splat(0.0f32));
     let dh_34 = add(add(add(mul(image_4.height.x, along_3.x), mul(image_4.height.y, along_3.y)), mul(image_4.height.z, along_3.z)), splat(0.0f32));
-    let e_40 = height_size(r, splat_u(0u32));
-    let beyond_42 = Vec2 { x: div(splat(0.5f32), mul(image_4.extent.x, e_40.x)), y: div(splat(0.5f32), mul(image_4.extent.y, e_40.y)) };
-    let e_53 = interval_v0;
-    let e_54 = within_bounds(r, ex, u_11, du_28, sub(splat(0.0f32), beyond_42.x), add(splat(1.0f32), beyond_42.x), e_53);
-    interval_v0 = e_54;
-    let e_61 = interval_v0;
-    let e_62 = within_bounds(r, ex, v_18, dv_31, sub(splat(0.0f32), beyond_42.y), add(splat(1.0f32), beyond_42.y), e_61);
-    interval_v0 = e_62;
-    let e_65 = interval_v0;
-    let e_66 = within_bounds(r, ex, h_25, dh_34, splat(1e-5f32), splat(1.0f32), e_65);
-    interval_v0 = e_66;
-    let start_68 = interval_v0.x;
-    height_v1 = Vec3 { x: add(h_25, mul(dh_34, start_68)), y: dh_34, z: splat(0.0f32) };
+    let beyond_35 = beyond_image(r, &image_4);
+    let e_46 = interval_v0;
+    let e_47 = within_bounds(r, ex, u_11, du_28, sub(splat(0.0f32), beyond_35.x), add(splat(1.0f32), beyond_35.x), e_46);
+    interval_v0 = e_47;
+    let e_54 = interval_v0;
+    let e_55 = within_bounds(r, ex, v_18, dv_31, sub(splat(0.0f32), beyond_35.y), add(splat(1.0f32), beyond_35.y), e_54);
+    interval_v0 = e_55;
+    let e_58 = interval_v0;
+    let e_59 = within_bounds(r, ex, h_25, dh_34, splat(1e-5f32), splat(1.0f32), e_58);
+    interval_v0 = e_59;
+    let start_61 = interval_v0.x;
+    height_v1 = Vec3 { x: add(h_25, mul(dh_34, start_61)), y: dh_34, z: splat(0.0f32) };
     if (r.surface_settings.cells == 4u32) {
         height_v1 = Vec3 { x: splat(0.5f32), y: splat(0.0f32), z: splat(0.0f32) };
     }
-    let tangent_83 = tangent_of_image(r, &image_4);
-    let bitangent_84 = bitangent_of_image(r, &image_4);
-    let e_97 = height_v1;
-    let e_99 = interval_v0.y;
-    return Path { uv: Vec2 { x: add(image_4.corner.x, mul(image_4.extent.x, add(u_11, mul(du_28, start_68)))), y: add(image_4.corner.y, mul(image_4.extent.y, add(v_18, mul(dv_31, start_68)))) }, duv: Vec2 { x: mul(image_4.extent.x, du_28), y: mul(image_4.extent.y, dv_31) }, h: e_97, exit: sub(e_99, start_68), base: f_of_u(k_a1), metric: Vec4 { x: add(add(add(mul(tangent_83.x, tangent_83.x), mul(tangent_83.y, tangent_83.y)), mul(tangent_83.z, tangent_83.z)), splat(0.0f32)), y: add(add(add(mul(tangent_83.x, bitangent_84.x), mul(tangent_83.y, bitangent_84.y)), mul(tangent_83.z, bitangent_84.z)), splat(0.0f32)), z: add(add(add(mul(bitangent_84.x, bitangent_84.x), mul(bitangent_84.y, bitangent_84.y)), mul(bitangent_84.z, bitangent_84.z)), splat(0.0f32)), w: splat(r.surface_settings.scale_m) }, ray: splat_u(0u32), level: splat_u(0u32), start: start_68, share: splat(1.0f32), };
+    let e_88 = height_v1;
+    let e_90 = interval_v0.y;
+    let e_93 = metric_of_image(r, &image_4);
+    return Path { uv: Vec2 { x: add(image_4.corner.x, mul(image_4.extent.x, add(u_11, mul(du_28, start_61)))), y: add(image_4.corner.y, mul(image_4.extent.y, add(v_18, mul(dv_31, start_61)))) }, duv: Vec2 { x: mul(image_4.extent.x, du_28), y: mul(image_4.extent.y, dv_31) }, h: e_88, exit: sub(e_90, start_61), base: f_of_u(k_a1), metric: e_93, ray: splat_u(0u32), level: splat_u(0u32), start: start_61, share: splat(1.0f32), };
 } }
 lanes! { fn path_through_image_ls(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, k_a1: u32) -> Path {
     let mut ex = within;
@@ -2921,27 +2993,25 @@ lanes! { fn path_through_image_ls(r: &Resources<'_>, within: M, pixel_a0: &Pixel
     let du_28 = add(add(add(mul(image_4.u.x, along_3.x), mul(image_4.u.y, along_3.y)), mul(image_4.u.z, along_3.z)), splat(0.0f32));
     let dv_31 = add(add(add(mul(image_4.v.x, along_3.x), mul(image_4.v.y, along_3.y)), mul(image_4.v.z, along_3.z)), splat(0.0f32));
     let dh_34 = add(add(add(mul(image_4.height.x, along_3.x), mul(image_4.height.y, along_3.y)), mul(image_4.height.z, along_3.z)), splat(0.0f32));
-    let e_40 = height_size(r, splat_u(0u32));
-    let beyond_42 = Vec2 { x: div(splat(0.5f32), mul(image_4.extent.x, e_40.x)), y: div(splat(0.5f32), mul(image_4.extent.y, e_40.y)) };
-    let e_53 = interval_v0;
-    let e_54 = within_bounds(r, ex, u_11, du_28, sub(splat(0.0f32), beyond_42.x), add(splat(1.0f32), beyond_42.x), e_53);
-    interval_v0 = e_54;
-    let e_61 = interval_v0;
-    let e_62 = within_bounds(r, ex, v_18, dv_31, sub(splat(0.0f32), beyond_42.y), add(splat(1.0f32), beyond_42.y), e_61);
-    interval_v0 = e_62;
-    let e_65 = interval_v0;
-    let e_66 = within_bounds(r, ex, h_25, dh_34, splat(1e-5f32), splat(1.0f32), e_65);
-    interval_v0 = e_66;
-    let start_68 = interval_v0.x;
-    height_v1 = Vec3 { x: add(h_25, mul(dh_34, start_68)), y: dh_34, z: splat(0.0f32) };
+    let beyond_35 = beyond_image(r, &image_4);
+    let e_46 = interval_v0;
+    let e_47 = within_bounds(r, ex, u_11, du_28, sub(splat(0.0f32), beyond_35.x), add(splat(1.0f32), beyond_35.x), e_46);
+    interval_v0 = e_47;
+    let e_54 = interval_v0;
+    let e_55 = within_bounds(r, ex, v_18, dv_31, sub(splat(0.0f32), beyond_35.y), add(splat(1.0f32), beyond_35.y), e_54);
+    interval_v0 = e_55;
+    let e_58 = interval_v0;
+    let e_59 = within_bounds(r, ex, h_25, dh_34, splat(1e-5f32), splat(1.0f32), e_58);
+    interval_v0 = e_59;
+    let start_61 = interval_v0.x;
+    height_v1 = Vec3 { x: add(h_25, mul(dh_34, start_61)), y: dh_34, z: splat(0.0f32) };
     if (r.surface_settings.cells == 4u32) {
         height_v1 = Vec3 { x: splat(0.5f32), y: splat(0.0f32), z: splat(0.0f32) };
     }
-    let tangent_83 = tangent_of_image(r, &image_4);
-    let bitangent_84 = bitangent_of_image(r, &image_4);
-    let e_97 = height_v1;
-    let e_99 = interval_v0.y;
-    return Path { uv: Vec2 { x: add(image_4.corner.x, mul(image_4.extent.x, add(u_11, mul(du_28, start_68)))), y: add(image_4.corner.y, mul(image_4.extent.y, add(v_18, mul(dv_31, start_68)))) }, duv: Vec2 { x: mul(image_4.extent.x, du_28), y: mul(image_4.extent.y, dv_31) }, h: e_97, exit: sub(e_99, start_68), base: splat((k_a1 as f32)), metric: Vec4 { x: add(add(add(mul(tangent_83.x, tangent_83.x), mul(tangent_83.y, tangent_83.y)), mul(tangent_83.z, tangent_83.z)), splat(0.0f32)), y: add(add(add(mul(tangent_83.x, bitangent_84.x), mul(tangent_83.y, bitangent_84.y)), mul(tangent_83.z, bitangent_84.z)), splat(0.0f32)), z: add(add(add(mul(bitangent_84.x, bitangent_84.x), mul(bitangent_84.y, bitangent_84.y)), mul(bitangent_84.z, bitangent_84.z)), splat(0.0f32)), w: splat(r.surface_settings.scale_m) }, ray: splat_u(0u32), level: splat_u(0u32), start: start_68, share: splat(1.0f32), };
+    let e_88 = height_v1;
+    let e_90 = interval_v0.y;
+    let e_93 = metric_of_image(r, &image_4);
+    return Path { uv: Vec2 { x: add(image_4.corner.x, mul(image_4.extent.x, add(u_11, mul(du_28, start_61)))), y: add(image_4.corner.y, mul(image_4.extent.y, add(v_18, mul(dv_31, start_61)))) }, duv: Vec2 { x: mul(image_4.extent.x, du_28), y: mul(image_4.extent.y, dv_31) }, h: e_88, exit: sub(e_90, start_61), base: splat((k_a1 as f32)), metric: e_93, ray: splat_u(0u32), level: splat_u(0u32), start: start_61, share: splat(1.0f32), };
 } }
 lanes! { fn surface_object_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
     let mut ex = within;
@@ -2958,6 +3028,98 @@ lanes! { fn surface_frames_segment(r: &Resources<'_>, within: M, pixel_a0: &Pixe
     let e_8 = frame_number(r, &e_7, k_a2);
     let e_9 = path_through_image_ll(r, ex, pixel_a0, e_8);
     return e_9;
+} }
+lanes! { fn on_image(r: &Resources<'_>, within: M, image_a0: &Image, point_a1: Vec3<F>) -> OnImage {
+    let mut ex = within;
+    let mut ret: OnImage = zero_on_image();
+    let mut both_v0: M = splat_m(false);
+    let mut both_v1: M = splat_m(false);
+    let u_7 = add(add(add(add(mul(image_a0.u.x, point_a1.x), mul(image_a0.u.y, point_a1.y)), mul(image_a0.u.z, point_a1.z)), splat(0.0f32)), image_a0.u.w);
+    let v_13 = add(add(add(add(mul(image_a0.v.x, point_a1.x), mul(image_a0.v.y, point_a1.y)), mul(image_a0.v.z, point_a1.z)), splat(0.0f32)), image_a0.v.w);
+    let h_19 = add(add(add(add(mul(image_a0.height.x, point_a1.x), mul(image_a0.height.y, point_a1.y)), mul(image_a0.height.z, point_a1.z)), splat(0.0f32)), image_a0.height.w);
+    let beyond_20 = beyond_image(r, image_a0);
+    let beside_31 = max(sub(abs(sub(u_7, splat(0.5f32))), beyond_20.x), sub(abs(sub(v_13, splat(0.5f32))), beyond_20.y));
+    let uv_36 = Vec2 { x: add(image_a0.corner.x, mul(image_a0.extent.x, u_7)), y: add(image_a0.corner.y, mul(image_a0.extent.y, v_13)) };
+    let e_38 = height_size(r, splat_u(0u32));
+    let e_44 = r.cell_parts();
+    let e_45 = (e_44 as f32);
+    let at_46 = Vec2 { x: mul(sub(mul(uv_36.x, e_38.x), splat(0.5f32)), splat(e_45)), y: mul(sub(mul(uv_36.y, e_38.y), splat(0.5f32)), splat(e_45)) };
+    let cell_47 = cell_of(r, at_46);
+    let part_48 = Vec2 { x: sub(at_46.x, cell_47.x), y: sub(at_46.y, cell_47.y) };
+    let heights_51 = grid_cell(r, ex, Vec2 { x: i_of_small(cell_47.x), y: i_of_small(cell_47.y) }, 0u32);
+    let top_58 = add(heights_51.x, mul(sub(heights_51.y, heights_51.x), part_48.x));
+    let bottom_65 = add(heights_51.z, mul(sub(heights_51.w, heights_51.z), part_48.x));
+    let map_69 = add(top_58, mul(sub(bottom_65, top_58), part_48.y));
+    both_v0 = and(le(beside_31, splat(0.5f32)), gt(h_19, splat(1e-5f32)));
+    let e_77 = both_v0;
+    both_v1 = and(e_77, le(h_19, splat(1.0f32)));
+    let is_inside_83 = both_v1;
+    return OnImage { uv: uv_36, height: sel(splat_m((r.surface_settings.cells == 4u32)), splat(0.5f32), h_19), map: map_69, is_inside: is_inside_83, };
+} }
+lanes! { fn with_image(r: &Resources<'_>, within: M, slice_a0: &OnSlice, number_a1: U, point_a2: Vec3<F>) -> OnSlice {
+    let mut ex = within;
+    let mut ret: OnSlice = zero_on_slice();
+    let mut both_v0: M = splat_m(false);
+    let e_3 = image_of_object_l(r, number_a1);
+    let at_4 = on_image(r, ex, &e_3, point_a2);
+    let over_7 = sub(at_4.map, at_4.height);
+    let (b1, c2) = (ex, at_4.is_inside);
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_14 = slices_stage(r, at_4.map, at_4.height, splat(0.0f32));
+        both_v0 = sel_m(ex, e_14, both_v0);
+    }
+    ex = and_not(b1, c2);
+    if any(ex) {
+        both_v0 = sel_m(ex, splat_m(false), both_v0);
+    }
+    ex = b1;
+    let passes_16 = both_v0;
+    let (b3, c4) = (ex, lt(over_7, slice_a0.over));
+    ex = and(b3, c4);
+    if any(ex) {
+        ret = OnSlice { passes: passes_16, number: number_a1, nearest: at_4, over: over_7, };
+        ex = no_lane();
+    }
+    ex = and_not(b3, c4);
+    return sel_on_slice(ex, &OnSlice { passes: passes_16, number: slice_a0.number, nearest: slice_a0.nearest, over: slice_a0.over, }, &ret);
+} }
+stage! { fn slice_at(r: &Resources<'_>, within: M, point_a0: Vec3<F>) -> OnSlice {
+    let mut ex = within;
+    let mut ret: OnSlice = zero_on_slice();
+    let mut slice_v0: OnSlice = OnSlice { passes: splat_m(true), number: splat_u(0u32), nearest: OnImage { uv: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, height: splat(0.0f32), map: splat(0.0f32), is_inside: splat_m(false), }, over: splat(2.0f32), };
+    let mut number_v1: U = splat_u(0u32);
+    let mut both_v2: M = splat_m(false);
+    let b2 = ex;
+    'l1: loop {
+        let e_15 = number_v1;
+        let e_23 = slice_v0.passes;
+        both_v2 = and(lt_u(e_15, splat_u(r.surface_settings.images)), e_23);
+        let e_25 = both_v2;
+        let c3 = e_25;
+        ex = and(ex, c3);
+        let e_26 = slice_v0;
+        let e_27 = number_v1;
+        if none(ex) { break 'l1; }
+        let e_28 = with_image(r, ex, &e_26, e_27, point_a0);
+        slice_v0 = sel_on_slice(ex, &e_28, &slice_v0);
+        let e_29 = number_v1;
+        number_v1 = add_u(e_29, splat_u(1u32));
+    }
+    ex = b2;
+    let e_32 = slice_v0;
+    return e_32;
+} }
+lanes! { fn surface_object_slices_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let slice_5 = slice_at(r, ex, Vec3 { x: at_a1.point.x, y: at_a1.point.y, z: at_a1.point.z });
+    let e_8 = Vec3 { x: sub(at_a1.point.x, pixel_a0.origin.x), y: sub(at_a1.point.y, pixel_a0.origin.y), z: sub(at_a1.point.z, pixel_a0.origin.z) };
+    let far_9 = sqrt(add(add(mul(e_8.x, e_8.x), mul(e_8.y, e_8.y)), mul(e_8.z, e_8.z)));
+    let lead_11 = mul(far_9, splat(5e-7f32));
+    let e_26 = image_of_object_l(r, slice_5.number);
+    let e_27 = metric_of_image(r, &e_26);
+    return Path { uv: Vec2 { x: slice_5.nearest.uv.x, y: slice_5.nearest.uv.y }, duv: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, h: Vec3 { x: slice_5.nearest.height, y: splat(0.0f32), z: splat(0.0f32) }, exit: sel(slice_5.passes, lead_11, splat(0.0f32)), base: lead_11, metric: e_27, ray: splat_u(0u32), level: splat_u(0u32), start: sub(far_9, lead_11), share: splat(1.0f32), };
 } }
 lanes! { fn surface_segment_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32) -> Path {
     let mut ex = within;
@@ -2995,9 +3157,13 @@ lanes! { fn surface_segment_stage(r: &Resources<'_>, within: M, pixel_a0: &Pixel
             let e_55 = surface_object_segment(r, ex, pixel_a0, at_a1, k_a2, r.surface_settings.choices[1].params);
             return e_55;
         }
-        _ => {
+        8u32 => {
             let e_61 = surface_frames_segment(r, ex, pixel_a0, at_a1, k_a2, r.surface_settings.choices[1].params);
             return e_61;
+        }
+        _ => {
+            let e_67 = surface_object_slices_segment(r, ex, pixel_a0, at_a1, k_a2, r.surface_settings.choices[1].params);
+            return e_67;
         }
     }
 } }
@@ -3110,6 +3276,13 @@ lanes! { fn surface_object_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: 
 lanes! { fn surface_frames_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
     return *hit_a3;
 } }
+lanes! { fn surface_object_slices_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
+    let mut counted_v0: Hit = zero_hit();
+    counted_v0 = *hit_a3;
+    counted_v0.cost = Vec3 { x: add_u(hit_a3.cost.x, splat_u(r.surface_settings.images)), y: add_u(hit_a3.cost.y, splat_u(0u32)), z: add_u(hit_a3.cost.z, splat_u(16u32.wrapping_mul(r.surface_settings.images))) };
+    let e_19 = counted_v0;
+    return e_19;
+} }
 lanes! { fn surface_polish_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
@@ -3146,9 +3319,13 @@ lanes! { fn surface_polish_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelI
             let e_56 = surface_object_polish(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
             return e_56;
         }
-        _ => {
+        8u32 => {
             let e_62 = surface_frames_polish(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
             return e_62;
+        }
+        _ => {
+            let e_68 = surface_object_slices_polish(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_68;
         }
     }
 } }
@@ -4239,6 +4416,17 @@ lanes! { fn surface_frames_place(r: &Resources<'_>, within: M, pixel_a0: &PixelI
     let e_28 = placed_v0;
     return e_28;
 } }
+lanes! { fn surface_object_slices_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut of_image_v0: Path = zero_path();
+    of_image_v0 = *path_a2;
+    let e_8 = slice_at(r, ex, Vec3 { x: at_a1.point.x, y: at_a1.point.y, z: at_a1.point.z });
+    of_image_v0.base = f_of_u(e_8.number);
+    let e_11 = of_image_v0;
+    let e_12 = placed_in_image(r, ex, pixel_a0, at_a1, &e_11, hit_a3);
+    return e_12;
+} }
 lanes! { fn surface_place_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Entered {
     let mut ex = within;
     let mut ret: Entered = zero_entered();
@@ -4275,9 +4463,13 @@ lanes! { fn surface_place_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn
             let e_56 = surface_object_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
             return e_56;
         }
-        _ => {
+        8u32 => {
             let e_62 = surface_frames_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
             return e_62;
+        }
+        _ => {
+            let e_68 = surface_object_slices_place(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            return e_68;
         }
     }
 } }

@@ -56,7 +56,7 @@ impl Method {
     pub fn family(&self) -> Family {
         match self.geometry {
             geometry::SLICES => Family::Slices,
-            geometry::OBJECT => Family::Object,
+            geometry::OBJECT | geometry::OBJECT_SLICES => Family::Object,
             _ => Family::Ray,
         }
     }
@@ -293,11 +293,29 @@ pub const METHODS: &[Method] = &[
         publication: Publication { paper: DEPTH_OBJECTS, section: "4" },
     },
     Method {
+        name: "depth-object-slices",
+        summary: "slices through an object of images with depth, drawn where all of them see something",
+        geometry: geometry::OBJECT_SLICES,
+        search: "none",
+        refine: "none",
+        settings: object::OF_DEPTH,
+        publication: Publication { paper: DEPTH_OBJECTS, section: "4.1" },
+    },
+    Method {
         name: "visual-hull",
         summary: "the visual hull of an object: what lies in the silhouettes of all images",
         geometry: geometry::OBJECT,
         search: "cells",
         refine: "patch",
+        settings: object::OF_SILHOUETTES,
+        publication: Publication { paper: DEPTH_OBJECTS, section: "5" },
+    },
+    Method {
+        name: "visual-hull-slices",
+        summary: "slices through the visual hull of an object, drawn inside all silhouettes",
+        geometry: geometry::OBJECT_SLICES,
+        search: "none",
+        refine: "none",
         settings: object::OF_SILHOUETTES,
         publication: Publication { paper: DEPTH_OBJECTS, section: "5" },
     },

@@ -99,7 +99,7 @@ impl Selection {
     /// The same with a surface, a search and a shadow that go with the geometry.
     fn with_stages_for_geometry(mut self) -> Self {
         let shown = self.shown_by_geometry();
-        if shown == Shown::Object {
+        if self.is_of_images() {
             return self.with_stages_for_object();
         }
         self.choices[OBJECT] = Choice::new(&STAGES[OBJECT], 0);
@@ -129,6 +129,11 @@ impl Selection {
         self
     }
 
+    /// Whether the geometry is that of an object of images.
+    fn is_of_images(&self) -> bool {
+        matches!(self.shown_by_geometry(), Shown::Object | Shown::ObjectSlices)
+    }
+
     /// What the triangles of the geometry show.
     fn shown_by_geometry(&self) -> Shown {
         if self.choices[GEOMETRY].entry.name == geometry::OBJECT {
@@ -137,6 +142,7 @@ impl Selection {
         match self.geometry() {
             None => Shown::Relief,
             Some(Geometry::Slices(_)) => Shown::Slices,
+            Some(Geometry::ObjectSlices(_)) => Shown::ObjectSlices,
             Some(_) => Shown::Triangles,
         }
     }
@@ -149,6 +155,7 @@ impl Selection {
             geometry::REMESH => Some(Geometry::Pixels(params[0])),
             geometry::TESSELLATE => Some(Geometry::Tessellated(params[0])),
             geometry::SLICES => Some(Geometry::Slices(Slices::of(self.choices[SLICES].params))),
+            geometry::OBJECT_SLICES => Some(Geometry::ObjectSlices(Slices::of(self.choices[SLICES].params))),
             _ => None,
         }
     }
@@ -233,7 +240,7 @@ impl Selection {
         if follows {
             *self = self.with_search_for_shadows();
         }
-        if (place, name) == (SLICES, "refine") && self.shown_by_geometry() == Shown::Slices {
+        if (place, name) == (SLICES, "refine") && self.uses(SLICES) {
             *self = self.with_refinement_of_slices();
         }
         if place == OBJECT {
@@ -349,7 +356,7 @@ impl Selection {
         if *shown != of_geometry && (*shown, of_geometry) != (Shown::Triangles, Shown::Relief) {
             return error(GEOMETRY, of_geometry.needs().to_owned());
         }
-        match (of_geometry == Shown::Object, self.choices[OBJECT].number != 0) {
+        match (self.is_of_images(), self.choices[OBJECT].number != 0) {
             (true, false) => return error(OBJECT, "choose what the object is of its images".to_owned()),
             (false, true) => return error(OBJECT, "there are no images that it could be made of".to_owned()),
             _ => {}
@@ -422,8 +429,8 @@ impl Selection {
     pub fn uses(&self, stage: usize) -> bool {
         match stage {
             SHADOW_SEARCH => !self.choices[SHADOW].entry.states.is_empty(),
-            SLICES => self.shown_by_geometry() == Shown::Slices,
-            OBJECT => self.shown_by_geometry() == Shown::Object,
+            SLICES => matches!(self.shown_by_geometry(), Shown::Slices | Shown::ObjectSlices),
+            OBJECT => self.is_of_images(),
             _ => true,
         }
     }
@@ -529,6 +536,9 @@ const OBJECT_SHADOW_SIZE: f32 = 512.0;
 
 /// The number of the surface `object`.
 const IMAGES: usize = entry_place(STAGES[SURFACE].entries, "object");
+
+/// The number of the surface `object-slices`.
+const SLICED_IMAGES: usize = entry_place(STAGES[SURFACE].entries, "object-slices");
 
 /// The number of the surface `frames`.
 const FRAMES: usize = entry_place(STAGES[SURFACE].entries, "frames");

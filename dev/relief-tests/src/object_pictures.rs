@@ -32,7 +32,8 @@ pub fn selection(method: &str, settings: &[(&str, f64)]) -> Selection {
     selection
 }
 
-fn camera(eye: DVec3) -> Camera {
+/// The camera there.
+pub fn camera(eye: DVec3) -> Camera {
     Camera::new(eye, DVec3::new(0.0, 0.05, 0.0), 35.0).expect("a camera")
 }
 

@@ -42,14 +42,19 @@ pub fn map_of_spheres(view: &View) -> HeightMap {
     map.expect("a map")
 }
 
-/// The object of images of so many texels a side, that look at the spheres from these directions.
-pub fn object_of_spheres(directions: &[DVec3], side: u32, cells: JumpCells) -> ImageObject {
-    let (mut views, mut maps) = (Vec::new(), Vec::new());
-    for from in directions {
+/// Views of so many texels a side, that look at the spheres from these directions, and what they see.
+pub fn views_of_spheres(directions: &[DVec3], side: u32) -> (Vec<View>, Vec<HeightMap>) {
+    let view = |from: &DVec3| {
         let view = View::orthographic(DVec3::ZERO, RADIUS, *from, None, [side, side]).expect("a view");
-        maps.push(map_of_spheres(&view));
-        views.push(view);
-    }
+        let map = map_of_spheres(&view);
+        (view, map)
+    };
+    directions.iter().map(view).unzip()
+}
+
+/// The object of these.
+pub fn object_of_spheres(directions: &[DVec3], side: u32, cells: JumpCells) -> ImageObject {
+    let (views, maps) = views_of_spheres(directions, side);
     ImageObject::new(views, &maps, cells, 4.0).expect("an object")
 }
 

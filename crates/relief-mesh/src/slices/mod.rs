@@ -4,6 +4,7 @@
 //! section 3. A slice is drawn where the height map is as high as the slice; whatever draws it decides that
 //! point by point. A new way to slice is a file here and a variant of [`SliceDirection`].
 
+mod boxed;
 mod error;
 mod orthogonal;
 mod screen;
@@ -16,6 +17,7 @@ use glam::DVec3;
 use relief_core::mesh::{Mesh, Vertex};
 use relief_core::{HeightMap, SliceAxis};
 
+pub use self::boxed::{BoxSlice, BoxSlicer};
 pub use self::error::SliceError;
 pub use self::settings::{SliceAnchor, SliceDirection, SliceSettings};
 use crate::Watch;

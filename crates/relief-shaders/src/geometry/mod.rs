@@ -8,14 +8,22 @@ use crate::slice::Slices;
 
 mod none;
 mod object;
+mod object_slices;
 mod remesh;
 mod slices;
 mod tessellate;
 mod vertex;
 
 /// All of them.
-pub const ENTRIES: &[Entry] =
-    &[none::ENTRY, vertex::ENTRY, remesh::ENTRY, tessellate::ENTRY, slices::ENTRY, object::ENTRY];
+pub const ENTRIES: &[Entry] = &[
+    none::ENTRY,
+    vertex::ENTRY,
+    remesh::ENTRY,
+    tessellate::ENTRY,
+    slices::ENTRY,
+    object::ENTRY,
+    object_slices::ENTRY,
+];
 
 /// The one that shows the base.
 pub const NONE: &str = none::ENTRY.name;
@@ -35,6 +43,9 @@ pub(crate) const SLICES: &str = slices::ENTRY.name;
 /// The box around an object.
 pub(crate) const OBJECT: &str = object::ENTRY.name;
 
+/// Slices through that box.
+pub(crate) const OBJECT_SLICES: &str = object_slices::ENTRY.name;
+
 /// Which triangles a selection shows in place of the base's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Geometry {
@@ -46,6 +57,8 @@ pub enum Geometry {
     Tessellated(f32),
     /// Slices through the relief.
     Slices(Slices),
+    /// Slices through the box around an object.
+    ObjectSlices(Slices),
 }
 
 /// How many texels or pixels lie between vertices.

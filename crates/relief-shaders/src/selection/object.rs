@@ -2,21 +2,22 @@
 
 use super::{
     CELLS, Choice, FRAMES, IMAGES, LIGHT_MAP, NO_REFINEMENT, NO_SEARCH, NO_SHADOW, OBJECT,
-    OBJECT_SHADOW_SIZE, OF_DEPTH, PATCH, PYRAMID, REFINE, SEARCH, SHADOW, STAGES, SURFACE, Selection, Shown,
+    OBJECT_SHADOW_SIZE, OF_DEPTH, PATCH, PYRAMID, REFINE, SEARCH, SHADOW, SLICED_IMAGES, STAGES, SURFACE, Selection,
+    Shown,
 };
 use crate::object::{ObjectCells, Solid};
 
 impl Selection {
     /// How the images of an object are read, where one is shown.
     pub fn object_cells(&self) -> Option<ObjectCells> {
-        let is_shown = self.shown_by_geometry() == Shown::Object;
         let Choice { entry, params, .. } = &self.choices[OBJECT];
-        is_shown.then(|| ObjectCells::of(entry.name, *params))
+        self.is_of_images().then(|| ObjectCells::of(entry.name, *params))
     }
 
     /// Whether all images of an object are asked, and not only some of them that a grid tells.
     pub fn asks_all_images(&self) -> bool {
-        self.object_cells().is_some() && self.choices[SURFACE].number as usize == IMAGES
+        let is_of_all = matches!(self.choices[SURFACE].number as usize, IMAGES | SLICED_IMAGES);
+        self.object_cells().is_some() && is_of_all
     }
 
     /// Whether frames of a grid are asked, which an object's images must make.
@@ -32,9 +33,14 @@ impl Selection {
 
     /// The same with a surface, a search and a shadow for the intersection of what images see.
     pub(super) fn with_stages_for_object(mut self) -> Self {
-        for (stage, number) in
-            [(SURFACE, IMAGES), (OBJECT, OF_DEPTH), (SEARCH, PYRAMID), (REFINE, PATCH), (SHADOW, LIGHT_MAP)]
-        {
+        let [surface, search, refine, shadow] = if self.shown_by_geometry() == Shown::ObjectSlices {
+            [SLICED_IMAGES, NO_SEARCH, NO_REFINEMENT, NO_SHADOW]
+        } else {
+            [IMAGES, PYRAMID, PATCH, LIGHT_MAP]
+        };
+        let chosen =
+            [(SURFACE, surface), (OBJECT, OF_DEPTH), (SEARCH, search), (REFINE, refine), (SHADOW, shadow)];
+        for (stage, number) in chosen {
             self.choices[stage] = Choice::new(&STAGES[stage], number);
         }
         if let Some((place, _)) = self.choices[SHADOW].entry.param("size") {
@@ -47,6 +53,9 @@ impl Selection {
     /// chosen do not.
     pub(super) fn with_search_for_object(mut self) -> Self {
         let Some(object) = self.object_cells() else { return self };
+        if self.shown_by_geometry() == Shown::ObjectSlices {
+            return self;
+        }
         let is_blended = self.choices[SEARCH].number as usize == NO_SEARCH;
         if object.solid == Solid::Blend && !is_blended {
             // What lights see of blends lies elsewhere than what eyes do, and would shade all of it.
@@ -80,6 +89,9 @@ impl Selection {
                 .then_some((OBJECT, "only the surface 'frames' has frames that can be blended"))
                 .or((search != NO_SEARCH).then_some((SEARCH, blended)))
                 .or((refine != NO_REFINEMENT).then_some((REFINE, blended)));
+        }
+        if surface == SLICED_IMAGES {
+            return None;
         }
         let nodes = "its nodes bound heights between texels, not silhouettes or steps: choose 'cells'";
         (search == NO_SEARCH)

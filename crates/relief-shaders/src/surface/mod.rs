@@ -8,6 +8,7 @@ use crate::SURVEY;
 mod facets;
 mod frames;
 mod object;
+mod object_slices;
 mod plane;
 mod prism;
 mod quadric_perpendicular;
@@ -26,6 +27,7 @@ pub const ENTRIES: &[Entry] = &[
     slices::ENTRY,
     object::ENTRY,
     frames::ENTRY,
+    object_slices::ENTRY,
 ];
 
 /// What each of them makes of rays, in the same order.
@@ -39,6 +41,7 @@ pub const PATHS: &[Paths] = &[
     slices::PATHS,
     object::PATHS,
     frames::PATHS,
+    object_slices::PATHS,
 ];
 
 /// What is added to the order of a shell's corners where the shell overlaps itself.
@@ -68,6 +71,8 @@ pub enum Shown {
     Triangles,
     /// What images see in a box around them.
     Object,
+    /// Where they run through that.
+    ObjectSlices,
 }
 
 impl Shown {
@@ -79,6 +84,9 @@ impl Shown {
             Shown::Object => {
                 "its box holds what images see, which the surfaces 'object' and 'frames' alone show"
             }
+            Shown::ObjectSlices => {
+                "its triangles run through what images see, which the surface 'object-slices' alone shows"
+            }
             Shown::Triangles => {
                 "its triangles are displaced already, and only the surface 'facets' shows them as they are"
             }
@@ -87,6 +95,11 @@ impl Shown {
 }
 
 impl Paths {
+    /// Whether triangles are slices, which have no back.
+    pub const fn is_sliced(&self) -> bool {
+        matches!(self.shown, Shown::Slices | Shown::ObjectSlices)
+    }
+
     /// Whether the height map's relief lies on the triangles.
     pub const fn has_relief(&self) -> bool {
         matches!(self.shown, Shown::Relief)
@@ -134,22 +147,28 @@ const OF_IMAGES_REFUSE: &[Refused] = &[
         names: Names::AllBut(&["patch", "none"]),
         reason: "heights of images jump from cell to cell: choose 'patch'",
     },
-    Refused {
-        stage: "detail",
-        names: Names::AllBut(&["none"]),
-        reason: "images lie side by side in one, and would be mixed in coarser levels",
-    },
+    IMAGES_HAVE_NO_LEVELS,
     Refused {
         stage: "shadow",
         names: Names::AllBut(&["none", "map", "scene"]),
         reason: "one image alone does not know the object: choose 'map', 'scene' or 'none'",
     },
-    Refused {
-        stage: "ambient",
-        names: Names::AllBut(&["constant", "environment"]),
-        reason: "one image alone does not know what is around a point of the object",
-    },
+    IMAGES_KNOW_NO_SURROUNDINGS,
 ];
+
+/// What all surfaces of images refuse.
+const IMAGES_HAVE_NO_LEVELS: Refused = Refused {
+    stage: "detail",
+    names: Names::AllBut(&["none"]),
+    reason: "images lie side by side in one, and would be mixed in coarser levels",
+};
+
+/// What all surfaces of images refuse.
+const IMAGES_KNOW_NO_SURROUNDINGS: Refused = Refused {
+    stage: "ambient",
+    names: Names::AllBut(&["constant", "environment"]),
+    reason: "one image alone does not know what is around a point of the object",
+};
 
 /// What all surfaces refuse on which the relief bends with the mesh.
 const NO_ENTRY_OF_LIGHT: Refused = Refused {

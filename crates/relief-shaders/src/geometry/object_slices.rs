@@ -1,0 +1,17 @@
+//! Registry entry of the geometry `object-slices`.
+
+use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+
+/// Polygons through the box around an object.
+pub const ENTRY: Entry = Entry {
+    name: "object-slices",
+    summary: "object: polygons through the box around what images with depth look at",
+    publication: Publication { paper: crate::DEPTH_OBJECTS, section: "4.1" },
+    maps: &[],
+    params: &[],
+    states: &[],
+    guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
+    argument: "A slice is drawn where all images see something as high as it is. Between two slices there is \
+        nothing, so that a ray sees the object as far behind it as slices are apart, and past what is thinner.",
+};
