@@ -64,7 +64,8 @@ pub use mesher::Mesher;
 pub use relief_core::Watch;
 pub use settings::{MeshSettings, Part};
 pub use slices::{
-    BoxSlice, BoxSlicer, SliceAnchor, SliceBlock, SliceDirection, SliceError, SliceSettings, SliceVertex, Slicer,
+    BoxSlice, BoxSlicer, SliceAnchor, SliceBlock, SliceDirection, SliceError, SliceSettings, SliceVertex,
+    Slicer,
 };
 pub use stream::{Bounds, Rounded, Stream, Streamed};
 pub use triangles::{BaseTables, TableEdge, TablePatch, TableVertex};

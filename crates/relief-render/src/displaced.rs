@@ -4,6 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use relief_core::HeightMap;
+use relief_core::camera::Camera;
 use relief_core::mesh::{Mesh, Vertex};
 use relief_core::object::ImageObject;
 use relief_mesh::{
@@ -84,8 +85,9 @@ enum Cut {
     Tessellated(View, u32, Cull),
     /// By slices through the relief.
     Sliced(SliceSettings),
-    /// By slices through the box around an object.
-    SlicedBox(SliceSettings),
+    /// By slices through the box around an object, and the camera to which they come from front to back where
+    /// that matters.
+    SlicedBox(SliceSettings, Option<Camera>),
 }
 
 impl DisplacedOf {
@@ -104,7 +106,9 @@ impl DisplacedOf {
                 Cut::Tessellated(view, selection.levels_of(map), cull)
             }
             Geometry::Slices(slices) => Cut::Sliced(sliced::settings(slices, scene)),
-            Geometry::ObjectSlices(slices) => Cut::SlicedBox(sliced::settings(slices, scene)),
+            Geometry::ObjectSlices(slices, is_in_order) => {
+                Cut::SlicedBox(sliced::settings(slices, scene), is_in_order.then(|| *scene.camera()))
+            }
         };
         let object = surface.object().map(|object| Arc::clone(object.object()));
         Some(Self { mesh: Arc::clone(surface.mesh()), map: Arc::clone(map), object, cut })
@@ -127,7 +131,7 @@ impl DisplacedOf {
         match self.cut {
             Cut::Texels(_) => "a larger 'geometry.texels'",
             Cut::Seen(..) | Cut::Tessellated(..) => "a larger 'geometry.pixels'",
-            Cut::Sliced(_) | Cut::SlicedBox(_) => sliced::FEWER,
+            Cut::Sliced(_) | Cut::SlicedBox(..) => sliced::FEWER,
         }
     }
 
@@ -248,8 +252,10 @@ impl Displaced {
                     mesher.map_err(|error| of.error(error)).and_then(|mesher| made(&of, &mesher, left, watch))
                 }
                 Cut::Sliced(settings) => sliced::triangles(&of.mesh, &of.map, settings, left, &watch),
-                Cut::SlicedBox(settings) => match &of.object {
-                    Some(object) => sliced::triangles_of_object(&of.mesh, object, settings, left, &watch),
+                Cut::SlicedBox(settings, camera) => match &of.object {
+                    Some(object) => {
+                        sliced::triangles_of_object(&of.mesh, object, (settings, camera), left, &watch)
+                    }
                     None => Err(Some(GeometryError::Slices(SliceError::Together))),
                 },
                 Cut::Tessellated(view, levels, cull) => {

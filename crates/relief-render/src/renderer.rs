@@ -21,7 +21,7 @@ use crate::frame_time::FrameTime;
 use crate::gpu::{AdapterChoice, Gpu, GpuError, GpuRenderer, Work};
 use crate::job::{Job, Rendering};
 use crate::prepare::Preparer;
-use crate::scene::{BackendChoice, Scene};
+use crate::scene::{BackendChoice, Scene, Surface};
 
 /// A finished picture and how it came about.
 #[derive(Debug)]
@@ -87,6 +87,15 @@ pub enum RenderError {
     FastOnCpu {
         /// Whether the CPU was taken because no GPU was found.
         no_gpu: bool,
+    },
+    /// The images of an object are to be counted in a stencil buffer, which the CPU backend does not have.
+    #[error(
+        "surface {}: the CPU backend has no stencil buffer; set 'geometry.pass' to 'product', or choose a GPU",
+        surface + 1
+    )]
+    StencilOnCpu {
+        /// The surface's number in the scene.
+        surface: usize,
     },
     /// Nobody wants the rest.
     #[error("the rendering was stopped")]
@@ -340,7 +349,13 @@ impl Renderer {
                 let built = |need: &MapNeed| renderer.builds(need, *sampling);
                 self.preparer.provide(scene, maps, &built, watch)?
             }
-            Backend::Cpu(_) => self.preparer.provide(scene, maps, &|_| false, watch)?,
+            Backend::Cpu(_) => {
+                let is_counted = |surface: &Surface| surface.selection().counts_in_stencil();
+                if let Some(surface) = scene.surfaces().iter().position(is_counted) {
+                    return Err(RenderError::StencilOnCpu { surface });
+                }
+                self.preparer.provide(scene, maps, &|_| false, watch)?
+            }
         };
         let started = Instant::now();
         Ok((self.preparer.job(scene, watch.cancel)?, accounts, started))

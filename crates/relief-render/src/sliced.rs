@@ -5,10 +5,12 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use relief_core::HeightMap;
+use relief_core::camera::Camera;
 use relief_core::mesh::{Mesh, Vertex};
 use relief_core::object::ImageObject;
 use relief_mesh::{
-    BoxSlicer, SliceAnchor, SliceDirection as Slicing, SliceError, SliceSettings, SliceVertex, Slicer, Watch,
+    BoxSlice, BoxSlicer, SliceAnchor, SliceDirection as Slicing, SliceError, SliceSettings, SliceVertex,
+    Slicer, Watch,
 };
 use relief_shaders::cpu::{Corner, Shell};
 use relief_shaders::slice::{SliceDirection, Slices};
@@ -49,14 +51,15 @@ pub fn triangles(
         room.take(block.vertices.iter().map(sliced), &block.triangles);
     });
     made.map_err(error)?;
-    Ok(room.triangles())
+    let (triangles, needed) = room.triangles();
+    Ok((Arc::new(triangles), needed))
 }
 
-/// The same through an object, of which the mesh is the box around it.
+/// The same through an object, of which the mesh is the box around it: for a camera from front to back.
 pub fn triangles_of_object(
     mesh: &Mesh,
     object: &ImageObject,
-    SliceSettings { count, direction }: SliceSettings,
+    (SliceSettings { count, direction }, camera): (SliceSettings, Option<Camera>),
     left: u64,
     watch: &Watch,
 ) -> Result<(Arc<Triangles>, u64), Option<GeometryError>> {
@@ -67,15 +70,21 @@ pub fn triangles_of_object(
     let slicer = BoxSlicer::new(bounds, spacing_m, direction).map_err(error)?;
     let most = |each: u64| slicer.slices().saturating_mul(each);
     let mut room = Room::of(most(6), most(4), left)?;
-    let mut faces = Vec::new();
-    let made = slicer.each(watch, |slice| {
+    let mut slices = Vec::with_capacity(slicer.slices() as usize);
+    slicer.each(watch, |slice| slices.push(slice.clone())).map_err(error)?;
+    if let Some(camera) = camera {
+        let off = |slice: &BoxSlice| slicer.distance_m(&slice[0], &camera);
+        slices.sort_by(|one, other| off(one).total_cmp(&off(other)));
+    }
+    let mut ends = Vec::with_capacity(slices.len());
+    for slice in &slices {
         let at = |position: &DVec3| Vertex { position: position.as_vec3(), ..mesh.vertices()[0] };
-        faces.clear();
-        faces.extend((2..slice.len() as u32).map(|k| [0, k - 1, k]));
+        let faces: Vec<[u32; 3]> = (2..slice.len() as u32).map(|k| [0, k - 1, k]).collect();
         room.take(slice.iter().map(|position| corner(&at(position))), &faces);
-    });
-    made.map_err(error)?;
-    Ok(room.triangles())
+        ends.push(room.faces.len() as u32);
+    }
+    let (triangles, needed) = room.triangles();
+    Ok((Arc::new(triangles.in_slices(ends)), needed))
 }
 
 fn error(error: SliceError) -> Option<GeometryError> {
@@ -116,9 +125,9 @@ impl Room {
     }
 
     /// All of them, and the memory that they take.
-    fn triangles(self) -> (Arc<Triangles>, u64) {
+    fn triangles(self) -> (Triangles, u64) {
         let faces = self.faces.into_iter().zip(std::iter::repeat(Shell::whole()));
-        (Arc::new(Triangles::new(self.corners, faces)), self.needed)
+        (Triangles::new(self.corners, faces), self.needed)
     }
 }
 

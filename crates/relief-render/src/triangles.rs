@@ -15,13 +15,15 @@ pub struct Triangles {
     faces: Vec<Face>,
     everything: Option<Everything>,
     tessellation: Option<Tessellation>,
+    slices: Vec<u32>,
 }
 
 impl Triangles {
     /// Triangles by the places of their corners, which all exist.
     pub(crate) fn new(corners: Vec<Corner>, faces: impl Iterator<Item = ([u32; 3], Shell)>) -> Self {
         let faces = faces.map(|(corners, shell)| Face { corners: corners.into(), shell });
-        Self { corners, faces: faces.collect(), everything: None, tessellation: None }
+        let (everything, tessellation, slices) = (None, None, Vec::new());
+        Self { corners, faces: faces.collect(), everything, tessellation, slices }
     }
 
     /// Triangles that a backend makes of a base, all of which lie there. None are here.
@@ -39,6 +41,17 @@ impl Triangles {
     #[must_use]
     pub(crate) fn among(self, everything: Option<Everything>) -> Self {
         Self { everything, ..self }
+    }
+
+    /// The same in slices that lie one after another, of which these are the ends.
+    #[must_use]
+    pub(crate) fn in_slices(self, ends: Vec<u32>) -> Self {
+        Self { slices: ends, ..self }
+    }
+
+    /// The ends of slices among the triangles, where they are known.
+    pub(crate) fn slices(&self) -> &[u32] {
+        &self.slices
     }
 
     /// The metres from the eye, along the view axis, to the nearest and to the farthest of them and of those
@@ -104,7 +117,7 @@ impl FromIterator<Triangle> for Triangles {
             faces.push(Face { corners: [first, first + 1, first + 2].into(), shell });
             corners.extend([a, b, c]);
         }
-        Self { corners, faces, everything: None, tessellation: None }
+        Self { corners, faces, ..Self::default() }
     }
 }
 

@@ -3008,10 +3008,10 @@ impl<'g> Resources<'g> {
         let bx = (h_1.y() - h_1.x());
         let by_1 = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_131 = ((grid_1.origin - cell_2) + (grid_1.step * t_10));
+        let at_132 = ((grid_1.origin - cell_2) + (grid_1.step * t_10));
         let z_1 = (path_6.h.x() + (t_10 * (path_6.h.y() + (t_10 * path_6.h.z()))));
         let dz = (path_6.h.y() + ((rt::Scalar(2f32) * t_10) * path_6.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_1.x() + (bx * at_131.x())) + (by_1 * at_131.y())) + ((twist * at_131.x()) * at_131.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_131.x() * grid_1.step.y()) + (at_131.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_1.x() + (bx * at_132.x())) + (by_1 * at_132.y())) + ((twist * at_132.x()) * at_132.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_132.x() * grid_1.step.y()) + (at_132.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn grid_cell(
         &self,
@@ -7577,9 +7577,9 @@ impl<'g> Resources<'g> {
         let uv_36 = (image_6.corner + (image_6.extent * <rt::Vec2<f32>>::from_scalars(u_2, v_4)));
         let _e38 = self.v_height_size(rt::Scalar(0u32));
         let _e44 = self.v_cell_parts();
-        let at_132 = (((uv_36 * _e38) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e44.to_f32());
-        let _e47 = self.v_cell_of(at_132);
-        let part_18 = (at_132 - _e47);
+        let at_133 = (((uv_36 * _e38) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e44.to_f32());
+        let _e47 = self.v_cell_of(at_133);
+        let part_18 = (at_133 - _e47);
         let _e51 = self.v_grid_cell(_e47.to_i32(), rt::Scalar(0u32));
         let top_7 = (_e51.x() + ((_e51.y() - _e51.x()) * part_18.x()));
         let bottom_4 = (_e51.z() + ((_e51.w() - _e51.z()) * part_18.x()));
@@ -7599,6 +7599,23 @@ impl<'g> Resources<'g> {
         let _e86 = rt::Scalar(self.surface_settings.cells);
         return <OnImage>::new(uv_36, h_6.select(rt::Scalar(0.5f32), _e86.elementwise_eq(CELLS_MASK)), map_5, is_inside_1);
     }
+    pub(crate) fn is_in_image(&self, at_52: OnImage) -> bool {
+        rt::into(self.v_is_in_image(at_52))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_is_in_image(&self, at_52: OnImage) -> rt::Scalar<bool> {
+        let mut local_50: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_52.is_inside)) {
+            let _e7 = self.v_slices_stage(rt::Scalar(at_52.map), rt::Scalar(at_52.height), rt::Scalar(0f32));
+            local_50 = _e7;
+        } else {
+            local_50 = rt::Scalar(false);
+        }
+        let _e9 = local_50;
+        return _e9;
+    }
     pub(crate) fn with_image(
         &self,
         slice_4: OnSlice,
@@ -7608,28 +7625,21 @@ impl<'g> Resources<'g> {
         rt::into(self.v_with_image(slice_4, rt::into(number_9), rt::into(point_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_with_image(
         &self,
         slice_4: OnSlice,
         number_9: rt::Scalar<u32>,
         point_9: rt::Vec3<f32>,
     ) -> OnSlice {
-        let mut local_50: rt::Scalar<bool>;
-
         let _e3 = self.v_image_of_object(number_9);
         let _e4 = self.v_on_image(_e3, point_9);
         let over_1 = (rt::Scalar(_e4.map) - rt::Scalar(_e4.height));
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e4.is_inside)) {
-            let _e14 = self.v_slices_stage(rt::Scalar(_e4.map), rt::Scalar(_e4.height), rt::Scalar(0f32));
-            local_50 = _e14;
-        } else {
-            local_50 = rt::Scalar(false);
-        }
-        let passes = local_50;
+        let _e8 = self.v_is_in_image(_e4);
         if rt::Scalar::into_branch_condition(over_1.elementwise_lt(rt::Scalar(slice_4.over))) {
-            return <OnSlice>::new(passes, number_9, _e4, over_1);
+            return <OnSlice>::new(_e8, number_9, _e4, over_1);
         }
-        return <OnSlice>::new(passes, rt::Scalar(slice_4.number), slice_4.nearest, rt::Scalar(slice_4.over));
+        return <OnSlice>::new(_e8, rt::Scalar(slice_4.number), slice_4.nearest, rt::Scalar(slice_4.over));
     }
     pub(crate) fn slice_at(&self, point_10: impl rt::Into<rt::Vec3<f32>>) -> OnSlice {
         rt::into(self.v_slice_at(rt::into(point_10)))
@@ -7671,23 +7681,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_segment(
         &self,
         pixel_59: PixelIn,
-        at_52: Entered,
+        at_53: Entered,
         k_15: impl rt::Into<rt::Scalar<u32>>,
         params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_slices_segment(pixel_59, at_52, rt::into(k_15), rt::into(params_36)))
+        rt::into(self.v_surface_object_slices_segment(pixel_59, at_53, rt::into(k_15), rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_slices_segment(
         &self,
         pixel_59: PixelIn,
-        at_52: Entered,
+        at_53: Entered,
         k_15: rt::Scalar<u32>,
         params_36: rt::Vec4<f32>,
     ) -> Path {
-        let _e5 = self.v_slice_at(at_52.point);
-        let far_8 = (at_52.point - pixel_59.origin).length();
+        let _e5 = self.v_slice_at(at_53.point);
+        let far_8 = (at_53.point - pixel_59.origin).length();
         let lead_3 = (far_8 * rt::Scalar(0.0000005f32));
         let _e26 = self.v_image_of_object(rt::Scalar(_e5.number));
         let _e27 = self.v_metric_of_image(_e26);
@@ -7696,68 +7706,68 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_segment_stage(
         &self,
         pixel_60: PixelIn,
-        at_53: Entered,
+        at_54: Entered,
         k_16: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_60, at_53, rt::into(k_16)))
+        rt::into(self.v_surface_segment_stage(pixel_60, at_54, rt::into(k_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_segment_stage(
         &self,
         pixel_60: PixelIn,
-        at_53: Entered,
+        at_54: Entered,
         k_16: rt::Scalar<u32>,
     ) -> Path {
         let _e7 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[1usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_60, at_53, k_16, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_60, at_54, k_16, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[1usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_60, at_53, k_16, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_60, at_54, k_16, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[1usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_60, at_53, k_16, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_60, at_54, k_16, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[1usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_60, at_53, k_16, _e30);
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_60, at_54, k_16, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[1usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_60, at_53, k_16, _e36);
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_60, at_54, k_16, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[1usize].params;
-                let _e43 = self.v_surface_facets_segment(pixel_60, at_53, k_16, _e42);
+                let _e43 = self.v_surface_facets_segment(pixel_60, at_54, k_16, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[1usize].params;
-                let _e49 = self.v_surface_slices_segment(pixel_60, at_53, k_16, _e48);
+                let _e49 = self.v_surface_slices_segment(pixel_60, at_54, k_16, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[1usize].params;
-                let _e55 = self.v_surface_object_segment(pixel_60, at_53, k_16, _e54);
+                let _e55 = self.v_surface_object_segment(pixel_60, at_54, k_16, _e54);
                 return _e55;
             }
             8u32 => {
                 let _e60 = self.surface_settings.choices[1usize].params;
-                let _e61 = self.v_surface_frames_segment(pixel_60, at_53, k_16, _e60);
+                let _e61 = self.v_surface_frames_segment(pixel_60, at_54, k_16, _e60);
                 return _e61;
             }
             _ => {
                 let _e66 = self.surface_settings.choices[1usize].params;
-                let _e67 = self.v_surface_object_slices_segment(pixel_60, at_53, k_16, _e66);
+                let _e67 = self.v_surface_object_slices_segment(pixel_60, at_54, k_16, _e66);
                 return _e67;
             }
         }
@@ -7805,26 +7815,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn segment_of(
         &self,
         pixel_61: PixelIn,
-        at_54: Entered,
+        at_55: Entered,
         k_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_61, at_54, rt::into(k_17)))
+        rt::into(self.v_segment_of(pixel_61, at_55, rt::into(k_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_segment_of(
         &self,
         pixel_61: PixelIn,
-        at_54: Entered,
+        at_55: Entered,
         k_17: rt::Scalar<u32>,
     ) -> Path {
         let mut path_24: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_61, at_54, k_17);
+        let _e3 = self.v_surface_segment_stage(pixel_61, at_55, k_17);
         path_24 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_54.fade).elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_55.fade).elementwise_gt(rt::Scalar(0f32))) {
             let _e8 = path_24;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_54.fade));
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_55.fade));
             path_24 = _e13;
             let _e16 = path_24.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
@@ -7837,19 +7847,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_polish(
         &self,
         pixel_62: PixelIn,
-        at_55: Entered,
+        at_56: Entered,
         path_25: Path,
         hit_7: Hit,
         params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_62, at_55, path_25, hit_7, rt::into(params_37)))
+        rt::into(self.v_surface_plane_polish(pixel_62, at_56, path_25, hit_7, rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_polish(
         &self,
         pixel_62: PixelIn,
-        at_55: Entered,
+        at_56: Entered,
         path_25: Path,
         hit_7: Hit,
         params_37: rt::Vec4<f32>,
@@ -7944,18 +7954,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_prism_polish(
         &self,
         pixel_64: PixelIn,
-        at_56: Entered,
+        at_57: Entered,
         path_26: Path,
         hit_8: Hit,
         params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_64, at_56, path_26, hit_8, rt::into(params_38)))
+        rt::into(self.v_surface_prism_polish(pixel_64, at_57, path_26, hit_8, rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_polish(
         &self,
         pixel_64: PixelIn,
-        at_56: Entered,
+        at_57: Entered,
         path_26: Path,
         hit_8: Hit,
         params_38: rt::Vec4<f32>,
@@ -8025,19 +8035,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
         pixel_65: PixelIn,
-        at_57: Entered,
+        at_58: Entered,
         path_27: Path,
         hit_9: Hit,
         params_39: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_65, at_57, path_27, hit_9, rt::into(params_39)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_65, at_58, path_27, hit_9, rt::into(params_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_polish(
         &self,
         pixel_65: PixelIn,
-        at_57: Entered,
+        at_58: Entered,
         path_27: Path,
         hit_9: Hit,
         params_39: rt::Vec4<f32>,
@@ -8047,19 +8057,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_polish(
         &self,
         pixel_66: PixelIn,
-        at_58: Entered,
+        at_59: Entered,
         path_28: Path,
         hit_10: Hit,
         params_40: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_66, at_58, path_28, hit_10, rt::into(params_40)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_66, at_59, path_28, hit_10, rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_vertical_polish(
         &self,
         pixel_66: PixelIn,
-        at_58: Entered,
+        at_59: Entered,
         path_28: Path,
         hit_10: Hit,
         params_40: rt::Vec4<f32>,
@@ -8069,19 +8079,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_polish(
         &self,
         pixel_67: PixelIn,
-        at_59: Entered,
+        at_60: Entered,
         path_29: Path,
         hit_11: Hit,
         params_41: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_67, at_59, path_29, hit_11, rt::into(params_41)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_67, at_60, path_29, hit_11, rt::into(params_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_tetrahedra_polish(
         &self,
         pixel_67: PixelIn,
-        at_59: Entered,
+        at_60: Entered,
         path_29: Path,
         hit_11: Hit,
         params_41: rt::Vec4<f32>,
@@ -8091,19 +8101,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_facets_polish(
         &self,
         pixel_68: PixelIn,
-        at_60: Entered,
+        at_61: Entered,
         path_30: Path,
         hit_12: Hit,
         params_42: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_facets_polish(pixel_68, at_60, path_30, hit_12, rt::into(params_42)))
+        rt::into(self.v_surface_facets_polish(pixel_68, at_61, path_30, hit_12, rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_polish(
         &self,
         pixel_68: PixelIn,
-        at_60: Entered,
+        at_61: Entered,
         path_30: Path,
         hit_12: Hit,
         params_42: rt::Vec4<f32>,
@@ -8113,19 +8123,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_slices_polish(
         &self,
         pixel_69: PixelIn,
-        at_61: Entered,
+        at_62: Entered,
         path_31: Path,
         hit_13: Hit,
         params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_slices_polish(pixel_69, at_61, path_31, hit_13, rt::into(params_43)))
+        rt::into(self.v_surface_slices_polish(pixel_69, at_62, path_31, hit_13, rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_polish(
         &self,
         pixel_69: PixelIn,
-        at_61: Entered,
+        at_62: Entered,
         path_31: Path,
         hit_13: Hit,
         params_43: rt::Vec4<f32>,
@@ -8140,19 +8150,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_polish(
         &self,
         pixel_70: PixelIn,
-        at_62: Entered,
+        at_63: Entered,
         path_32: Path,
         hit_14: Hit,
         params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_polish(pixel_70, at_62, path_32, hit_14, rt::into(params_44)))
+        rt::into(self.v_surface_object_polish(pixel_70, at_63, path_32, hit_14, rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_polish(
         &self,
         pixel_70: PixelIn,
-        at_62: Entered,
+        at_63: Entered,
         path_32: Path,
         hit_14: Hit,
         params_44: rt::Vec4<f32>,
@@ -8162,19 +8172,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_frames_polish(
         &self,
         pixel_71: PixelIn,
-        at_63: Entered,
+        at_64: Entered,
         path_33: Path,
         hit_15: Hit,
         params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_frames_polish(pixel_71, at_63, path_33, hit_15, rt::into(params_45)))
+        rt::into(self.v_surface_frames_polish(pixel_71, at_64, path_33, hit_15, rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_frames_polish(
         &self,
         pixel_71: PixelIn,
-        at_63: Entered,
+        at_64: Entered,
         path_33: Path,
         hit_15: Hit,
         params_45: rt::Vec4<f32>,
@@ -8184,19 +8194,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_polish(
         &self,
         pixel_72: PixelIn,
-        at_64: Entered,
+        at_65: Entered,
         path_34: Path,
         hit_16: Hit,
         params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_slices_polish(pixel_72, at_64, path_34, hit_16, rt::into(params_46)))
+        rt::into(self.v_surface_object_slices_polish(pixel_72, at_65, path_34, hit_16, rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_slices_polish(
         &self,
         pixel_72: PixelIn,
-        at_64: Entered,
+        at_65: Entered,
         path_34: Path,
         hit_16: Hit,
         params_46: rt::Vec4<f32>,
@@ -8210,72 +8220,72 @@ impl<'g> Resources<'g> {
         let _e19 = counted_1;
         return _e19;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_73: PixelIn, at_65: Entered, path_35: Path, hit_17: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_73, at_65, path_35, hit_17))
+    pub(crate) fn surface_polish_stage(&self, pixel_73: PixelIn, at_66: Entered, path_35: Path, hit_17: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_73, at_66, path_35, hit_17))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_73: PixelIn, at_65: Entered, path_35: Path, hit_17: Hit) -> Hit {
+    fn v_surface_polish_stage(&self, pixel_73: PixelIn, at_66: Entered, path_35: Path, hit_17: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_73, at_65, path_35, hit_17, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_73, at_66, path_35, hit_17, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_73, at_65, path_35, hit_17, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_73, at_66, path_35, hit_17, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_73, at_65, path_35, hit_17, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_73, at_66, path_35, hit_17, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_73, at_65, path_35, hit_17, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_73, at_66, path_35, hit_17, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_73, at_65, path_35, hit_17, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_73, at_66, path_35, hit_17, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_polish(pixel_73, at_65, path_35, hit_17, _e43);
+                let _e44 = self.v_surface_facets_polish(pixel_73, at_66, path_35, hit_17, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_polish(pixel_73, at_65, path_35, hit_17, _e49);
+                let _e50 = self.v_surface_slices_polish(pixel_73, at_66, path_35, hit_17, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_polish(pixel_73, at_65, path_35, hit_17, _e55);
+                let _e56 = self.v_surface_object_polish(pixel_73, at_66, path_35, hit_17, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_polish(pixel_73, at_65, path_35, hit_17, _e61);
+                let _e62 = self.v_surface_frames_polish(pixel_73, at_66, path_35, hit_17, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_polish(pixel_73, at_65, path_35, hit_17, _e67);
+                let _e68 = self.v_surface_object_slices_polish(pixel_73, at_66, path_35, hit_17, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_74: PixelIn, at_66: Entered, path_36: Path, hit_18: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_74, at_66, path_36, hit_18))
+    pub(crate) fn polish_hit(&self, pixel_74: PixelIn, at_67: Entered, path_36: Path, hit_18: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_74, at_67, path_36, hit_18))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_polish_hit(&self, pixel_74: PixelIn, at_66: Entered, path_36: Path, hit_18: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_74, at_66, path_36, hit_18);
+    fn v_polish_hit(&self, pixel_74: PixelIn, at_67: Entered, path_36: Path, hit_18: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_74, at_67, path_36, hit_18);
         return _e4;
     }
     pub(crate) fn key_of(&self, depth_5: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -8325,18 +8335,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn hit_on_segment(
         &self,
         pixel_75: PixelIn,
-        at_67: Entered,
+        at_68: Entered,
         path_37: Path,
         found: Hit,
         k_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> FirstHit {
-        rt::into(self.v_hit_on_segment(pixel_75, at_67, path_37, found, rt::into(k_18)))
+        rt::into(self.v_hit_on_segment(pixel_75, at_68, path_37, found, rt::into(k_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_segment(
         &self,
         pixel_75: PixelIn,
-        at_67: Entered,
+        at_68: Entered,
         path_37: Path,
         found: Hit,
         k_18: rt::Scalar<u32>,
@@ -8345,7 +8355,7 @@ impl<'g> Resources<'g> {
 
         first_1 = <FirstHit>::new(found, k_18, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(rt::Scalar(found.found).elementwise_eq(rt::Scalar(1u32))) {
-            let _e11 = self.v_polish_hit(pixel_75, at_67, path_37, found);
+            let _e11 = self.v_polish_hit(pixel_75, at_68, path_37, found);
             let _e12 = self.v_depth_on_ray(pixel_75, path_37, _e11);
             let _e13 = self.v_key_of(_e12);
             first_1 = <FirstHit>::new(_e11, k_18, _e13);
@@ -9565,8 +9575,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_12;
                         let _e119 = t_24;
-                        let at_133 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_4 = at_133.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_133), forward_3);
+                        let at_134 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_4 = at_134.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_134), forward_3);
                         let _e131 = t_24;
                         let far_9 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_3;
@@ -9607,13 +9617,13 @@ impl<'g> Resources<'g> {
         let _e186 = cost_12;
         return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_57.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
-    pub(crate) fn nearest_corner(&self, at_68: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_68)))
+    pub(crate) fn nearest_corner(&self, at_69: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_nearest_corner(&self, at_68: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_68.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_69: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_69.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
@@ -9740,8 +9750,8 @@ impl<'g> Resources<'g> {
                     let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_13;
                     let _e49 = t_26;
-                    let at_134 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_134);
+                    let at_135 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_135);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_26;
                     next_2 = _e54;
@@ -11015,16 +11025,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_none(
         &self,
         pixel_76: PixelIn,
-        at_69: Entered,
+        at_70: Entered,
         params_69: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_none(pixel_76, at_69, rt::into(params_69)))
+        rt::into(self.v_object_none(pixel_76, at_70, rt::into(params_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_none(
         &self,
         pixel_76: PixelIn,
-        at_69: Entered,
+        at_70: Entered,
         params_69: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
@@ -11038,17 +11048,17 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = k_25;
-                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_69.segments))) {
+                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_70.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e16 = k_25;
-                    let _e17 = self.v_segment_of(pixel_76, at_69, _e16);
+                    let _e17 = self.v_segment_of(pixel_76, at_70, _e16);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e17.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e21 = self.v_trace(_e17);
                         let _e22 = k_25;
-                        let _e23 = self.v_hit_on_segment(pixel_76, at_69, _e17, _e21, _e22);
+                        let _e23 = self.v_hit_on_segment(pixel_76, at_70, _e17, _e21, _e22);
                         let _e24 = cost_21;
                         cost_21 = (_e24 + _e23.hit.cost);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e23.hit.found).elementwise_eq(rt::Scalar(1u32))) {
@@ -11078,11 +11088,11 @@ impl<'g> Resources<'g> {
         let _e56 = first_3;
         return _e56;
     }
-    pub(crate) fn first_in_all(&self, pixel_77: PixelIn, at_70: Entered) -> FirstHit {
-        rt::into(self.v_first_in_all(pixel_77, at_70))
+    pub(crate) fn first_in_all(&self, pixel_77: PixelIn, at_71: Entered) -> FirstHit {
+        rt::into(self.v_first_in_all(pixel_77, at_71))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_in_all(&self, pixel_77: PixelIn, at_70: Entered) -> FirstHit {
+    fn v_first_in_all(&self, pixel_77: PixelIn, at_71: Entered) -> FirstHit {
         let mut cost_22: rt::Vec3<u32> = NO_COST;
         let mut first_4: FirstHit;
         let mut reached_1: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -11095,11 +11105,11 @@ impl<'g> Resources<'g> {
         let _e4 = cost_22;
         let _e5 = self.v_miss(_e4);
         first_4 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
-        let most_14 = (rt::Scalar(at_70.segments) * MOST_ROUNDS);
+        let most_14 = (rt::Scalar(at_71.segments) * MOST_ROUNDS);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = agreed;
-                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_70.segments))) {
+                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_71.segments))) {
                     let _e26 = turns;
                     local_80 = _e26.elementwise_lt(most_14);
                 } else {
@@ -11112,7 +11122,7 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e30 = k_26;
-                    let _e31 = self.v_segment_of(pixel_77, at_70, _e30);
+                    let _e31 = self.v_segment_of(pixel_77, at_71, _e30);
                     let _e32 = reached_1;
                     let passed = (_e32 - rt::Scalar(_e31.start)).max(rt::Scalar(0f32));
                     if rt::Scalar::into_branch_condition((!passed.elementwise_lt(rt::Scalar(_e31.exit)))) {
@@ -11148,7 +11158,7 @@ impl<'g> Resources<'g> {
                         agreed = rt::Scalar(0u32);
                         let _e83 = cost_22;
                         let _e85 = k_26;
-                        let _e86 = self.v_hit_on_segment(pixel_77, at_70, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e45.uv, rt::Scalar(_e45.height), t_39, _e83), _e85);
+                        let _e86 = self.v_hit_on_segment(pixel_77, at_71, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e45.uv, rt::Scalar(_e45.height), t_39, _e83), _e85);
                         first_4 = _e86;
                         let _e89 = first_4.hit.cost;
                         cost_22 = _e89;
@@ -11157,14 +11167,14 @@ impl<'g> Resources<'g> {
                     agreed = (_e90 + rt::Scalar(1u32));
                     let _e93 = k_26;
                     let _e97 = k_26;
-                    k_26 = (_e93 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e97 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_70.segments)));
+                    k_26 = (_e93 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e97 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_71.segments)));
                     let _e103 = turns;
                     turns = (_e103 + rt::Scalar(1u32));
                 }
             }
         }
         let _e110 = agreed;
-        rt::Scalar(first_4.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e110.elementwise_lt(rt::Scalar(at_70.segments)));
+        rt::Scalar(first_4.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e110.elementwise_lt(rt::Scalar(at_71.segments)));
         let _e116 = cost_22;
         first_4.hit.cost = _e116;
         let _e117 = first_4;
@@ -11173,39 +11183,39 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_depth(
         &self,
         pixel_78: PixelIn,
-        at_71: Entered,
+        at_72: Entered,
         params_70: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_depth(pixel_78, at_71, rt::into(params_70)))
+        rt::into(self.v_object_depth(pixel_78, at_72, rt::into(params_70)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_depth(
         &self,
         pixel_78: PixelIn,
-        at_71: Entered,
+        at_72: Entered,
         params_70: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_78, at_71);
+        let _e3 = self.v_first_in_all(pixel_78, at_72);
         return _e3;
     }
     pub(crate) fn object_hull(
         &self,
         pixel_79: PixelIn,
-        at_72: Entered,
+        at_73: Entered,
         params_71: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_hull(pixel_79, at_72, rt::into(params_71)))
+        rt::into(self.v_object_hull(pixel_79, at_73, rt::into(params_71)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_hull(
         &self,
         pixel_79: PixelIn,
-        at_72: Entered,
+        at_73: Entered,
         params_71: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_79, at_72);
+        let _e3 = self.v_first_in_all(pixel_79, at_73);
         return _e3;
     }
     pub(crate) fn look_into_frame(&self, uv_18: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
@@ -11215,9 +11225,9 @@ impl<'g> Resources<'g> {
     #[inline(always)]
     fn v_look_into_frame(&self, uv_18: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_135 = ((uv_18 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_135);
-        let part_19 = (at_135 - _e8);
+        let at_136 = ((uv_18 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_136);
+        let part_19 = (at_136 - _e8);
         let _e12 = self.v_height_cell(_e8.to_i32(), rt::Scalar(0u32));
         let x_6 = (rt::Scalar(1f32) - part_19.x());
         let y_4 = (rt::Scalar(1f32) - part_19.y());
@@ -11278,16 +11288,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_blend(
         &self,
         pixel_80: PixelIn,
-        at_73: Entered,
+        at_74: Entered,
         params_72: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_blend(pixel_80, at_73, rt::into(params_72)))
+        rt::into(self.v_object_blend(pixel_80, at_74, rt::into(params_72)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_blend(
         &self,
         pixel_80: PixelIn,
-        at_73: Entered,
+        at_74: Entered,
         params_72: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_23: rt::Vec3<u32> = NO_COST;
@@ -11316,7 +11326,7 @@ impl<'g> Resources<'g> {
                     let _e26 = self.v_frame_weight(_e6, _e25);
                     if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_7).elementwise_ge(rt::Scalar(0.05f32))) {
                         let _e31 = k_27;
-                        let _e32 = self.v_segment_of(pixel_80, at_73, _e31);
+                        let _e32 = self.v_segment_of(pixel_80, at_74, _e31);
                         let _e35 = self.v_look_along(_e32, _e24, params_72.w().to_u32());
                         let seen_6 = (_e26 * _e35.x());
                         let _e38 = cost_23;
@@ -11353,7 +11363,7 @@ impl<'g> Resources<'g> {
             return _e83;
         }
         let _e84 = heaviest;
-        let _e85 = self.v_segment_of(pixel_80, at_73, _e84);
+        let _e85 = self.v_segment_of(pixel_80, at_74, _e84);
         let _e86 = along_18;
         let _e87 = cover_1;
         let t_40 = ((_e86 / _e87) - rt::Scalar(_e85.start));
@@ -11362,55 +11372,55 @@ impl<'g> Resources<'g> {
         let _e95 = cost_23;
         let hit_58 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_40, _e95);
         let _e97 = heaviest;
-        let _e98 = self.v_hit_on_segment(pixel_80, at_73, _e85, hit_58, _e97);
+        let _e98 = self.v_hit_on_segment(pixel_80, at_74, _e85, hit_58, _e97);
         return _e98;
     }
-    pub(crate) fn object_stage(&self, pixel_81: PixelIn, at_74: Entered) -> FirstHit {
-        rt::into(self.v_object_stage(pixel_81, at_74))
+    pub(crate) fn object_stage(&self, pixel_81: PixelIn, at_75: Entered) -> FirstHit {
+        rt::into(self.v_object_stage(pixel_81, at_75))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_object_stage(&self, pixel_81: PixelIn, at_74: Entered) -> FirstHit {
+    fn v_object_stage(&self, pixel_81: PixelIn, at_75: Entered) -> FirstHit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_object_none(pixel_81, at_74, _e11);
+                let _e12 = self.v_object_none(pixel_81, at_75, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_object_depth(pixel_81, at_74, _e17);
+                let _e18 = self.v_object_depth(pixel_81, at_75, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_object_hull(pixel_81, at_74, _e23);
+                let _e24 = self.v_object_hull(pixel_81, at_75, _e23);
                 return _e24;
             }
             _ => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_object_blend(pixel_81, at_74, _e29);
+                let _e30 = self.v_object_blend(pixel_81, at_75, _e29);
                 return _e30;
             }
         }
     }
-    pub(crate) fn first_hit(&self, pixel_82: PixelIn, at_75: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_82, at_75))
+    pub(crate) fn first_hit(&self, pixel_82: PixelIn, at_76: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_82, at_76))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_first_hit(&self, pixel_82: PixelIn, at_75: Entered) -> FirstHit {
-        let _e2 = self.v_object_stage(pixel_82, at_75);
+    fn v_first_hit(&self, pixel_82: PixelIn, at_76: Entered) -> FirstHit {
+        let _e2 = self.v_object_stage(pixel_82, at_76);
         return _e2;
     }
-    pub(crate) fn footprint_m(&self, at_76: Entered) -> f32 {
-        rt::into(self.v_footprint_m(at_76))
+    pub(crate) fn footprint_m(&self, at_77: Entered) -> f32 {
+        rt::into(self.v_footprint_m(at_77))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_footprint_m(&self, at_76: Entered) -> rt::Scalar<f32> {
+    fn v_footprint_m(&self, at_77: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        return ((rt::Scalar(at_76.footprint) * at_76.metric.x().sqrt()) / _e7.x());
+        return ((rt::Scalar(at_77.footprint) * at_77.metric.x().sqrt()) / _e7.x());
     }
     pub(crate) fn near_uv(&self, uv_19: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_near_uv(rt::into(uv_19)))
@@ -11428,17 +11438,17 @@ impl<'g> Resources<'g> {
         }
         return uv_19;
     }
-    pub(crate) fn from_hit(&self, at_77: Entered, hit_20: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_77, hit_20, light_1))
+    pub(crate) fn from_hit(&self, at_78: Entered, hit_20: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_78, hit_20, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_from_hit(&self, at_77: Entered, hit_20: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_77, light_1.direction);
+    fn v_from_hit(&self, at_78: Entered, hit_20: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_78, light_1.direction);
         let _e6 = self.v_near_uv(hit_20.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_77.level));
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_78.level));
         let h_8 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_8, rt::Scalar(0f32), rt::Scalar(0f32), at_77.metric, RAY_SHADOW, rt::Scalar(at_77.level), rt::Scalar(0f32), rt::Scalar(1f32));
+        return <Path>::new(_e6, _e4.xy(), h_8, rt::Scalar(0f32), rt::Scalar(0f32), at_78.metric, RAY_SHADOW, rt::Scalar(at_78.level), rt::Scalar(0f32), rt::Scalar(1f32));
     }
     pub(crate) fn way_out(&self, path_70: Path, light_2: Toward) -> f32 {
         rt::into(self.v_way_out(path_70, light_2))
@@ -11463,14 +11473,14 @@ impl<'g> Resources<'g> {
         let _e34 = way_6;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_78: Entered, hit_21: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_78, hit_21, light_3))
+    pub(crate) fn light_ray(&self, at_79: Entered, hit_21: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_79, hit_21, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_78: Entered, hit_21: Hit, light_3: Toward) -> LightRay {
+    fn v_light_ray(&self, at_79: Entered, hit_21: Hit, light_3: Toward) -> LightRay {
         let mut local_83: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_78, hit_21, light_3);
+        let _e3 = self.v_from_hit(at_79, hit_21, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -11572,13 +11582,13 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn free_way(&self, at_79: Entered, hit_22: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_79, hit_22, light_4))
+    pub(crate) fn free_way(&self, at_80: Entered, hit_22: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_80, hit_22, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_free_way(&self, at_79: Entered, hit_22: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_79, hit_22, light_4);
+    fn v_free_way(&self, at_80: Entered, hit_22: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_80, hit_22, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -11736,37 +11746,37 @@ impl<'g> Resources<'g> {
         view_9: LightView,
         point_12: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_136 = <rt::Vec4<f32>>::new_31(point_12, rt::Scalar(1f32));
-        let depth_7 = view_9.depth.dot(at_136);
+        let at_137 = <rt::Vec4<f32>>::new_31(point_12, rt::Scalar(1f32));
+        let depth_7 = view_9.depth.dot(at_137);
         let over_3 = rt::Scalar(1f32).select(depth_7, rt::Scalar(view_9.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_9.column.dot(at_136), view_9.row.dot(at_136)) / rt::Vec2::splat_from_scalar(over_3)), depth_7);
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_9.column.dot(at_137), view_9.row.dot(at_137)) / rt::Vec2::splat_from_scalar(over_3)), depth_7);
     }
     pub(crate) fn patch_normal(
         &self,
-        at_80: Entered,
+        at_81: Entered,
         uv_20: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_80, rt::into(uv_20)))
+        rt::into(self.v_patch_normal(at_81, rt::into(uv_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_patch_normal(
         &self,
-        at_80: Entered,
+        at_81: Entered,
         uv_20: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let facet = at_80.facing.normalize();
-            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_80.normal).elementwise_ge(rt::Scalar(0f32))));
+            let facet = at_81.facing.normalize();
+            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_81.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_20, rt::Scalar(at_80.level));
+        let _e18 = self.v_height_and_slope(uv_20, rt::Scalar(at_81.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_2 = (at_80.tangent + (at_80.normal * (_e18.y() * _e24)));
+        let along_u_2 = (at_81.tangent + (at_81.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_2 = (at_80.bitangent + (at_80.normal * (_e18.z() * _e33)));
+        let along_v_2 = (at_81.bitangent + (at_81.normal * (_e18.z() * _e33)));
         let across_7 = along_v_2.cross(along_u_2).normalize();
-        return (across_7 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_7.dot(at_80.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_7 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_7.dot(at_81.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
@@ -11811,24 +11821,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn row_sees(
         &self,
-        at_81: InView,
+        at_82: InView,
         row_6: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_81, rt::into(row_6), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_82, rt::into(row_6), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_row_sees(
         &self,
-        at_81: InView,
+        at_82: InView,
         row_6: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column: rt::Scalar<f32>;
 
-        let view_20 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_81.number))];
-        column = at_81.low.x().floor();
+        let view_20 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_82.number))];
+        column = at_82.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = column;
@@ -11839,13 +11849,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e18 = column;
                     let _e24 = column;
-                    let wide_2 = (at_81.high.x().min((_e18 + rt::Scalar(1f32))) - at_81.low.x().max(_e24));
+                    let wide_2 = (at_82.high.x().min((_e18 + rt::Scalar(1f32))) - at_82.low.x().max(_e24));
                     let _e27 = column;
                     let place_26 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_20, at_81.point, at_81.normal, (place_26 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_8 = _e35.clamp(rt::Scalar(at_81.least_depth), rt::Scalar(at_81.most_depth));
+                    let _e35 = self.v_plane_depth(view_20, at_82.point, at_82.normal, (place_26 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_8 = _e35.clamp(rt::Scalar(at_82.least_depth), rt::Scalar(at_82.most_depth));
                     let key = (rt::Scalar(view_20.near) / (rt::Scalar(view_20.near) + depth_8.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_26.to_i32(), rt::Scalar(at_81.number).to_i32());
+                    let _e48 = self.v_light_texel(place_26.to_i32(), rt::Scalar(at_82.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -11861,19 +11871,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn seen_part(
         &self,
         number_11: impl rt::Into<rt::Scalar<u32>>,
-        at_82: Entered,
+        at_83: Entered,
         normal_16: impl rt::Into<rt::Vec3<f32>>,
         place_17: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_11), at_82, rt::into(normal_16), rt::into(place_17), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_11), at_83, rt::into(normal_16), rt::into(place_17), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
         &self,
         number_11: rt::Scalar<u32>,
-        at_82: Entered,
+        at_83: Entered,
         normal_16: rt::Vec3<f32>,
         place_17: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
@@ -11884,8 +11894,8 @@ impl<'g> Resources<'g> {
 
         let view_21 = self.frame.light_views[rt::Scalar::into_array_index(number_11)];
         let texel_m = (rt::Scalar(view_21.texel_m) * rt::Scalar(1f32).select(place_17.z(), rt::Scalar(view_21.from_point).elementwise_eq(rt::Scalar(1u32))));
-        let _e19 = self.v_footprint_m(at_82);
-        let point_25 = (at_82.point + (normal_16 * (bias * texel_m.max(_e19))));
+        let _e19 = self.v_footprint_m(at_83);
+        let point_25 = (at_83.point + (normal_16 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
         let low_9 = (place_17.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_4 = (low_9 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
@@ -11917,19 +11927,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_seen(
         &self,
-        at_83: Entered,
+        at_84: Entered,
         uv_21: impl rt::Into<rt::Vec2<f32>>,
         number_12: impl rt::Into<rt::Scalar<u32>>,
         toward_1: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_83, rt::into(uv_21), rt::into(number_12), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_84, rt::into(uv_21), rt::into(number_12), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
-        at_83: Entered,
+        at_84: Entered,
         uv_21: rt::Vec2<f32>,
         number_12: rt::Scalar<u32>,
         toward_1: rt::Vec3<f32>,
@@ -11942,7 +11952,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_83, uv_21);
+        let _e14 = self.v_patch_normal(at_84, uv_21);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward_1).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -11958,13 +11968,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e31 = k_29;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_light_place(_e33, at_83.point);
+                    let _e35 = self.v_light_place(_e33, at_84.point);
                     let _e38 = k_29;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
                     let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_6));
                     if rt::Scalar::into_branch_condition(_e43) {
                         let _e44 = k_29;
-                        let _e45 = self.v_seen_part(_e44, at_83, _e14, _e35, width_6, bias_1);
+                        let _e45 = self.v_seen_part(_e44, at_84, _e14, _e35, width_6, bias_1);
                         return _e45;
                     }
                     let _e46 = k_29;
@@ -12024,40 +12034,40 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_84: Entered,
+        at_85: Entered,
         v_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_84, rt::into(v_1)))
+        rt::into(self.v_to_tangent_space(at_85, rt::into(v_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_to_tangent_space(
         &self,
-        at_84: Entered,
+        at_85: Entered,
         v_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_3 = at_84.tangent.normalize();
-        let along_v_3 = at_84.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_84.normal.dot(v_1));
+        let along_u_3 = at_85.tangent.normalize();
+        let along_v_3 = at_85.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_85.normal.dot(v_1));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_85: Entered,
+        at_86: Entered,
         uv_22: impl rt::Into<rt::Vec2<f32>>,
         level_22: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_85, rt::into(uv_22), rt::into(level_22)))
+        rt::into(self.v_normals_of_level(at_86, rt::into(uv_22), rt::into(level_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_85: Entered,
+        at_86: Entered,
         uv_22: rt::Vec2<f32>,
         level_22: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_22.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_85, uv_22);
-            let _e6 = self.v_to_tangent_space(at_85, _e5);
+            let _e5 = self.v_finest_normal(at_86, uv_22);
+            let _e6 = self.v_to_tangent_space(at_86, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
@@ -12068,8 +12078,8 @@ impl<'g> Resources<'g> {
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_7 = ((tile.x() * at_85.tangent.normalize().dot(at_85.tangent)) / at_85.tangent.dot(at_85.tangent));
-        let y_5 = ((tile.y() * at_85.bitangent.normalize().dot(at_85.bitangent)) / at_85.bitangent.dot(at_85.bitangent));
+        let x_7 = ((tile.x() * at_86.tangent.normalize().dot(at_86.tangent)) / at_86.tangent.dot(at_86.tangent));
+        let y_5 = ((tile.y() * at_86.bitangent.normalize().dot(at_86.bitangent)) / at_86.bitangent.dot(at_86.bitangent));
         let _e44 = self.v_normal_at(uv_22, rt::Scalar(0i32), (level_22 - rt::Scalar(1u32)));
         let _e48 = self.v_normal_at(uv_22, rt::Scalar(1i32), (level_22 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_7), (_e44.y() * y_5), _e44.z());
@@ -12087,16 +12097,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_86: Entered,
+        at_87: Entered,
         normals: Normals,
         view_12: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_86, normals, rt::into(view_12)))
+        rt::into(self.v_seen_normals(at_87, normals, rt::into(view_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_86: Entered,
+        at_87: Entered,
         normals: Normals,
         view_12: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -12116,7 +12126,7 @@ impl<'g> Resources<'g> {
         let along_37 = (with_x / rt::Vec3::splat_from_scalar(a_28.max((with_x.length() / most_16))));
         let rest_9 = (with_y - (along_37 * b_28));
         let across_8 = (rest_9 / rt::Vec3::splat_from_scalar(d_2.max((rest_9.length() / most_16))));
-        let _e77 = self.v_to_tangent_space(at_86, view_12);
+        let _e77 = self.v_to_tangent_space(at_87, view_12);
         let middle_15 = (_e77.z() - _e77.xy().dot(slope_12));
         let _e91 = self.v_facing_four(middle_15, (-((_e77.x() * a_28) + (_e77.y() * b_28))), (-(_e77.y() * d_2)));
         let one = middle_15.max(rt::Scalar(0f32));
@@ -12124,36 +12134,36 @@ impl<'g> Resources<'g> {
         let _e95 = self.v_mean_of_five(one, _e94);
         let all_1 = _e95.max(rt::Scalar(0.001f32));
         let aside_8 = ((along_37 * ((_e91.x() - _e91.y()) / all_1)) + (across_8 * ((_e91.z() - _e91.w()) / all_1)));
-        let _e113 = self.v_from_tangent_space(at_86, (first_16.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
+        let _e113 = self.v_from_tangent_space(at_87, (first_16.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
         return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_16.xyz(), along_37, across_8, slope_12, <rt::Vec2<f32>>::from_scalars(a_28, b_28), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_87: Entered) -> f32 {
-        rt::into(self.v_table_part(at_87))
+    pub(crate) fn table_part(&self, at_88: Entered) -> f32 {
+        rt::into(self.v_table_part(at_88))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_table_part(&self, at_87: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_88: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_87.fade) * ((rt::Scalar(at_87.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_88.fade) * ((rt::Scalar(at_88.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_88: Entered,
+        at_89: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_88, seen_1, table, rt::into(part_6)))
+        rt::into(self.v_with_table(at_89, seen_1, table, rt::into(part_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_with_table(
         &self,
-        at_88: Entered,
+        at_89: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: rt::Scalar<f32>,
@@ -12162,7 +12172,7 @@ impl<'g> Resources<'g> {
 
         told = seen_1;
         let before_4 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_88, table.mean);
+        let _e9 = self.v_from_tangent_space(at_89, table.mean);
         let mean_4 = (before_4 + ((_e9 - before_4) * part_6));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
@@ -12240,22 +12250,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_89: Entered,
+        at_90: Entered,
         uv_25: impl rt::Into<rt::Vec2<f32>>,
         view_13: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_89, rt::into(uv_25), rt::into(view_13), levels_2))
+        rt::into(self.v_table_of(at_90, rt::into(uv_25), rt::into(view_13), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_89: Entered,
+        at_90: Entered,
         uv_25: rt::Vec2<f32>,
         view_13: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_89, view_13);
+        let _e4 = self.v_climb(at_90, view_13);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_8 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
@@ -12275,8 +12285,8 @@ impl<'g> Resources<'g> {
         let _e52 = self.v_seen_in_levels(uv_25, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_9);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_9 = ((tile_1.x() * at_89.tangent.normalize().dot(at_89.tangent)) / at_89.tangent.dot(at_89.tangent));
-        let y_7 = ((tile_1.y() * at_89.bitangent.normalize().dot(at_89.bitangent)) / at_89.bitangent.dot(at_89.bitangent));
+        let x_9 = ((tile_1.x() * at_90.tangent.normalize().dot(at_90.tangent)) / at_90.tangent.dot(at_90.tangent));
+        let y_7 = ((tile_1.y() * at_90.bitangent.normalize().dot(at_90.bitangent)) / at_90.bitangent.dot(at_90.bitangent));
         let mean_5 = _e56.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_9), (mean_5.y() * y_7), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
@@ -12285,16 +12295,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_90: Entered,
+        at_91: Entered,
         uv_26: impl rt::Into<rt::Vec2<f32>>,
         view_14: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_90, rt::into(uv_26), rt::into(view_14)))
+        rt::into(self.v_mesostructure_normals(at_91, rt::into(uv_26), rt::into(view_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_90: Entered,
+        at_91: Entered,
         uv_26: rt::Vec2<f32>,
         view_14: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -12304,14 +12314,14 @@ impl<'g> Resources<'g> {
 
         let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_one_seen(at_90.normal);
+            let _e9 = self.v_one_seen(at_91.normal);
             return _e9;
         }
-        let upright_3 = at_90.normal.dot(view_14);
+        let upright_3 = at_91.normal.dot(view_14);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_90.fade)));
+        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_91.fade)));
         let _e22 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_6 = ((rt::Scalar(at_90.footprint) * _e22) * width_7);
+        let texels_6 = ((rt::Scalar(at_91.footprint) * _e22) * width_7);
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_6, _e27);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
@@ -12321,15 +12331,15 @@ impl<'g> Resources<'g> {
         }
         let _e39 = local_89;
         if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_90, uv_26);
+            let _e40 = self.v_finest_normal(at_91, uv_26);
             let _e41 = self.v_one_seen(_e40);
             return _e41;
         }
-        let _e43 = self.v_normals_of_level(at_90, uv_26, rt::Scalar(_e28.fine));
+        let _e43 = self.v_normals_of_level(at_91, uv_26, rt::Scalar(_e28.fine));
         first_6 = _e43.first;
         second = _e43.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_90, uv_26, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e54 = self.v_normals_of_level(at_91, uv_26, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
             let _e55 = first_6;
             let _e57 = first_6;
             first_6 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
@@ -12339,15 +12349,15 @@ impl<'g> Resources<'g> {
         }
         let _e69 = first_6;
         let _e70 = second;
-        let _e72 = self.v_seen_normals(at_90, <Normals>::new(_e69, _e70), view_14);
-        let _e73 = self.v_table_part(at_90);
+        let _e72 = self.v_seen_normals(at_91, <Normals>::new(_e69, _e70), view_14);
+        let _e73 = self.v_table_part(at_91);
         if rt::Scalar::into_branch_condition(_e73.elementwise_gt(rt::Scalar(0f32))) {
             let _e79 = rt::Scalar(self.surface_settings.height_levels);
-            let _e80 = self.v_levels_of(rt::Scalar(at_90.footprint), _e79);
+            let _e80 = self.v_levels_of(rt::Scalar(at_91.footprint), _e79);
             let _e81 = self.v_has_table(_e80);
             if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_90, uv_26, view_14, _e80);
-                let _e83 = self.v_with_table(at_90, _e72, _e82, _e73);
+                let _e82 = self.v_table_of(at_91, uv_26, view_14, _e80);
+                let _e83 = self.v_with_table(at_91, _e72, _e82, _e73);
                 return _e83;
             }
         }
@@ -12355,39 +12365,39 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_91: Entered,
+        at_92: Entered,
         hit_23: Hit,
         light_5: Toward,
         params_73: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_91, hit_23, light_5, rt::into(params_73)))
+        rt::into(self.v_shadow_ray(at_92, hit_23, light_5, rt::into(params_73)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_ray(
         &self,
-        at_91: Entered,
+        at_92: Entered,
         hit_23: Hit,
         light_5: Toward,
         params_73: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_91, hit_23, light_5);
+        let _e4 = self.v_free_way(at_92, hit_23, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_92: Entered,
+        at_93: Entered,
         hit_24: Hit,
         light_6: Toward,
         params_74: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_92, hit_24, light_6, rt::into(params_74)))
+        rt::into(self.v_shadow_none(at_93, hit_24, light_6, rt::into(params_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_none(
         &self,
-        at_92: Entered,
+        at_93: Entered,
         hit_24: Hit,
         light_6: Toward,
         params_74: rt::Vec4<f32>,
@@ -12396,22 +12406,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_93: Entered,
+        at_94: Entered,
         hit_25: Hit,
         light_7: Toward,
         params_75: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_93, hit_25, light_7, rt::into(params_75)))
+        rt::into(self.v_shadow_entry(at_94, hit_25, light_7, rt::into(params_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_93: Entered,
+        at_94: Entered,
         hit_25: Hit,
         light_7: Toward,
         params_75: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_93, hit_25, light_7);
+        let _e4 = self.v_from_hit(at_94, hit_25, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -12535,17 +12545,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_94: Entered,
+        at_95: Entered,
         hit_27: Hit,
         light_9: Toward,
         params_76: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_94, hit_27, light_9, rt::into(params_76)))
+        rt::into(self.v_shadow_soft(at_95, hit_27, light_9, rt::into(params_76)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_94: Entered,
+        at_95: Entered,
         hit_27: Hit,
         light_9: Toward,
         params_76: rt::Vec4<f32>,
@@ -12566,7 +12576,7 @@ impl<'g> Resources<'g> {
                     let _e13 = free;
                     let _e14 = k_31;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_7);
-                    let _e16 = self.v_free_way(at_94, hit_27, _e15);
+                    let _e16 = self.v_free_way(at_95, hit_27, _e15);
                     free = (_e13 + _e16);
                     let _e18 = k_31;
                     k_31 = (_e18 + rt::Scalar(1u32));
@@ -12578,17 +12588,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_95: Entered,
+        at_96: Entered,
         hit_28: Hit,
         light_10: Toward,
         params_77: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_95, hit_28, light_10, rt::into(params_77)))
+        rt::into(self.v_shadow_heuristic(at_96, hit_28, light_10, rt::into(params_77)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_95: Entered,
+        at_96: Entered,
         hit_28: Hit,
         light_10: Toward,
         params_77: rt::Vec4<f32>,
@@ -12596,7 +12606,7 @@ impl<'g> Resources<'g> {
         let mut most_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_32: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_95, hit_28, light_10);
+        let _e4 = self.v_from_hit(at_96, hit_28, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -12701,22 +12711,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_96: Entered,
+        at_97: Entered,
         hit_29: Hit,
         light_11: Toward,
         params_78: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_96, hit_29, light_11, rt::into(params_78)))
+        rt::into(self.v_shadow_horizon(at_97, hit_29, light_11, rt::into(params_78)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_96: Entered,
+        at_97: Entered,
         hit_29: Hit,
         light_11: Toward,
         params_78: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_96, light_11.direction);
+        let _e5 = self.v_climb(at_97, light_11.direction);
         let map_6 = self.surface_settings.maps[3usize];
         let along_39 = (_e5.xy() * map_6.tile_m);
         let _e13 = self.v_turn_of(along_39);
@@ -12725,18 +12735,18 @@ impl<'g> Resources<'g> {
         let count_8 = params_78.x().to_i32();
         let before_5 = (first_17.to_i32() % count_8);
         let part_22 = (azimuth_4 - first_17);
-        let _e24 = self.v_shadow_texel_between(hit_29.uv, before_5, rt::Scalar(at_96.level));
+        let _e24 = self.v_shadow_texel_between(hit_29.uv, before_5, rt::Scalar(at_97.level));
         let low_10 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_29.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_96.level));
+        let _e31 = self.v_shadow_texel_between(hit_29.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_97.level));
         let sine_1 = (low_10 + ((_e31.x() - low_10) * part_22));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
         let far_14 = (squared_4 * along_39.dot(along_39)).sqrt();
-        let _e48 = self.v_from_hit(at_96, hit_29, light_11);
+        let _e48 = self.v_from_hit(at_97, hit_29, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_9 = (_e49 * _e52);
         let horizon = far_14.max(near_9);
-        let up_6 = at_96.normal.dot(light_11.direction);
+        let up_6 = at_97.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
         }
@@ -12750,45 +12760,45 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn open_part(
         &self,
-        at_97: Entered,
+        at_98: Entered,
         hit_30: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_97, hit_30, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_98, hit_30, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_open_part(
         &self,
-        at_97: Entered,
+        at_98: Entered,
         hit_30: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_30.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_97.level));
+        let _e9 = self.v_shadow_texel_between(hit_30.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_98.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_98: Entered,
+        at_99: Entered,
         hit_31: Hit,
         light_12: Toward,
         params_79: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_98, hit_31, light_12, rt::into(params_79)))
+        rt::into(self.v_shadow_visibility(at_99, hit_31, light_12, rt::into(params_79)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_98: Entered,
+        at_99: Entered,
         hit_31: Hit,
         light_12: Toward,
         params_79: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_98, light_12.direction);
+        let _e5 = self.v_climb(at_99, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -12804,7 +12814,7 @@ impl<'g> Resources<'g> {
         let elevation_4 = ((squared_5 * params_79.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_79.y() - rt::Scalar(1f32)));
         if rt::Scalar::into_branch_condition(params_79.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_29 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_98, hit_31, a_29, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+            let _e56 = self.v_open_part(at_99, hit_31, a_29, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().to_i32() % azimuths);
@@ -12813,129 +12823,129 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_98, hit_31, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_98, hit_31, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_99, hit_31, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_99, hit_31, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_98, hit_31, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_99, hit_31, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_98, hit_31, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_99, hit_31, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_99: Entered,
+        at_100: Entered,
         hit_32: Hit,
         light_13: Toward,
         params_80: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_99, hit_32, light_13, rt::into(params_80)))
+        rt::into(self.v_shadow_map(at_100, hit_32, light_13, rt::into(params_80)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_map(
         &self,
-        at_99: Entered,
+        at_100: Entered,
         hit_32: Hit,
         light_13: Toward,
         params_80: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_99, hit_32.uv, rt::Scalar(light_13.number), light_13.direction, params_80.z(), params_80.w());
+        let _e9 = self.v_light_seen(at_100, hit_32.uv, rt::Scalar(light_13.number), light_13.direction, params_80.z(), params_80.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_100: Entered,
+        at_101: Entered,
         hit_33: Hit,
         light_14: Toward,
         params_81: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_100, hit_33, light_14, rt::into(params_81)))
+        rt::into(self.v_shadow_scene(at_101, hit_33, light_14, rt::into(params_81)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_scene(
         &self,
-        at_100: Entered,
+        at_101: Entered,
         hit_33: Hit,
         light_14: Toward,
         params_81: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_101: Entered, hit_34: Hit, light_15: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_101, hit_34, light_15))
+    pub(crate) fn shadow_stage(&self, at_102: Entered, hit_34: Hit, light_15: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_102, hit_34, light_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_101: Entered, hit_34: Hit, light_15: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_102: Entered, hit_34: Hit, light_15: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[8usize].params;
-                let _e13 = self.v_shadow_ray(at_101, hit_34, light_15, _e12);
+                let _e13 = self.v_shadow_ray(at_102, hit_34, light_15, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[8usize].params;
-                let _e19 = self.v_shadow_none(at_101, hit_34, light_15, _e18);
+                let _e19 = self.v_shadow_none(at_102, hit_34, light_15, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[8usize].params;
-                let _e25 = self.v_shadow_entry(at_101, hit_34, light_15, _e24);
+                let _e25 = self.v_shadow_entry(at_102, hit_34, light_15, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[8usize].params;
-                let _e31 = self.v_shadow_soft(at_101, hit_34, light_15, _e30);
+                let _e31 = self.v_shadow_soft(at_102, hit_34, light_15, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[8usize].params;
-                let _e37 = self.v_shadow_heuristic(at_101, hit_34, light_15, _e36);
+                let _e37 = self.v_shadow_heuristic(at_102, hit_34, light_15, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[8usize].params;
-                let _e43 = self.v_shadow_horizon(at_101, hit_34, light_15, _e42);
+                let _e43 = self.v_shadow_horizon(at_102, hit_34, light_15, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[8usize].params;
-                let _e49 = self.v_shadow_visibility(at_101, hit_34, light_15, _e48);
+                let _e49 = self.v_shadow_visibility(at_102, hit_34, light_15, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[8usize].params;
-                let _e55 = self.v_shadow_map(at_101, hit_34, light_15, _e54);
+                let _e55 = self.v_shadow_map(at_102, hit_34, light_15, _e54);
                 return _e55;
             }
             _ => {
                 let _e60 = self.surface_settings.choices[8usize].params;
-                let _e61 = self.v_shadow_scene(at_101, hit_34, light_15, _e60);
+                let _e61 = self.v_shadow_scene(at_102, hit_34, light_15, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_83: PixelIn, at_102: Entered, hit_35: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_83, at_102, hit_35))
+    pub(crate) fn mirrored_light(&self, pixel_83: PixelIn, at_103: Entered, hit_35: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_83, at_103, hit_35))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mirrored_light(&self, pixel_83: PixelIn, at_102: Entered, hit_35: Hit) -> rt::Scalar<f32> {
+    fn v_mirrored_light(&self, pixel_83: PixelIn, at_103: Entered, hit_35: Hit) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_35.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
         let down_2 = pixel_83.direction.normalize();
-        let up_7 = (down_2 - (at_102.normal * (rt::Scalar(2f32) * down_2.dot(at_102.normal))));
-        let _e24 = self.v_shadow_stage(at_102, hit_35, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
+        let up_7 = (down_2 - (at_103.normal * (rt::Scalar(2f32) * down_2.dot(at_103.normal))));
+        let _e24 = self.v_shadow_stage(at_103, hit_35, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
         return _e24;
     }
-    pub(crate) fn normal_of_frames(&self, at_103: Entered, frames_2: Frames) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_frames(at_103, frames_2))
+    pub(crate) fn normal_of_frames(&self, at_104: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_frames(at_104, frames_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_of_frames(&self, at_103: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+    fn v_normal_of_frames(&self, at_104: Entered, frames_2: Frames) -> rt::Vec3<f32> {
         let mut sum_3: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let mut k_33: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut seen_2: Entered;
@@ -12951,13 +12961,13 @@ impl<'g> Resources<'g> {
                     let _e12 = k_33;
                     let _e13 = self.v_frame_number(frames_2, _e12);
                     let _e14 = self.v_image_of_object(_e13);
-                    seen_2 = at_103;
+                    seen_2 = at_104;
                     let _e17 = self.v_tangent_of_image(_e14);
                     seen_2.tangent = _e17;
                     let _e19 = self.v_bitangent_of_image(_e14);
                     seen_2.bitangent = _e19;
                     seen_2.normal = _e14.toward;
-                    let _e23 = self.v_place_in_image(_e14, at_103.point);
+                    let _e23 = self.v_place_in_image(_e14, at_104.point);
                     let uv_37 = _e23.xy();
                     let _e25 = sum_3;
                     let _e26 = seen_2;
@@ -12977,7 +12987,7 @@ impl<'g> Resources<'g> {
             let _e40 = sum_3;
             return (_e40 / rt::Vec3::splat_from_scalar(square_4.sqrt()));
         }
-        return at_103.normal;
+        return at_104.normal;
     }
     pub(crate) fn normal_of_mask(&self, image_9: Image, path_72: Path, hit_36: Hit) -> rt::Vec3<f32> {
         rt::into(self.v_normal_of_mask(image_9, path_72, hit_36))
@@ -12986,10 +12996,10 @@ impl<'g> Resources<'g> {
     #[inline(always)]
     fn v_normal_of_mask(&self, image_9: Image, path_72: Path, hit_36: Hit) -> rt::Vec3<f32> {
         let _e3 = self.v_grid_of(path_72);
-        let at_137 = (_e3.origin + (_e3.step * rt::Scalar(hit_36.t)));
-        let _e9 = self.v_cell_of(at_137);
+        let at_138 = (_e3.origin + (_e3.step * rt::Scalar(hit_36.t)));
+        let _e9 = self.v_cell_of(at_138);
         let _e12 = self.v_grid_cell(_e9.to_i32(), rt::Scalar(0u32));
-        let part_23 = (at_137 - _e9);
+        let part_23 = (at_138 - _e9);
         let rise_u_2 = (((_e12.y() - _e12.x()) * (rt::Scalar(1f32) - part_23.y())) + ((_e12.w() - _e12.z()) * part_23.y()));
         let rise_v_2 = (((_e12.z() - _e12.x()) * (rt::Scalar(1f32) - part_23.x())) + ((_e12.w() - _e12.y()) * part_23.x()));
         let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (image_9.u.xyz().normalize() * rise_u_2)) - (image_9.v.xyz().normalize() * rise_v_2));
@@ -13001,16 +13011,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_color(
         &self,
-        at_104: Entered,
+        at_105: Entered,
         view_15: impl rt::Into<rt::Vec3<f32>>,
         asked_1: impl rt::Into<rt::Scalar<bool>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_color(at_104, rt::into(view_15), rt::into(asked_1)))
+        rt::into(self.v_object_color(at_105, rt::into(view_15), rt::into(asked_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_color(
         &self,
-        at_104: Entered,
+        at_105: Entered,
         view_15: rt::Vec3<f32>,
         asked_1: rt::Scalar<bool>,
     ) -> rt::Vec3<f32> {
@@ -13037,7 +13047,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e24 = k_34;
                     let _e25 = self.v_image_of_object(_e24);
-                    let _e27 = self.v_angle_to_image(_e25, at_104.point, view_15, asked_1);
+                    let _e27 = self.v_angle_to_image(_e25, at_105.point, view_15, asked_1);
                     let _e28 = angle1_;
                     if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e28)) {
                         let _e30 = angle3_;
@@ -13110,15 +13120,15 @@ impl<'g> Resources<'g> {
         }
         let _e106 = image1_;
         let _e107 = self.v_image_of_object(_e106);
-        let _e109 = self.v_place_in_image(_e107, at_104.point);
+        let _e109 = self.v_place_in_image(_e107, at_105.point);
         let uv1_ = _e109.xy();
         let _e111 = image2_;
         let _e112 = self.v_image_of_object(_e111);
-        let _e114 = self.v_place_in_image(_e112, at_104.point);
+        let _e114 = self.v_place_in_image(_e112, at_105.point);
         let uv2_ = _e114.xy();
         let _e116 = image3_;
         let _e117 = self.v_image_of_object(_e116);
-        let _e119 = self.v_place_in_image(_e117, at_104.point);
+        let _e119 = self.v_place_in_image(_e117, at_105.point);
         let uv3_ = _e119.xy();
         let _e122 = self.v_color_at(uv1_, rt::Scalar(0u32));
         let _e124 = weight1_;
@@ -13204,27 +13214,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn placed_over(
         &self,
-        at_105: Entered,
+        at_106: Entered,
         uv_28: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_over(at_105, rt::into(uv_28)))
+        rt::into(self.v_placed_over(at_106, rt::into(uv_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_over(
         &self,
-        at_105: Entered,
+        at_106: Entered,
         uv_28: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_9 = (uv_28 - at_105.uv);
+        let aside_9 = (uv_28 - at_106.uv);
         let _e6 = rt::Scalar(self.surface_settings.bias_m);
         let _e9 = rt::Scalar(self.surface_settings.scale_m);
-        let _e11 = self.v_height_at(uv_28, rt::Scalar(at_105.level));
+        let _e11 = self.v_height_at(uv_28, rt::Scalar(at_106.level));
         let height_19 = (_e6 + (_e9 * _e11));
-        placed = at_105;
-        placed.point = (((at_105.point + (at_105.tangent * aside_9.x())) + (at_105.bitangent * aside_9.y())) + (at_105.normal * height_19));
+        placed = at_106;
+        placed.point = (((at_106.point + (at_106.tangent * aside_9.x())) + (at_106.bitangent * aside_9.y())) + (at_106.normal * height_19));
         placed.uv = uv_28;
         let _e29 = placed;
         return _e29;
@@ -13232,72 +13242,72 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_place(
         &self,
         pixel_86: PixelIn,
-        at_106: Entered,
+        at_107: Entered,
         path_73: Path,
         hit_37: Hit,
         params_82: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_86, at_106, path_73, hit_37, rt::into(params_82)))
+        rt::into(self.v_surface_plane_place(pixel_86, at_107, path_73, hit_37, rt::into(params_82)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_place(
         &self,
         pixel_86: PixelIn,
-        at_106: Entered,
+        at_107: Entered,
         path_73: Path,
         hit_37: Hit,
         params_82: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_106, hit_37.uv);
+        let _e6 = self.v_placed_over(at_107, hit_37.uv);
         return _e6;
     }
     pub(crate) fn placed_at(
         &self,
         pixel_87: PixelIn,
-        at_107: Entered,
+        at_108: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_15: impl rt::Into<rt::Vec3<f32>>,
         uv_29: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_87, at_107, rt::into(weights_4), rt::into(point_15), rt::into(uv_29)))
+        rt::into(self.v_placed_at(pixel_87, at_108, rt::into(weights_4), rt::into(point_15), rt::into(uv_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_at(
         &self,
         pixel_87: PixelIn,
-        at_107: Entered,
+        at_108: Entered,
         weights_4: rt::Vec3<f32>,
         point_15: rt::Vec3<f32>,
         uv_29: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_87, weights_4, point_15, uv_29, at_107.facing);
+        let _e6 = self.v_frame_at(pixel_87, weights_4, point_15, uv_29, at_108.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_107.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_107.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_107.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_108.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_108.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_108.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_prism_place(
         &self,
         pixel_88: PixelIn,
-        at_108: Entered,
+        at_109: Entered,
         path_74: Path,
         hit_38: Hit,
         params_83: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_88, at_108, path_74, hit_38, rt::into(params_83)))
+        rt::into(self.v_surface_prism_place(pixel_88, at_109, path_74, hit_38, rt::into(params_83)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_prism_place(
         &self,
         pixel_88: PixelIn,
-        at_108: Entered,
+        at_109: Entered,
         path_74: Path,
         hit_38: Hit,
         params_83: rt::Vec4<f32>,
@@ -13308,27 +13318,27 @@ impl<'g> Resources<'g> {
         let s_4 = ((rt::Scalar(path_74.start) + rt::Scalar(hit_38.t)) - _e7);
         let _e15 = self.v_point_of_way(pixel_88, _e8, (along_41 * s_4), rt::Scalar(hit_38.height));
         let weights_7 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_88, at_108, weights_7, (pixel_88.origin + (along_41 * (rt::Scalar(path_74.start) + rt::Scalar(hit_38.t)))), hit_38.uv);
+        let _e24 = self.v_placed_at(pixel_88, at_109, weights_7, (pixel_88.origin + (along_41 * (rt::Scalar(path_74.start) + rt::Scalar(hit_38.t)))), hit_38.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_109: Entered,
+        at_110: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_109, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_110, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_frame(
         &self,
-        at_109: Entered,
+        at_110: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
         let mut local_90: rt::Scalar<bool>;
 
-        placed_2 = at_109;
-        let _e5 = self.v_quadric_slope(at_109.of_surface.xyz(), aside);
+        placed_2 = at_110;
+        let _e5 = self.v_quadric_slope(at_110.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
             local_90 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
@@ -13339,13 +13349,13 @@ impl<'g> Resources<'g> {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_5 = at_109.metric;
+        let m_5 = at_110.metric;
         let area_6 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
         let along_t = (((_e5.x() * m_5.z()) - (_e5.y() * m_5.y())) / area_6);
         let along_b = (((_e5.y() * m_5.x()) - (_e5.x() * m_5.y())) / area_6);
-        placed_2.tangent = (at_109.tangent + (at_109.normal * _e5.x()));
-        placed_2.bitangent = (at_109.bitangent + (at_109.normal * _e5.y()));
-        placed_2.normal = ((at_109.normal - (at_109.tangent * along_t)) - (at_109.bitangent * along_b)).normalize();
+        placed_2.tangent = (at_110.tangent + (at_110.normal * _e5.x()));
+        placed_2.bitangent = (at_110.bitangent + (at_110.normal * _e5.y()));
+        placed_2.normal = ((at_110.normal - (at_110.tangent * along_t)) - (at_110.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_3 = _e63.dot(_e65);
@@ -13362,26 +13372,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
         pixel_89: PixelIn,
-        at_110: Entered,
+        at_111: Entered,
         path_75: Path,
         hit_39: Hit,
         params_84: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_110, path_75, hit_39, rt::into(params_84)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_111, path_75, hit_39, rt::into(params_84)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_place(
         &self,
         pixel_89: PixelIn,
-        at_110: Entered,
+        at_111: Entered,
         path_75: Path,
         hit_39: Hit,
         params_84: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_110, (hit_39.uv - at_110.uv));
+        let _e8 = self.v_quadric_frame(at_111, (hit_39.uv - at_111.uv));
         placed_3 = _e8;
         placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_75.start) + rt::Scalar(hit_39.t))));
         placed_3.uv = hit_39.uv;
@@ -13391,36 +13401,36 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_place(
         &self,
         pixel_90: PixelIn,
-        at_111: Entered,
+        at_112: Entered,
         path_76: Path,
         hit_40: Hit,
         params_85: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_111, path_76, hit_40, rt::into(params_85)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_112, path_76, hit_40, rt::into(params_85)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
         pixel_90: PixelIn,
-        at_111: Entered,
+        at_112: Entered,
         path_76: Path,
         hit_40: Hit,
         params_85: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_10 = (hit_40.uv - at_111.uv);
+        let aside_10 = (hit_40.uv - at_112.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_40.uv, rt::Scalar(at_111.level));
+        let _e16 = self.v_height_at(hit_40.uv, rt::Scalar(at_112.level));
         let height_20 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_111.of_surface.xyz(), aside_10);
-        let lifted_2 = (((_e19 - at_111.of_surface.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_111, aside_10);
+        let _e27 = self.v_quadric_at(at_112.of_surface.xyz(), aside_10);
+        let lifted_2 = (((_e19 - at_112.of_surface.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_112, aside_10);
         placed_4 = _e29;
-        placed_4.point = (((at_111.point + (at_111.tangent * aside_10.x())) + (at_111.bitangent * aside_10.y())) + (at_111.normal * (height_20 + lifted_2)));
+        placed_4.point = (((at_112.point + (at_112.tangent * aside_10.x())) + (at_112.bitangent * aside_10.y())) + (at_112.normal * (height_20 + lifted_2)));
         placed_4.uv = hit_40.uv;
         let _e47 = placed_4;
         return _e47;
@@ -13428,18 +13438,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_place(
         &self,
         pixel_91: PixelIn,
-        at_112: Entered,
+        at_113: Entered,
         path_77: Path,
         hit_41: Hit,
         params_86: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_112, path_77, hit_41, rt::into(params_86)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_113, path_77, hit_41, rt::into(params_86)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
         pixel_91: PixelIn,
-        at_112: Entered,
+        at_113: Entered,
         path_77: Path,
         hit_41: Hit,
         params_86: rt::Vec4<f32>,
@@ -13481,63 +13491,63 @@ impl<'g> Resources<'g> {
         let _e47 = nearest.change;
         let weights_8 = (_e45 + (_e47 * t_41));
         let point_26 = (pixel_91.origin + (along_42 * (rt::Scalar(path_77.start) + rt::Scalar(hit_41.t))));
-        let _e58 = self.v_placed_at(pixel_91, at_112, weights_8.xyz(), point_26, hit_41.uv);
+        let _e58 = self.v_placed_at(pixel_91, at_113, weights_8.xyz(), point_26, hit_41.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
         pixel_92: PixelIn,
-        at_113: Entered,
+        at_114: Entered,
         path_78: Path,
         hit_42: Hit,
         params_87: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_92, at_113, path_78, hit_42, rt::into(params_87)))
+        rt::into(self.v_surface_facets_place(pixel_92, at_114, path_78, hit_42, rt::into(params_87)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_place(
         &self,
         pixel_92: PixelIn,
-        at_113: Entered,
+        at_114: Entered,
         path_78: Path,
         hit_42: Hit,
         params_87: rt::Vec4<f32>,
     ) -> Entered {
-        return at_113;
+        return at_114;
     }
     pub(crate) fn surface_slices_place(
         &self,
         pixel_93: PixelIn,
-        at_114: Entered,
+        at_115: Entered,
         path_79: Path,
         hit_43: Hit,
         params_88: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_93, at_114, path_79, hit_43, rt::into(params_88)))
+        rt::into(self.v_surface_slices_place(pixel_93, at_115, path_79, hit_43, rt::into(params_88)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_place(
         &self,
         pixel_93: PixelIn,
-        at_114: Entered,
+        at_115: Entered,
         path_79: Path,
         hit_43: Hit,
         params_88: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_114, hit_43.uv);
+        let _e6 = self.v_placed_over(at_115, hit_43.uv);
         return _e6;
     }
-    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_115: Entered, path_80: Path, hit_44: Hit) -> Entered {
-        rt::into(self.v_placed_in_image(pixel_94, at_115, path_80, hit_44))
+    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_116: Entered, path_80: Path, hit_44: Hit) -> Entered {
+        rt::into(self.v_placed_in_image(pixel_94, at_116, path_80, hit_44))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_placed_in_image(&self, pixel_94: PixelIn, at_115: Entered, path_80: Path, hit_44: Hit) -> Entered {
+    fn v_placed_in_image(&self, pixel_94: PixelIn, at_116: Entered, path_80: Path, hit_44: Hit) -> Entered {
         let mut placed_5: Entered;
 
         let _e6 = self.v_image_of_object(rt::Scalar(path_80.base).to_u32());
-        placed_5 = at_115;
+        placed_5 = at_116;
         placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_80.start) + rt::Scalar(hit_44.t))));
         placed_5.uv = hit_44.uv;
         let _e20 = self.v_tangent_of_image(_e6);
@@ -13558,41 +13568,41 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_place(
         &self,
         pixel_95: PixelIn,
-        at_116: Entered,
+        at_117: Entered,
         path_81: Path,
         hit_45: Hit,
         params_89: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_place(pixel_95, at_116, path_81, hit_45, rt::into(params_89)))
+        rt::into(self.v_surface_object_place(pixel_95, at_117, path_81, hit_45, rt::into(params_89)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_place(
         &self,
         pixel_95: PixelIn,
-        at_116: Entered,
+        at_117: Entered,
         path_81: Path,
         hit_45: Hit,
         params_89: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_in_image(pixel_95, at_116, path_81, hit_45);
+        let _e5 = self.v_placed_in_image(pixel_95, at_117, path_81, hit_45);
         return _e5;
     }
     pub(crate) fn surface_frames_place(
         &self,
         pixel_96: PixelIn,
-        at_117: Entered,
+        at_118: Entered,
         path_82: Path,
         hit_46: Hit,
         params_90: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_place(pixel_96, at_117, path_82, hit_46, rt::into(params_90)))
+        rt::into(self.v_surface_frames_place(pixel_96, at_118, path_82, hit_46, rt::into(params_90)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_frames_place(
         &self,
         pixel_96: PixelIn,
-        at_117: Entered,
+        at_118: Entered,
         path_82: Path,
         hit_46: Hit,
         params_90: rt::Vec4<f32>,
@@ -13600,7 +13610,7 @@ impl<'g> Resources<'g> {
         let mut placed_6: Entered;
         let mut local_91: rt::Scalar<bool>;
 
-        let _e5 = self.v_placed_in_image(pixel_96, at_117, path_82, hit_46);
+        let _e5 = self.v_placed_in_image(pixel_96, at_118, path_82, hit_46);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
@@ -13622,19 +13632,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_place(
         &self,
         pixel_97: PixelIn,
-        at_118: Entered,
+        at_119: Entered,
         path_83: Path,
         hit_47: Hit,
         params_91: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_place(pixel_97, at_118, path_83, hit_47, rt::into(params_91)))
+        rt::into(self.v_surface_object_slices_place(pixel_97, at_119, path_83, hit_47, rt::into(params_91)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_slices_place(
         &self,
         pixel_97: PixelIn,
-        at_118: Entered,
+        at_119: Entered,
         path_83: Path,
         hit_47: Hit,
         params_91: rt::Vec4<f32>,
@@ -13642,80 +13652,80 @@ impl<'g> Resources<'g> {
         let mut of_image: Path;
 
         of_image = path_83;
-        let _e8 = self.v_slice_at(at_118.point);
+        let _e8 = self.v_slice_at(at_119.point);
         rt::Scalar(of_image.base) = rt::Scalar(_e8.number).to_f32();
         let _e11 = of_image;
-        let _e12 = self.v_placed_in_image(pixel_97, at_118, _e11, hit_47);
+        let _e12 = self.v_placed_in_image(pixel_97, at_119, _e11, hit_47);
         return _e12;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_119: Entered, path_84: Path, hit_48: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_98, at_119, path_84, hit_48))
+    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_120: Entered, path_84: Path, hit_48: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_98, at_120, path_84, hit_48))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_98: PixelIn, at_119: Entered, path_84: Path, hit_48: Hit) -> Entered {
+    fn v_surface_place_stage(&self, pixel_98: PixelIn, at_120: Entered, path_84: Path, hit_48: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_98, at_119, path_84, hit_48, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_98, at_120, path_84, hit_48, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_98, at_119, path_84, hit_48, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_98, at_120, path_84, hit_48, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_119, path_84, hit_48, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_120, path_84, hit_48, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_119, path_84, hit_48, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_120, path_84, hit_48, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_119, path_84, hit_48, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_120, path_84, hit_48, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_98, at_119, path_84, hit_48, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_98, at_120, path_84, hit_48, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_98, at_119, path_84, hit_48, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_98, at_120, path_84, hit_48, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_place(pixel_98, at_119, path_84, hit_48, _e55);
+                let _e56 = self.v_surface_object_place(pixel_98, at_120, path_84, hit_48, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_place(pixel_98, at_119, path_84, hit_48, _e61);
+                let _e62 = self.v_surface_frames_place(pixel_98, at_120, path_84, hit_48, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_place(pixel_98, at_119, path_84, hit_48, _e67);
+                let _e68 = self.v_surface_object_slices_place(pixel_98, at_120, path_84, hit_48, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_120: Entered, path_85: Path, hit_49: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_99, at_120, path_85, hit_49))
+    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_121: Entered, path_85: Path, hit_49: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_99, at_121, path_85, hit_49))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_place_on_segment(&self, pixel_99: PixelIn, at_120: Entered, path_85: Path, hit_49: Hit) -> Entered {
+    fn v_place_on_segment(&self, pixel_99: PixelIn, at_121: Entered, path_85: Path, hit_49: Hit) -> Entered {
         let mut placed_7: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_99, at_120, path_85, hit_49);
+        let _e4 = self.v_surface_place_stage(pixel_99, at_121, path_85, hit_49);
         placed_7 = _e4;
         let _e7 = self.v_depth_on_ray(pixel_99, path_85, hit_49);
         rt::Scalar(placed_7.depth) = _e7;
@@ -13725,23 +13735,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn place_hit(
         &self,
         pixel_100: PixelIn,
-        at_121: Entered,
+        at_122: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
         hit_50: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_100, at_121, rt::into(segment), hit_50))
+        rt::into(self.v_place_hit(pixel_100, at_122, rt::into(segment), hit_50))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_place_hit(
         &self,
         pixel_100: PixelIn,
-        at_121: Entered,
+        at_122: Entered,
         segment: rt::Scalar<u32>,
         hit_50: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_100, at_121, segment);
-        let _e5 = self.v_place_on_segment(pixel_100, at_121, _e4, hit_50);
+        let _e4 = self.v_segment_of(pixel_100, at_122, segment);
+        let _e5 = self.v_place_on_segment(pixel_100, at_122, _e4, hit_50);
         return _e5;
     }
     pub(crate) fn toward_light(
@@ -13770,25 +13780,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn point_of_light(
         &self,
-        at_122: Entered,
+        at_123: Entered,
         hit_51: Hit,
         number_15: impl rt::Into<rt::Scalar<u32>>,
         k_35: impl rt::Into<rt::Scalar<u32>>,
         count_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_122, hit_51, rt::into(number_15), rt::into(k_35), rt::into(count_5)))
+        rt::into(self.v_point_of_light(at_123, hit_51, rt::into(number_15), rt::into(k_35), rt::into(count_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_light(
         &self,
-        at_122: Entered,
+        at_123: Entered,
         hit_51: Hit,
         number_15: rt::Scalar<u32>,
         k_35: rt::Scalar<u32>,
         count_5: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_15, at_122.point);
+        let _e6 = self.v_toward_light(number_15, at_123.point);
         if rt::Scalar::into_branch_condition(count_5.elementwise_gt(rt::Scalar(0u32))) {
             let _e9 = self.v_seed_of(hit_51);
             let _e10 = self.v_point_of_disc(_e6, _e9, k_35, count_5);
@@ -13798,26 +13808,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_123: Entered,
+        at_124: Entered,
         hit_52: Hit,
         number_16: impl rt::Into<rt::Scalar<u32>>,
         k_36: impl rt::Into<rt::Scalar<u32>>,
         count_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_123, hit_52, rt::into(number_16), rt::into(k_36), rt::into(count_6)))
+        rt::into(self.v_ray_to_light(at_124, hit_52, rt::into(number_16), rt::into(k_36), rt::into(count_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ray_to_light(
         &self,
-        at_123: Entered,
+        at_124: Entered,
         hit_52: Hit,
         number_16: rt::Scalar<u32>,
         k_36: rt::Scalar<u32>,
         count_6: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_123, hit_52, number_16, k_36, count_6);
-        let _e6 = self.v_light_ray(at_123, hit_52, _e5);
+        let _e5 = self.v_point_of_light(at_124, hit_52, number_16, k_36, count_6);
+        let _e6 = self.v_light_ray(at_124, hit_52, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
@@ -13846,16 +13856,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_124: Entered,
+        at_125: Entered,
         seen_3: SeenNormals,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_124, seen_3, rt::into(toward_3)))
+        rt::into(self.v_seen_cosine(at_125, seen_3, rt::into(toward_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_124: Entered,
+        at_125: Entered,
         seen_3: SeenNormals,
         toward_3: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -13864,7 +13874,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_3.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_3.normal.dot(toward_3).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_124, toward_3);
+        let _e10 = self.v_to_tangent_space(at_125, toward_3);
         let middle_16 = seen_3.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_16, seen_3.along.dot(_e10), seen_3.across.dot(_e10));
         let one_1 = (rt::Scalar(seen_3.middle_seen) * middle_16.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
@@ -14013,19 +14023,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn reflected_light(
         &self,
-        at_125: Entered,
+        at_126: Entered,
         hit_53: Hit,
         seen_4: SeenNormals,
         view_18: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_125, hit_53, seen_4, rt::into(view_18), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_126, hit_53, seen_4, rt::into(view_18), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_125: Entered,
+        at_126: Entered,
         hit_53: Hit,
         seen_4: SeenNormals,
         view_18: rt::Vec3<f32>,
@@ -14038,7 +14048,7 @@ impl<'g> Resources<'g> {
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_125, hit_53, (seen_4.normal * rt::Scalar(seen_4.length)), view_18, diffuse);
+        let _e20 = self.v_ambient_stage(at_126, hit_53, (seen_4.normal * rt::Scalar(seen_4.length)), view_18, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
@@ -14050,8 +14060,8 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e29 = k_37;
-                    let _e31 = self.v_toward_light(_e29, at_125.point);
-                    let _e33 = self.v_seen_cosine(at_125, seen_4, _e31.direction);
+                    let _e31 = self.v_toward_light(_e29, at_126.point);
+                    let _e33 = self.v_seen_cosine(at_126, seen_4, _e31.direction);
                     let _e37 = self.v_shade_stage(seen_4.normal, rt::Scalar(seen_4.length), _e33, view_18, _e31.direction, diffuse);
                     let _e38 = light_16;
                     let _e41 = k_37;
@@ -14068,16 +14078,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_color(
         &self,
-        at_126: Entered,
+        at_127: Entered,
         hit_54: Hit,
         view_19: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_surface_color(at_126, hit_54, rt::into(view_19)))
+        rt::into(self.v_surface_color(at_127, hit_54, rt::into(view_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_color(
         &self,
-        at_126: Entered,
+        at_127: Entered,
         hit_54: Hit,
         view_19: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
@@ -14092,7 +14102,7 @@ impl<'g> Resources<'g> {
         }
         let _e17 = local_92;
         if rt::Scalar::into_branch_condition(_e17) {
-            let _e20 = self.v_color_or_white(hit_54.uv, rt::Scalar(at_126.footprint));
+            let _e20 = self.v_color_or_white(hit_54.uv, rt::Scalar(at_127.footprint));
             return _e20;
         }
         let how = self.surface_settings.choices[3usize].params.z();
@@ -14100,10 +14110,10 @@ impl<'g> Resources<'g> {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         }
         if rt::Scalar::into_branch_condition(how.elementwise_eq(rt::Scalar(3f32))) {
-            let _e35 = self.v_color_of_frames(at_126, view_19);
+            let _e35 = self.v_color_of_frames(at_127, view_19);
             return _e35;
         }
-        let _e38 = self.v_object_color(at_126, view_19, how.elementwise_eq(rt::Scalar(1f32)));
+        let _e38 = self.v_object_color(at_127, view_19, how.elementwise_eq(rt::Scalar(1f32)));
         return _e38;
     }
     pub(crate) fn z_of(&self, depth_6: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -14125,61 +14135,61 @@ impl<'g> Resources<'g> {
     pub(crate) fn shade_hit(
         &self,
         origin_2: impl rt::Into<rt::Vec3<f32>>,
-        at_127: Entered,
+        at_128: Entered,
         hit_55: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_2), at_127, hit_55, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_2), at_128, hit_55, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(
         &self,
         origin_2: rt::Vec3<f32>,
-        at_127: Entered,
+        at_128: Entered,
         hit_55: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_55.found).elementwise_eq(rt::Scalar(0u32))) {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_55.cost.x(), hit_55.cost.y(), hit_55.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_55.uv, rt::Scalar(at_127.level));
-        let view_22 = (origin_2 - at_127.point).normalize();
-        let _e49 = self.v_mesostructure_normals(at_127, hit_55.uv, view_22);
-        let _e50 = self.v_surface_color(at_127, hit_55, view_22);
-        let _e51 = self.v_reflected_light(at_127, hit_55, _e49, view_22, _e50, visible_1);
+        let _e44 = self.v_height_at(hit_55.uv, rt::Scalar(at_128.level));
+        let view_22 = (origin_2 - at_128.point).normalize();
+        let _e49 = self.v_mesostructure_normals(at_128, hit_55.uv, view_22);
+        let _e50 = self.v_surface_color(at_128, hit_55, view_22);
+        let _e51 = self.v_reflected_light(at_128, hit_55, _e49, view_22, _e50, visible_1);
         let _e56 = self.frame.forward;
-        let depth_9 = (at_127.point - origin_2).dot(_e56.xyz());
+        let depth_9 = (at_128.point - origin_2).dot(_e56.xyz());
         let _e61 = self.v_height_size(rt::Scalar(0u32));
         let _e67 = self.v_cell_of(((hit_55.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e87 = self.v_z_of(rt::Scalar(at_127.depth));
+        let _e87 = self.v_z_of(rt::Scalar(at_128.depth));
         let _e90 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_55.exhausted), hit_55.uv, _e44, at_127.point, _e49.normal, depth_9, rt::Scalar(hit_55.t), _e67.to_i32(), hit_55.cost.x(), hit_55.cost.y(), hit_55.cost.z(), visible_1[0usize].x(), rt::Scalar(at_127.level), _e87, _e90);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_55.exhausted), hit_55.uv, _e44, at_128.point, _e49.normal, depth_9, rt::Scalar(hit_55.t), _e67.to_i32(), hit_55.cost.x(), hit_55.cost.y(), hit_55.cost.z(), visible_1[0usize].x(), rt::Scalar(at_128.level), _e87, _e90);
     }
     pub(crate) fn visible_light(
         &self,
-        at_128: Entered,
+        at_129: Entered,
         hit_56: Hit,
         number_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_128, hit_56, rt::into(number_17)))
+        rt::into(self.v_visible_light(at_129, hit_56, rt::into(number_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_visible_light(
         &self,
-        at_128: Entered,
+        at_129: Entered,
         hit_56: Hit,
         number_17: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_17, at_128.point);
-        let _e5 = self.v_shadow_stage(at_128, hit_56, _e4);
+        let _e4 = self.v_toward_light(number_17, at_129.point);
+        let _e5 = self.v_shadow_stage(at_129, hit_56, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_129: Entered, hit_57: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_129, hit_57))
+    pub(crate) fn visible_lights(&self, at_130: Entered, hit_57: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_130, hit_57))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_129: Entered, hit_57: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_130: Entered, hit_57: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut k_38: rt::Scalar<u32> = rt::Scalar(0u32);
 
@@ -14198,7 +14208,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e15 = k_38;
                     let _e17 = k_38;
-                    let _e18 = self.v_visible_light(at_129, hit_57, _e17);
+                    let _e18 = self.v_visible_light(at_130, hit_57, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e23 = k_38;
                     k_38 = (_e23 + rt::Scalar(1u32));
@@ -14246,10 +14256,10 @@ impl<'g> Resources<'g> {
         a_16: BaseSite,
         b_16: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
-        at_130: impl rt::Into<rt::Scalar<u32>>,
+        at_131: impl rt::Into<rt::Scalar<u32>>,
         parts_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_130), rt::into(parts_2)))
+        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_131), rt::into(parts_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14258,11 +14268,11 @@ impl<'g> Resources<'g> {
         a_16: BaseSite,
         b_16: BaseSite,
         shares: rt::Vec2<f32>,
-        at_130: rt::Scalar<u32>,
+        at_131: rt::Scalar<u32>,
         parts_2: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_2 - at_130).to_f32() * shares.x());
-        let of_b = (at_130.to_f32() * shares.y());
+        let of_a = ((parts_2 - at_131).to_f32() * shares.x());
+        let of_b = (at_131.to_f32() * shares.y());
         let sum_10 = (of_a + of_b);
         let _e17 = self.v_weighted_site(a_16, b_16, b_16, <rt::Vec3<f32>>::from_scalars((of_a / sum_10), (of_b / sum_10), rt::Scalar(0f32)));
         return _e17;
@@ -14331,9 +14341,9 @@ impl<'g> Resources<'g> {
         let down_3 = (grid_11.middle.y() - ((grid_11.up.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e42));
         let far_15 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_138 = <rt::Vec3<f32>>::from_scalars(right_5, down_3, _e49).clamp((-far_15), far_15);
+        let at_139 = <rt::Vec3<f32>>::from_scalars(right_5, down_3, _e49).clamp((-far_15), far_15);
         let _e60 = share;
-        return <Voxel>::new((at_138 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
+        return <Voxel>::new((at_139 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
     }
 }
 

@@ -507,6 +507,12 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "roots/show", head: r#"// The picture for callers that show it: linear colours of the records of some rows, over the background.
 "# },
+    Module { path: "roots/stencil", head: r#"// Slices through an object where no program may read several of its images at once: slice by slice, from
+// front to back, a pass for each image, which are counted in the stencil buffer. What has as many as there
+// are images is in the object; of the rest the count is taken back after each slice.
+//
+// Kautz and Seidel 2001, section 4.1.
+"# },
     Module { path: "roots/tessellate", head: r#"// Displaced triangles of a base, made anew for each view on the GPU: what is not seen is left out, what
 // remains is counted and numbered, made, and drawn. Where there are more points or triangles than there is
 // room for, the grid is coarser; nothing is dropped.
@@ -4040,6 +4046,21 @@ struct Traced {
     },
     Declaration {
         module: "shared/numbered",
+        name: "traced_hit_of",
+        sampling: None,
+        uses: &["EXHAUSTED_BIT", "FirstHit", "STEPS_BITS", "Traced"],
+        text: r#"// A first hit of a triangle's relief as the first pass knows it.
+fn traced_hit_of(triangle: u32, side: f32, first: FirstHit) -> Traced {
+    let hit = first.hit;
+    let number = i32(triangle) + 1;
+    let reads = i32(hit.cost.x) + select(0, EXHAUSTED_BIT, hit.exhausted == 1u);
+    let steps = i32(hit.cost.y + (first.segment << STEPS_BITS));
+    let what = vec4i(select(-number, number, side > 0.0), reads, steps, i32(hit.cost.z));
+    return Traced(vec4f(hit.uv, hit.height, hit.t), what, first.key);
+}"#,
+    },
+    Declaration {
+        module: "shared/numbered",
         name: "numbered_triangle",
         sampling: None,
         uses: &["Triangle", "mesh_corners", "mesh_faces"],
@@ -5156,6 +5177,28 @@ fn clip_of(position: vec3f) -> vec4f {
     let columns = frame.view_projection;
     let view_projection = mat4x4f(columns[0], columns[1], columns[2], columns[3]);
     return view_projection * vec4f(position, 1.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/rasterised",
+        name: "clip_of_pass",
+        sampling: None,
+        uses: &["pass_settings"],
+        text: r#"// A point of clip space in that of the pass.
+fn clip_of_pass(clip: vec4f) -> vec4f {
+    let x = clip.x + pass_settings.shift.x * clip.w;
+    let y = clip.y * pass_settings.zoom + pass_settings.shift.y * clip.w;
+    return vec4f(x, y, clip.z, clip.w);
+}"#,
+    },
+    Declaration {
+        module: "shared/rasterised",
+        name: "point_of_pass",
+        sampling: None,
+        uses: &["pass_settings"],
+        text: r#"// The point of the picture, in pixels from its top-left corner, that a point of the pass is.
+fn point_of_pass(position: vec2f) -> vec2f {
+    return position + vec2f(0.0, f32(pass_settings.first_row)) + pass_settings.offset;
 }"#,
     },
     Declaration {
@@ -7402,6 +7445,26 @@ const HIGHEST = 2.0;"#,
     },
     Declaration {
         module: "surface/object_slices",
+        name: "is_in_image",
+        sampling: None,
+        uses: &["OnImage", "slices_stage"],
+        text: r#"// Whether a point is in the solid of an image that sees it there.
+fn is_in_image(at: OnImage) -> bool {
+    return at.is_inside && slices_stage(at.map, at.height, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "surface/object_slices",
+        name: "passes_image",
+        sampling: None,
+        uses: &["image_of_object", "is_in_image", "on_image"],
+        text: r#"// Whether it is in that of the image of that number.
+fn passes_image(number: u32, point: vec3f) -> bool {
+    return is_in_image(on_image(image_of_object(number), point));
+}"#,
+    },
+    Declaration {
+        module: "surface/object_slices",
         name: "OnSlice",
         sampling: None,
         uses: &["OnImage"],
@@ -7419,12 +7482,12 @@ struct OnSlice {
         module: "surface/object_slices",
         name: "with_image",
         sampling: None,
-        uses: &["OnSlice", "image_of_object", "on_image", "slices_stage"],
+        uses: &["OnSlice", "image_of_object", "is_in_image", "on_image"],
         text: r#"// The same with one image more.
 fn with_image(slice: OnSlice, number: u32, point: vec3f) -> OnSlice {
     let at = on_image(image_of_object(number), point);
     let over = at.map - at.height;
-    let passes = at.is_inside && slices_stage(at.map, at.height, 0.0);
+    let passes = is_in_image(at);
     if (over < slice.over) {
         return OnSlice(passes, number, at, over);
     }
@@ -10788,6 +10851,81 @@ fn show_main(@builtin(global_invocation_id) id: vec3u) {
 }"#,
     },
     Declaration {
+        module: "roots/stencil",
+        name: "OnStencil",
+        sampling: None,
+        uses: &[],
+        text: r#"struct OnStencil {
+    @builtin(position) position: vec4f,
+    @location(0) @interpolate(flat) triangle: u32,
+    @location(1) @interpolate(flat) image: u32,
+}"#,
+    },
+    Declaration {
+        module: "roots/stencil",
+        name: "stencil_vertex",
+        sampling: None,
+        uses: &["OnStencil", "clip_of_pass", "corner_varying"],
+        text: r#"// The image is the number of the instance.
+@vertex
+fn stencil_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) image: u32) -> OnStencil {
+    let corner = corner_varying(vertex);
+    return OnStencil(clip_of_pass(corner.position), corner.triangle, image);
+}"#,
+    },
+    Declaration {
+        module: "roots/stencil",
+        name: "stencil_pixel",
+        sampling: None,
+        uses: &["OnStencil", "PixelIn", "numbered_pixel", "point_of_pass"],
+        text: r#"fn stencil_pixel(in: OnStencil, side: f32) -> PixelIn {
+    return numbered_pixel(in.triangle, side, point_of_pass(in.position.xy));
+}"#,
+    },
+    Declaration {
+        module: "roots/stencil",
+        name: "stencil_test_fragment",
+        sampling: None,
+        uses: &["OnStencil", "enter_relief", "passes_image", "stencil_pixel"],
+        text: r#"// Leaves what the image sees as high as the slice.
+@fragment
+fn stencil_test_fragment(in: OnStencil, @builtin(front_facing) front: bool) {
+    let at = enter_relief(stencil_pixel(in, select(-1.0, 1.0, front)));
+    if (at.segments == 0u || !passes_image(in.image, at.point)) {
+        discard;
+    }
+}"#,
+    },
+    Declaration {
+        module: "roots/stencil",
+        name: "stencil_hit_fragment",
+        sampling: None,
+        uses: &["Hit", "NO_COST", "OnStencil", "Traced", "enter_relief", "hit_on_segment", "passes_image", "segment_of", "stencil_pixel", "traced_hit_of"],
+        text: r#"// The same for the last image: what the count lets pass here is seen.
+@fragment
+fn stencil_hit_fragment(in: OnStencil, @builtin(front_facing) front: bool) -> Traced {
+    let side = select(-1.0, 1.0, front);
+    let pixel = stencil_pixel(in, side);
+    let at = enter_relief(pixel);
+    if (at.segments == 0u || !passes_image(in.image, at.point)) {
+        discard;
+    }
+    let path = segment_of(pixel, at, 0u);
+    let hit = Hit(1u, 0u, path.uv, path.h.x, path.base, NO_COST);
+    return traced_hit_of(in.triangle, side, hit_on_segment(pixel, at, path, hit, 0u));
+}"#,
+    },
+    Declaration {
+        module: "roots/stencil",
+        name: "stencil_clear_fragment",
+        sampling: None,
+        uses: &["OnStencil"],
+        text: r#"// All of a slice.
+@fragment
+fn stencil_clear_fragment(in: OnStencil) {
+}"#,
+    },
+    Declaration {
         module: "roots/tessellate",
         name: "Tally",
         sampling: None,
@@ -11219,18 +11357,6 @@ fn triangles_main(@builtin(global_invocation_id) id: vec3u) {
     },
     Declaration {
         module: "roots/trace",
-        name: "clip_of_pass",
-        sampling: None,
-        uses: &["pass_settings"],
-        text: r#"// A point of clip space in that of the pass.
-fn clip_of_pass(clip: vec4f) -> vec4f {
-    let x = clip.x + pass_settings.shift.x * clip.w;
-    let y = clip.y * pass_settings.zoom + pass_settings.shift.y * clip.w;
-    return vec4f(x, y, clip.z, clip.w);
-}"#,
-    },
-    Declaration {
-        module: "roots/trace",
         name: "vertex_main",
         sampling: None,
         uses: &["Varying", "clip_of_pass", "corner_varying"],
@@ -11257,32 +11383,26 @@ fn shell_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) tur
         module: "roots/trace",
         name: "fragment_pixel",
         sampling: None,
-        uses: &["PixelIn", "Varying", "numbered_pixel", "pass_settings"],
+        uses: &["PixelIn", "Varying", "numbered_pixel", "point_of_pass"],
         text: r#"// The ray of a fragment.
 fn fragment_pixel(in: Varying, side: f32) -> PixelIn {
-    let point = in.position.xy + vec2f(0.0, f32(pass_settings.first_row)) + pass_settings.offset;
-    return numbered_pixel(in.triangle, side, point);
+    return numbered_pixel(in.triangle, side, point_of_pass(in.position.xy));
 }"#,
     },
     Declaration {
         module: "roots/trace",
         name: "fragment_main",
         sampling: None,
-        uses: &["EXHAUSTED_BIT", "STEPS_BITS", "Traced", "Varying", "enter_relief", "first_hit", "fragment_pixel", "side_of"],
+        uses: &["Traced", "Varying", "enter_relief", "first_hit", "fragment_pixel", "side_of", "traced_hit_of"],
         text: r#"@fragment
 fn fragment_main(in: Varying, @builtin(front_facing) front: bool) -> Traced {
     let side = side_of(in, front);
     let pixel = fragment_pixel(in, side);
     let first = first_hit(pixel, enter_relief(pixel));
-    let hit = first.hit;
-    if (hit.found == 0u) {
+    if (first.hit.found == 0u) {
         discard;
     }
-    let number = i32(in.triangle) + 1;
-    let reads = i32(hit.cost.x) + select(0, EXHAUSTED_BIT, hit.exhausted == 1u);
-    let steps = i32(hit.cost.y + (first.segment << STEPS_BITS));
-    let what = vec4i(select(-number, number, side > 0.0), reads, steps, i32(hit.cost.z));
-    return Traced(vec4f(hit.uv, hit.height, hit.t), what, first.key);
+    return traced_hit_of(in.triangle, side, first);
 }"#,
     },
     Declaration {

@@ -3056,33 +3056,39 @@ lanes! { fn on_image(r: &Resources<'_>, within: M, image_a0: &Image, point_a1: V
     let is_inside_83 = both_v1;
     return OnImage { uv: uv_36, height: sel(splat_m((r.surface_settings.cells == 4u32)), splat(0.5f32), h_19), map: map_69, is_inside: is_inside_83, };
 } }
-lanes! { fn with_image(r: &Resources<'_>, within: M, slice_a0: &OnSlice, number_a1: U, point_a2: Vec3<F>) -> OnSlice {
+lanes! { fn is_in_image(r: &Resources<'_>, within: M, at_a0: &OnImage) -> M {
     let mut ex = within;
-    let mut ret: OnSlice = zero_on_slice();
+    let mut ret: M = splat_m(false);
     let mut both_v0: M = splat_m(false);
-    let e_3 = image_of_object_l(r, number_a1);
-    let at_4 = on_image(r, ex, &e_3, point_a2);
-    let over_7 = sub(at_4.map, at_4.height);
-    let (b1, c2) = (ex, at_4.is_inside);
+    let (b1, c2) = (ex, at_a0.is_inside);
     ex = and(b1, c2);
     if any(ex) {
-        let e_14 = slices_stage(r, at_4.map, at_4.height, splat(0.0f32));
-        both_v0 = sel_m(ex, e_14, both_v0);
+        let e_7 = slices_stage(r, at_a0.map, at_a0.height, splat(0.0f32));
+        both_v0 = sel_m(ex, e_7, both_v0);
     }
     ex = and_not(b1, c2);
     if any(ex) {
         both_v0 = sel_m(ex, splat_m(false), both_v0);
     }
     ex = b1;
-    let passes_16 = both_v0;
-    let (b3, c4) = (ex, lt(over_7, slice_a0.over));
-    ex = and(b3, c4);
+    let e_9 = both_v0;
+    return e_9;
+} }
+lanes! { fn with_image(r: &Resources<'_>, within: M, slice_a0: &OnSlice, number_a1: U, point_a2: Vec3<F>) -> OnSlice {
+    let mut ex = within;
+    let mut ret: OnSlice = zero_on_slice();
+    let e_3 = image_of_object_l(r, number_a1);
+    let at_4 = on_image(r, ex, &e_3, point_a2);
+    let over_7 = sub(at_4.map, at_4.height);
+    let passes_8 = is_in_image(r, ex, &at_4);
+    let (b1, c2) = (ex, lt(over_7, slice_a0.over));
+    ex = and(b1, c2);
     if any(ex) {
-        ret = OnSlice { passes: passes_16, number: number_a1, nearest: at_4, over: over_7, };
+        ret = OnSlice { passes: passes_8, number: number_a1, nearest: at_4, over: over_7, };
         ex = no_lane();
     }
-    ex = and_not(b3, c4);
-    return sel_on_slice(ex, &OnSlice { passes: passes_16, number: slice_a0.number, nearest: slice_a0.nearest, over: slice_a0.over, }, &ret);
+    ex = and_not(b1, c2);
+    return sel_on_slice(ex, &OnSlice { passes: passes_8, number: slice_a0.number, nearest: slice_a0.nearest, over: slice_a0.over, }, &ret);
 } }
 stage! { fn slice_at(r: &Resources<'_>, within: M, point_a0: Vec3<F>) -> OnSlice {
     let mut ex = within;

@@ -142,7 +142,7 @@ impl Selection {
         match self.geometry() {
             None => Shown::Relief,
             Some(Geometry::Slices(_)) => Shown::Slices,
-            Some(Geometry::ObjectSlices(_)) => Shown::ObjectSlices,
+            Some(Geometry::ObjectSlices(..)) => Shown::ObjectSlices,
             Some(_) => Shown::Triangles,
         }
     }
@@ -155,7 +155,9 @@ impl Selection {
             geometry::REMESH => Some(Geometry::Pixels(params[0])),
             geometry::TESSELLATE => Some(Geometry::Tessellated(params[0])),
             geometry::SLICES => Some(Geometry::Slices(Slices::of(self.choices[SLICES].params))),
-            geometry::OBJECT_SLICES => Some(Geometry::ObjectSlices(Slices::of(self.choices[SLICES].params))),
+            geometry::OBJECT_SLICES => {
+                Some(Geometry::ObjectSlices(Slices::of(self.choices[SLICES].params), params[0] != 0.0))
+            }
             _ => None,
         }
     }

@@ -98,6 +98,11 @@ pub enum Root {
     Light,
     /// The same of shells: `shell_vertex`, `light_main`.
     LightShells,
+    /// Rasterises slices through an object, a pass for each of its images: `stencil_vertex`, of which the
+    /// instance is the image; `stencil_test_fragment`, of which what is left is to be counted;
+    /// `stencil_hit_fragment`, the same for the last image, with what [`Root::Trace`] gives;
+    /// `stencil_clear_fragment`, for all of a slice.
+    Stencil,
     /// As [`Root::Trace`], for a program's own depth buffer, which it fills before its own pass: to the bit
     /// the `z` that shading gives: `vertex_main`, `prepass_main`.
     Prepass,
@@ -130,12 +135,13 @@ pub enum Root {
 
 impl Root {
     /// Every root.
-    pub const ALL: [Root; 16] = [
+    pub const ALL: [Root; 17] = [
         Root::Functions,
         Root::Trace,
         Root::TraceShells,
         Root::Light,
         Root::LightShells,
+        Root::Stencil,
         Root::Prepass,
         Root::PrepassShells,
         Root::Draw,
@@ -157,6 +163,9 @@ impl Root {
             Root::TraceShells => &["shell_vertex", "fragment_main"],
             Root::Light => &["vertex_main", "light_main"],
             Root::LightShells => &["shell_vertex", "light_main"],
+            Root::Stencil => {
+                &["stencil_vertex", "stencil_test_fragment", "stencil_hit_fragment", "stencil_clear_fragment"]
+            }
             Root::Prepass => &["vertex_main", "prepass_main"],
             Root::PrepassShells => &["shell_vertex", "prepass_main"],
             Root::Draw => &["draw_vertex", "draw_fragment"],

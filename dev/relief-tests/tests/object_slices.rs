@@ -36,7 +36,13 @@ fn subject() -> Subject {
 }
 
 /// Where each pixel's ray first meets a slice that is in the object, along the view; none where it does not.
-fn judged(subject: &Subject, asked: Asked, direction: SliceDirection, count: f64, eye: DVec3) -> Vec<Option<f64>> {
+fn judged(
+    subject: &Subject,
+    asked: Asked,
+    direction: SliceDirection,
+    count: f64,
+    eye: DVec3,
+) -> Vec<Option<f64>> {
     let radius = subject.object.views()[0].ball().1;
     let bounds = subject.object.bounds().expect("something to see");
     let slicer = BoxSlicer::new(bounds, 2.0 * radius / count, direction).expect("a box");
@@ -83,9 +89,7 @@ fn slices_are_drawn_where_all_images_see_something() {
             "c" => SliceDirection::AcrossV,
             _ => SliceDirection::Screen(camera(eye), SliceAnchor::Eye),
         };
-        for (method, asked) in
-            [("depth-object-slices", Asked::Object), ("visual-hull-slices", Asked::Hull)]
-        {
+        for (method, asked) in [("depth-object-slices", Asked::Object), ("visual-hull-slices", Asked::Hull)] {
             let settings = [("slices.count", COUNT), ("slices.direction", place as f64)];
             let shown = seen(method, &settings, eye, BackendChoice::Cpu);
             let truth = judged(&subject, asked, direction, COUNT, eye);
@@ -140,5 +144,36 @@ fn both_backends_show_the_same_slices() {
             println!("{method}, {settings:?}: {share:.5} alike");
             assert!(share >= ALIKE, "{method}, {settings:?}: {share}");
         }
+    }
+}
+
+#[test]
+fn counting_in_passes_shows_what_the_product_does() {
+    if !has_adapter() {
+        return;
+    }
+    let of = |images: &[DVec3], method: &str, place: usize, pass: f64| {
+        let object = object_of_spheres(images, SIDE, JumpCells::Highest);
+        let settings =
+            [("slices.count", COUNT), ("slices.direction", 2.0 * place as f64), ("geometry.pass", pass)];
+        pixels(&object, selection(method, &settings), EYES[place], BackendChoice::Gpu)
+    };
+    for (place, method) in [
+        (0, "depth-object-slices"),
+        (1, "visual-hull-slices"),
+        (2, "depth-object-slices"),
+        (1, "depth-object-slices"),
+    ] {
+        let [product, counted] = [0.0, 1.0].map(|pass| of(&CUBE, method, place, pass));
+        let differ = product.iter().zip(&counted).filter(|(one, other)| {
+            let of = |pixel: &PixelOut| (pixel.hit, pixel.position, pixel.color, pixel.height);
+            of(one) != of(other)
+        });
+        let (share, differ) = (alike(&product, &counted), differ.count());
+        println!("{method}, {place}: {share:.5} alike, {differ} pixels differ in something");
+        assert!(share >= ALIKE && differ < 20, "{method}, {place}: {share}, {differ}");
+        // As when the passes of the last two images are lost.
+        let lost = alike(&product, &of(&CUBE[..4], method, place, 1.0));
+        assert!(lost < 0.99, "{method}, {place}: {lost}");
     }
 }

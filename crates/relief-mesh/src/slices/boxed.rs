@@ -51,11 +51,7 @@ impl BoxSlicer {
     /// # Errors
     ///
     /// When the box has no volume or the distance is not positive, or not finite.
-    pub fn new(
-        bounds: [DVec3; 2],
-        spacing_m: f64,
-        direction: SliceDirection,
-    ) -> Result<Self, SliceError> {
+    pub fn new(bounds: [DVec3; 2], spacing_m: f64, direction: SliceDirection) -> Result<Self, SliceError> {
         let [low, high] = bounds;
         let is_length = |length: f64| length > 0.0 && length.is_finite();
         if !(is_length(spacing_m) && (high - low).to_array().into_iter().all(is_length)) {
@@ -86,8 +82,7 @@ impl BoxSlicer {
         };
         let along = corners_of(bounds).map(|corner| normal.dot(corner));
         let [low, high] = [f64::min, f64::max].map(|of| along.into_iter().fold(along[0], of));
-        let [before, last] =
-            [low.max(eye_m), high].map(|at| ((at - start_m) / spacing_m).floor());
+        let [before, last] = [low.max(eye_m), high].map(|at| ((at - start_m) / spacing_m).floor());
         let first_m = start_m + (before + 1.0) * spacing_m;
         Self { bounds, normal, first_m, spacing_m, count: (last - before).max(0.0) as u64 }
     }
@@ -95,6 +90,15 @@ impl BoxSlicer {
     /// How many slices there are.
     pub fn slices(&self) -> u64 {
         self.count
+    }
+
+    /// How far the slice with that corner is from a camera's eye, or from its plane where rays are parallel:
+    /// no ray comes to a slice that is farther away before it comes to one that is nearer.
+    pub fn distance_m(&self, corner: &DVec3, camera: &Camera) -> f64 {
+        if camera.is_orthographic() {
+            return self.normal.dot(*corner) * self.normal.dot(camera.forward()).signum();
+        }
+        self.normal.dot(*corner - camera.eye()).abs()
     }
 
     /// Hands over all slices in the order of their places along the normal.
@@ -178,9 +182,8 @@ mod tests {
 
     /// The area of a convex polygon that is turned one way all around.
     fn area(slice: &BoxSlice, normal: DVec3) -> f64 {
-        let turns = (2..slice.len()).map(|k| {
-            0.5 * (slice[k - 1] - slice[0]).cross(slice[k] - slice[0]).dot(normal)
-        });
+        let turns =
+            (2..slice.len()).map(|k| 0.5 * (slice[k - 1] - slice[0]).cross(slice[k] - slice[0]).dot(normal));
         let turns: Vec<f64> = turns.collect();
         let all: f64 = turns.iter().sum();
         assert!(turns.iter().all(|turn| turn * all >= 0.0), "{slice:?}");
@@ -219,7 +222,8 @@ mod tests {
 
     #[test]
     fn thin_boxes_have_a_slice_and_others_as_many_as_fit() {
-        let z = |spacing_m| slices(spacing_m, SliceDirection::AcrossV).iter().map(|slice| slice[0].z).collect();
+        let z =
+            |spacing_m| slices(spacing_m, SliceDirection::AcrossV).iter().map(|slice| slice[0].z).collect();
         let (one, two): (Vec<f64>, Vec<f64>) = (z(10.0), z(0.125));
         assert_eq!((one, two), (vec![0.375], vec![0.3125, 0.4375]));
     }

@@ -74,9 +74,10 @@ pub(super) fn limits(adapter: &Adapter) -> Limits {
     }
 }
 
-/// What fast sampling and times of passes need, where the adapter has it.
+/// What fast sampling, times of passes and stencil buffers need, where the adapter has it.
 pub(super) fn features(adapter: &Adapter) -> Features {
-    adapter.features() & (Features::FLOAT32_FILTERABLE | Features::TIMESTAMP_QUERY)
+    let wanted = Features::FLOAT32_FILTERABLE | Features::TIMESTAMP_QUERY | Features::DEPTH32FLOAT_STENCIL8;
+    adapter.features() & wanted
 }
 
 #[cfg(test)]

@@ -97,6 +97,16 @@ pub enum GpuError {
         /// The surface's number in the scene.
         surface: usize,
     },
+    /// The images of an object are to be counted in a stencil buffer, and this GPU has none beside 32 bits of
+    /// depth, or the device was opened without the feature `DEPTH32FLOAT_STENCIL8`.
+    #[error(
+        "surface {}: this GPU has no stencil buffer beside 32 bits of depth; set 'geometry.pass' to 'product'",
+        surface + 1
+    )]
+    NoStencil {
+        /// The surface's number in the scene.
+        surface: usize,
+    },
     /// A picture without pixels, or of nothing, cannot stay on the GPU.
     #[error("a picture without pixels, or that shows no surface, cannot stay on the GPU")]
     EmptyPicture,

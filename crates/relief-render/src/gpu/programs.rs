@@ -15,6 +15,7 @@ use wgpu::{
 
 use super::layouts::{layout, named, shared};
 use super::pyramid::{Builder, NODES, Source};
+use super::stencil::StencilPrograms;
 use super::tessellate::{self, Tessellator};
 use super::textures::Precision;
 use super::{Gpu, GpuError};
@@ -24,6 +25,9 @@ use crate::job::JobSurface;
 pub const HIT: TextureFormat = TextureFormat::Rgba32Float;
 pub const WHAT: TextureFormat = TextureFormat::Rgba32Sint;
 pub const DEPTH: TextureFormat = TextureFormat::Depth32Float;
+
+/// The format of depths where images are counted beside them.
+pub const DEPTH_AND_COUNT: TextureFormat = TextureFormat::Depth32FloatStencil8;
 
 /// The format of what lights see.
 pub const KEYS: TextureFormat = TextureFormat::R32Float;
@@ -95,6 +99,8 @@ pub enum Seer {
     Camera,
     /// For shadows: the keys of the hits alone.
     Light,
+    /// As for the camera, in a picture in which images of an object are counted.
+    CameraBesideCounts,
 }
 
 /// All programs of a device.
@@ -102,7 +108,8 @@ pub enum Seer {
 pub struct Programs {
     pub layouts: Layouts,
     /// For each that sees: of surfaces seen from their front, and from both sides.
-    trace: [[Kept<Variant, RenderPipeline>; 2]; 2],
+    trace: [[Kept<Variant, RenderPipeline>; 2]; 3],
+    stencil: Kept<Variant, StencilPrograms>,
     shade: Kept<Variant, ComputePipeline>,
     probe: Kept<Variant, ComputePipeline>,
     /// The same for everything that is chosen.
@@ -159,7 +166,8 @@ impl Programs {
     pub fn new(gpu: &Gpu) -> Self {
         Self {
             layouts: Layouts::new(gpu.device()),
-            trace: [[Kept::new(), Kept::new()], [Kept::new(), Kept::new()]],
+            trace: std::array::from_fn(|_| [Kept::new(), Kept::new()]),
+            stencil: Kept::new(),
             shade: Kept::new(),
             probe: Kept::new(),
             resolve: Kept::new(),
@@ -186,7 +194,7 @@ impl Programs {
     ) -> Result<RenderPipeline, GpuError> {
         let groups = [self.layouts.maps(sampling).clone(), self.layouts.mesh.clone()];
         let (roots, formats): ([Root; 2], &[TextureFormat]) = match seer {
-            Seer::Camera => ([Root::Trace, Root::TraceShells], &[HIT, WHAT]),
+            Seer::Camera | Seer::CameraBesideCounts => ([Root::Trace, Root::TraceShells], &[HIT, WHAT]),
             Seer::Light => ([Root::Light, Root::LightShells], &[KEYS]),
         };
         let root = match selection.paths().proposal {
@@ -199,10 +207,29 @@ impl Programs {
             let targets: Vec<_> =
                 formats.iter().map(|format| Some(ColorTargetState::from(*format))).collect();
             let faces = culled(selection, two_sided);
-            raster(gpu.device(), text, root, &groups, faces, Some(nearest()), &targets)
+            let format = if matches!(seer, Seer::CameraBesideCounts) { DEPTH_AND_COUNT } else { DEPTH };
+            raster(gpu.device(), text, root, &groups, faces, Some(nearest(format)), &targets)
         };
         let kept = &mut self.trace[seer as usize][usize::from(two_sided)];
         kept.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
+    }
+
+    /// The programs that count the images of an object.
+    pub async fn stencil(
+        &mut self,
+        gpu: &Gpu,
+        selection: &Selection,
+        sampling: Sampling,
+    ) -> Result<StencilPrograms, GpuError> {
+        let groups = [self.layouts.maps(sampling).clone(), self.layouts.mesh.clone()];
+        let text = || assemble(selection, Root::Stencil, sampling);
+        let compile = |text: &str| {
+            let (device, label) = (gpu.device(), label(Root::Stencil));
+            let module = module(device, label, text);
+            let layout = pipeline_layout(device, label, &groups.each_ref().map(Some));
+            StencilPrograms::new(device, label, &module, &layout)
+        };
+        self.stencil.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
     }
 
     /// The program that shades.
@@ -343,6 +370,7 @@ fn label(root: Root) -> &'static str {
         Root::Functions => "functions",
         Root::Trace | Root::TraceShells => "trace",
         Root::Light | Root::LightShells => "light",
+        Root::Stencil => "stencil",
         Root::Prepass | Root::PrepassShells => "prepass",
         Root::Draw | Root::DrawDepth | Root::DrawShells => "draw",
         Root::Shade => "shade",
@@ -379,9 +407,9 @@ fn compute_entry(
 
 /// What is strictly nearer is seen: of two hits with the same key the first triangle's counts, as on the CPU.
 /// The shaders write the keys, which grow toward the eye.
-pub(super) fn nearest() -> DepthStencilState {
+pub(super) fn nearest(format: TextureFormat) -> DepthStencilState {
     DepthStencilState {
-        format: DEPTH,
+        format,
         depth_write_enabled: Some(true),
         depth_compare: Some(CompareFunction::Greater),
         stencil: Default::default(),

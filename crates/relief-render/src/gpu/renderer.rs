@@ -10,8 +10,8 @@ use relief_shaders::wgsl::{SHADE_GROUP, Sampling};
 use web_time::Instant;
 use wgpu::{
     BindGroup, Color, CommandEncoder, ComputePassDescriptor, ComputePassTimestampWrites, ComputePipeline,
-    LoadOp, Operations, RenderPassColorAttachment, RenderPassDepthStencilAttachment, RenderPassDescriptor,
-    RenderPassTimestampWrites, RenderPipeline, StoreOp, Texture,
+    Features, LoadOp, Operations, RenderPassColorAttachment, RenderPassDepthStencilAttachment,
+    RenderPassDescriptor, RenderPassTimestampWrites, RenderPipeline, StoreOp, Texture,
 };
 
 use super::drawn::{Drawn, check_triangles};
@@ -19,6 +19,7 @@ use super::light_map::{Caster, Frames, LightMap};
 use super::pass_clock::{PassClock, PassKind, Timed};
 use super::programs::{Programs, Seer};
 use super::resident::{Common, Resident};
+use super::stencil::Counted;
 use super::targets::{self, Band, Pass, Targets};
 use super::textures::Precision;
 use super::wait::block_on;
@@ -59,9 +60,17 @@ pub struct Work {
     pub built: u64,
 }
 
+/// How a surface is traced.
+enum Tracer {
+    /// By one program.
+    Whole(RenderPipeline),
+    /// Slice by slice and image by image.
+    Counted(Counted),
+}
+
 /// A surface ready to be drawn.
 struct Ready {
-    trace: RenderPipeline,
+    trace: Tracer,
     shade: ComputePipeline,
     maps: BindGroup,
     mesh: BindGroup,
@@ -303,11 +312,25 @@ impl GpuRenderer {
                 return Err(GpuError::RaysThroughScene { surface: number });
             }
         }
+        let counts = job.surfaces.iter().position(|surface| surface.selection.counts_in_stencil());
+        if let Some(surface) = counts
+            && !gpu.device().features().contains(Features::DEPTH32FLOAT_STENCIL8)
+        {
+            return Err(GpuError::NoStencil { surface });
+        }
+        let counts = counts.is_some();
+        let seer = if counts { Seer::CameraBesideCounts } else { Seer::Camera };
         let several = samples.len() > 1;
         let resolve = if several { Some(self.programs.resolve(&gpu, sampling).await?) } else { None };
         let mut programs = Vec::new();
-        for JobSurface { selection, two_sided, .. } in &job.surfaces {
-            let trace = self.programs.trace(&gpu, Seer::Camera, selection, sampling, *two_sided).await?;
+        for surface in &job.surfaces {
+            let JobSurface { selection, two_sided, .. } = surface;
+            let trace = if selection.counts_in_stencil() {
+                let programs = self.programs.stencil(&gpu, selection, sampling).await?;
+                Tracer::Counted(Counted::of(surface, programs))
+            } else {
+                Tracer::Whole(self.programs.trace(&gpu, seer, selection, sampling, *two_sided).await?)
+            };
             programs.push((trace, self.programs.shade(&gpu, selection, sampling).await?));
         }
         let mut light_programs = Vec::new();
@@ -323,11 +346,13 @@ impl GpuRenderer {
         let uploaded = gpu
             .guarded(|| {
                 let size = [job.width, job.height];
-                let fit = |targets: &Targets| targets.size == size && targets.samples == samples;
+                let fit = |targets: &Targets| {
+                    (targets.size, targets.counts) == (size, counts) && targets.samples == samples
+                };
                 if !targets.as_ref().is_some_and(fit) {
                     // What was there goes first, so that both need not fit.
                     drop(targets.take());
-                    *targets = Some(Targets::new(&gpu, size, samples, layouts)?);
+                    *targets = Some(Targets::new(&gpu, size, samples, counts, layouts)?);
                     *generation += 1;
                 }
                 let targets = targets.as_ref().ok_or(GpuError::EmptyPicture)?;
@@ -477,7 +502,9 @@ fn trace(
         depth_stencil_attachment: Some(RenderPassDepthStencilAttachment {
             view: &targets.depth,
             depth_ops: Some(Operations { load: keys, store: StoreOp::Store }),
-            stencil_ops: None,
+            stencil_ops: targets
+                .counts
+                .then_some(Operations { load: LoadOp::Clear(0), store: StoreOp::Discard }),
         }),
         timestamp_writes: timed.map(|Timed { queries, begin, end }| RenderPassTimestampWrites {
             query_set: queries,
@@ -488,10 +515,15 @@ fn trace(
         multiview_mask: None,
     });
     drawn.set_scissor_rect(0, 0, targets.size[0], pass.band.rows);
-    drawn.set_pipeline(&surface.trace);
     drawn.set_bind_group(0, &surface.maps, &[CAMERA, pass.offset]);
     drawn.set_bind_group(1, &surface.mesh, &[]);
-    surface.drawn.draw(&mut drawn);
+    match &surface.trace {
+        Tracer::Whole(program) => {
+            drawn.set_pipeline(program);
+            surface.drawn.draw(&mut drawn);
+        }
+        Tracer::Counted(counted) => counted.draw(&mut drawn),
+    }
 }
 
 /// Runs a program over the pixels of a band. Group 0 has the offsets of the frame and of the pass.

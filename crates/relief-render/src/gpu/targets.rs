@@ -7,7 +7,7 @@ use wgpu::{
 };
 
 use super::layouts::{PICTURE, group};
-use super::programs::{DEPTH, HIT, Layouts, WHAT};
+use super::programs::{DEPTH, DEPTH_AND_COUNT, HIT, Layouts, WHAT};
 use super::{Gpu, GpuError};
 use crate::samples::Sample;
 
@@ -41,6 +41,8 @@ pub struct Targets {
     pub size: [u32; 2],
     /// Of every pixel.
     pub samples: Vec<Sample>,
+    /// Whether there is a stencil buffer beside the depths.
+    pub counts: bool,
     /// The passes of each band, from the top.
     pub bands: Vec<Vec<Pass>>,
     pub hit: TextureView,
@@ -60,7 +62,8 @@ pub struct Targets {
 }
 
 impl Targets {
-    /// The targets of pictures of that size, which is not empty, with those samples.
+    /// The targets of pictures of that size, which is not empty, with those samples; with a stencil buffer if
+    /// images of objects are counted.
     ///
     /// # Errors
     ///
@@ -69,6 +72,7 @@ impl Targets {
         gpu: &Gpu,
         [width, height]: [u32; 2],
         samples: Vec<Sample>,
+        counts: bool,
         layouts: &Layouts,
     ) -> Result<Self, GpuError> {
         let rows = (BAND_PIXELS / width).clamp(1, height);
@@ -100,7 +104,8 @@ impl Targets {
         let sums = gpu.buffer("sums", pixels * SUM_BYTES, storage);
         let hit = texture("traced hit", HIT, TextureUsages::TEXTURE_BINDING);
         let what = texture("traced what", WHAT, TextureUsages::TEXTURE_BINDING);
-        let depth = texture("depth", DEPTH, TextureUsages::empty());
+        let format = if counts { DEPTH_AND_COUNT } else { DEPTH };
+        let depth = texture("depth", format, TextureUsages::empty());
         let bound = [
             ("traced_hit", BindingResource::TextureView(&hit)),
             ("traced_what", BindingResource::TextureView(&what)),
@@ -115,6 +120,7 @@ impl Targets {
         Ok(Self {
             size,
             samples,
+            counts,
             bands,
             hit,
             what,

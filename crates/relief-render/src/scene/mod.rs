@@ -46,6 +46,7 @@ use crate::tone::Tone;
 use glam::Vec3;
 use relief_core::ByteSize;
 pub use relief_core::mesh::UvProjection;
+use relief_shaders::Selection;
 pub use relief_shaders::wgsl::Sampling;
 use std::sync::Arc;
 
@@ -125,12 +126,19 @@ impl Scene {
         Look { background: self.background.to_array(), exposure: self.exposure, tone: self.tone }
     }
 
-    /// What computes the picture: the CPU where a surface's shadows are rays through the whole scene, unless
-    /// a GPU is asked for.
+    /// What computes the picture. Where that is not said it is the CPU if a surface's shadows are rays through
+    /// the whole scene, and a GPU, of any kind, if the images of an object are counted in a stencil buffer.
     pub fn backend(&self) -> BackendChoice {
-        let needs_cpu =
-            || self.surfaces.iter().any(|surface| surface.selection().rays_through_scene().is_some());
-        if self.backend == BackendChoice::Auto && needs_cpu() { BackendChoice::Cpu } else { self.backend }
+        let any = |of: fn(&Selection) -> bool| self.surfaces.iter().any(|surface| of(surface.selection()));
+        if self.backend != BackendChoice::Auto {
+            self.backend
+        } else if any(|selection| selection.rays_through_scene().is_some()) {
+            BackendChoice::Cpu
+        } else if any(Selection::counts_in_stencil) {
+            BackendChoice::Gpu
+        } else {
+            BackendChoice::Auto
+        }
     }
 
     /// How textures are read.

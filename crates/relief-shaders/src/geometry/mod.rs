@@ -57,8 +57,8 @@ pub enum Geometry {
     Tessellated(f32),
     /// Slices through the relief.
     Slices(Slices),
-    /// Slices through the box around an object.
-    ObjectSlices(Slices),
+    /// Slices through the box around an object, and whether its images are counted in a stencil buffer.
+    ObjectSlices(Slices, bool),
 }
 
 /// How many texels or pixels lie between vertices.

@@ -1,6 +1,6 @@
 //! Registry entry of the geometry `object-slices`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// Polygons through the box around an object.
 pub const ENTRY: Entry = Entry {
@@ -8,7 +8,12 @@ pub const ENTRY: Entry = Entry {
     summary: "object: polygons through the box around what images with depth look at",
     publication: Publication { paper: crate::DEPTH_OBJECTS, section: "4.1" },
     maps: &[],
-    params: &[],
+    params: &[Param::of_names(
+        "pass",
+        "product: all images are asked at each point of a slice; stencil: a pass for each of them, counted in \
+         a GPU's stencil buffer, slice by slice from front to back",
+        &["product", "stencil"],
+    )],
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],

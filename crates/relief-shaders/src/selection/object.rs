@@ -2,9 +2,10 @@
 
 use super::{
     CELLS, Choice, FRAMES, IMAGES, LIGHT_MAP, NO_REFINEMENT, NO_SEARCH, NO_SHADOW, OBJECT,
-    OBJECT_SHADOW_SIZE, OF_DEPTH, PATCH, PYRAMID, REFINE, SEARCH, SHADOW, SLICED_IMAGES, STAGES, SURFACE, Selection,
-    Shown,
+    OBJECT_SHADOW_SIZE, OF_DEPTH, PATCH, PYRAMID, REFINE, SEARCH, SHADOW, SLICED_IMAGES, STAGES, SURFACE,
+    Selection, Shown,
 };
+use crate::geometry::Geometry;
 use crate::object::{ObjectCells, Solid};
 
 impl Selection {
@@ -18,6 +19,11 @@ impl Selection {
     pub fn asks_all_images(&self) -> bool {
         let is_of_all = matches!(self.choices[SURFACE].number as usize, IMAGES | SLICED_IMAGES);
         self.object_cells().is_some() && is_of_all
+    }
+
+    /// Whether the images of an object are counted in a stencil buffer, which GPUs alone have.
+    pub fn counts_in_stencil(&self) -> bool {
+        matches!(self.geometry(), Some(Geometry::ObjectSlices(_, true)))
     }
 
     /// Whether frames of a grid are asked, which an object's images must make.

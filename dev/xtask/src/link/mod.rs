@@ -22,8 +22,9 @@ mod rust;
 mod wesl_link;
 
 /// The roots of what GPUs run, whose declarations are held to what the linker makes of them.
-const GPU_ROOTS: [&str; 8] = [
+const GPU_ROOTS: [&str; 9] = [
     "roots/trace",
+    "roots/stencil",
     "roots/draw",
     "roots/shade",
     "roots/resolve",

@@ -58,7 +58,7 @@ fn depths(gpu: &Gpu, job: &Job, clip: Clip) -> Vec<f32> {
         Clip::Standard => (CompareFunction::Less, 1.0),
         Clip::Reversed => (CompareFunction::Greater, 0.0),
     };
-    let test = wgpu::DepthStencilState { depth_compare: Some(compare), ..nearest() };
+    let test = wgpu::DepthStencilState { depth_compare: Some(compare), ..nearest(DEPTH) };
     let size = Extent3d { width, height, depth_or_array_layers: 1 };
     let bytes = u64::from(width) * u64::from(height) * 4;
     let readable = gpu.guarded(|| {
