@@ -15,6 +15,7 @@ pub struct PathBlock {
     pub level: [u32; BLOCK],
     pub start: [f32; BLOCK],
     pub share: [f32; BLOCK],
+    pub bend: [f32; BLOCK],
 }
 
 impl Default for PathBlock {
@@ -30,6 +31,7 @@ impl Default for PathBlock {
             level: [0u32; BLOCK],
             start: [0f32; BLOCK],
             share: [0f32; BLOCK],
+            bend: [0f32; BLOCK],
         }
     }
 }
@@ -55,6 +57,7 @@ impl PathBlock {
         self.level[at] = value.level;
         self.start[at] = value.start;
         self.share[at] = value.share;
+        self.bend[at] = value.bend;
     }
 
     /// The one in a place.
@@ -71,6 +74,7 @@ impl PathBlock {
             level: self.level[at],
             start: self.start[at],
             share: self.share[at],
+            bend: self.bend[at],
         }
     }
 }

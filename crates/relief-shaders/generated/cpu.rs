@@ -534,27 +534,36 @@ impl Grid {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// An image: what a point's texture coordinates and its height in it are, by a product with (x, y, z, 1);
-/// where it lies among the others (its first corner and its extent, in texture coordinates of all); the unit
-/// direction toward its viewer.
+/// An image: what a point's texture coordinates and its height in it are, each times its depth, and that
+/// depth, by products with (x, y, z, 1), the depth being 1 by parallel rays; where it lies among the others (its
+/// first corner and its extent, in texture coordinates of all); the unit direction against which it looks;
+/// and whether it looks from an eye, where that is, and at which depth it begins to see.
 pub struct Image {
     pub u: rt::Vec4<f32>,
     pub v: rt::Vec4<f32>,
     pub height: rt::Vec4<f32>,
+    pub depth: rt::Vec4<f32>,
     pub corner: rt::Vec2<f32>,
     pub extent: rt::Vec2<f32>,
     pub toward: rt::Vec3<f32>,
+    pub has_eye: bool,
+    pub eye: rt::Vec3<f32>,
+    pub nearest: f32,
 }
 impl Image {
     pub fn new(
         u: impl rt::Into<rt::Vec4<f32>>,
         v: impl rt::Into<rt::Vec4<f32>>,
         height: impl rt::Into<rt::Vec4<f32>>,
+        depth: impl rt::Into<rt::Vec4<f32>>,
         corner: impl rt::Into<rt::Vec2<f32>>,
         extent: impl rt::Into<rt::Vec2<f32>>,
         toward: impl rt::Into<rt::Vec3<f32>>,
+        has_eye: impl rt::Into<bool>,
+        eye: impl rt::Into<rt::Vec3<f32>>,
+        nearest: impl rt::Into<f32>,
     ) -> Self {
-        Self { u: rt::into(u), v: rt::into(v), height: rt::into(height), corner: rt::into(corner), extent: rt::into(extent), toward: rt::into(toward) }
+        Self { u: rt::into(u), v: rt::into(v), height: rt::into(height), depth: rt::into(depth), corner: rt::into(corner), extent: rt::into(extent), toward: rt::into(toward), has_eye: rt::into(has_eye), eye: rt::into(eye), nearest: rt::into(nearest) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -603,7 +612,8 @@ impl Levels {
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
 /// A ray segment in texture space: (u, v) is linear in t, the normalised height is h.x + h.y t + h.z t².
-/// t is in metres along the ray, 0 at the entry; `base` is where the ray crosses the base surface.
+/// t is in metres along the ray, 0 at the entry, but for `bend`; `base` is where the ray crosses the base
+/// surface.
 pub struct Path {
     pub uv: rt::Vec2<f32>,
     pub duv: rt::Vec2<f32>,
@@ -622,6 +632,9 @@ pub struct Path {
     /// The part of the ray's whole way through the relief that this segment is: searches that spread a number
     /// of steps over the whole take as many of them.
     pub share: f32,
+    /// Of an image from an eye: metres along the ray are t / (1 - bend t), and not t. In such an image rays
+    /// are straight, and what is farther away is smaller.
+    pub bend: f32,
 }
 impl Path {
     pub fn new(
@@ -635,8 +648,9 @@ impl Path {
         level: impl rt::Into<u32>,
         start: impl rt::Into<f32>,
         share: impl rt::Into<f32>,
+        bend: impl rt::Into<f32>,
     ) -> Self {
-        Self { uv: rt::into(uv), duv: rt::into(duv), h: rt::into(h), exit: rt::into(exit), base: rt::into(base), metric: rt::into(metric), ray: rt::into(ray), level: rt::into(level), start: rt::into(start), share: rt::into(share) }
+        Self { uv: rt::into(uv), duv: rt::into(duv), h: rt::into(h), exit: rt::into(exit), base: rt::into(base), metric: rt::into(metric), ray: rt::into(ray), level: rt::into(level), start: rt::into(start), share: rt::into(share), bend: rt::into(bend) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -1735,15 +1749,15 @@ impl<'g> Resources<'g> {
 
         let nowhere = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
         let _e6 = self.v_traced_scale_m();
-        let height_9 = at_2.of_surface.w();
-        let over = ((height_9 - rt::Scalar(1f32)) * _e6);
+        let height_10 = at_2.of_surface.w();
+        let over = ((height_10 - rt::Scalar(1f32)) * _e6);
         let _e12 = self.v_down_across(ray_7, over);
         let _e13 = self.v_down_along(ray_7, over);
         let _e15 = self.v_jumps_below(ray_7, over);
-        let begin_2 = _e12.min(_e13).min(_e15);
-        if rt::Scalar::into_branch_condition((!(!begin_2.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))))) {
-            if rt::Scalar::into_branch_condition(height_9.elementwise_ge(rt::Scalar(1f32))) {
-                local_3 = begin_2.elementwise_lt(rt::Scalar(0f32));
+        let begin_3 = _e12.min(_e13).min(_e15);
+        if rt::Scalar::into_branch_condition((!(!begin_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))))) {
+            if rt::Scalar::into_branch_condition(height_10.elementwise_ge(rt::Scalar(1f32))) {
+                local_3 = begin_3.elementwise_lt(rt::Scalar(0f32));
             } else {
                 local_3 = rt::Scalar(false);
             }
@@ -1756,8 +1770,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e32) {
             return nowhere;
         }
-        let enter_2 = begin_2.max(eye);
-        let floor = (height_9 * _e6);
+        let enter_2 = begin_3.max(eye);
+        let floor = (height_10 * _e6);
         let _e35 = self.v_down_across(ray_7, floor);
         let _e36 = self.v_down_along(ray_7, floor);
         let _e37 = self.v_jumps_below(ray_7, floor);
@@ -1875,14 +1889,14 @@ impl<'g> Resources<'g> {
         uv: rt::Vec2<f32>,
         n_2: rt::Vec2<i32>,
     ) -> Around {
-        let point_16 = ((uv * n_2.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_16);
+        let point_19 = ((uv * n_2.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_19);
         let i_1 = _e8.to_i32();
         let _e12 = self.v_wrap_index(i_1.x(), n_2.x());
         let _e17 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_2.x());
         let _e21 = self.v_wrap_index(i_1.y(), n_2.y());
         let _e26 = self.v_wrap_index((i_1.y() + rt::Scalar(1i32)), n_2.y());
-        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_16 - _e8));
+        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_19 - _e8));
     }
     pub(crate) fn level_texels(
         &self,
@@ -2202,16 +2216,16 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_face_place(direction_2);
         let _e5 = rt::Scalar(self.surface_settings.environment_side);
         let last_2 = ((_e5 >> level_6).to_i32().max(rt::Scalar(1i32)) - rt::Scalar(1i32));
-        let point_17 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
+        let point_20 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
         let most_3 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).to_f32();
-        let corner_3 = point_17.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_3, most_3));
+        let corner_3 = point_20.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_3, most_3));
         let texel_5 = corner_3.to_i32();
         let k_40 = level_6.to_i32();
         let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_40);
         let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_40);
         let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_40);
         let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_40);
-        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_17 - corner_3));
+        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_20 - corner_3));
         return _e55.xyz();
     }
     pub(crate) fn environment_in_lobe(
@@ -2374,6 +2388,25 @@ impl<'g> Resources<'g> {
             }
         }
     }
+    pub(crate) fn toward_image(
+        &self,
+        image: Image,
+        point_1: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_toward_image(image, rt::into(point_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_toward_image(
+        &self,
+        image: Image,
+        point_1: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(image.has_eye)) {
+            return (image.eye - point_1).normalize();
+        }
+        return image.toward;
+    }
     pub(crate) fn eighth_turn(&self, tangent: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_eighth_turn(rt::into(tangent)))
     }
@@ -2414,24 +2447,75 @@ impl<'g> Resources<'g> {
         let _e32 = turn;
         return _e31.select(rt::Scalar(0f32), _e32.elementwise_ge(rt::Scalar(1f32)));
     }
+    pub(crate) fn depth_in_image(
+        &self,
+        image_1: Image,
+        point_2: impl rt::Into<rt::Vec3<f32>>,
+    ) -> f32 {
+        rt::into(self.v_depth_in_image(image_1, rt::into(point_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_depth_in_image(
+        &self,
+        image_1: Image,
+        point_2: rt::Vec3<f32>,
+    ) -> rt::Scalar<f32> {
+        return (image_1.depth.xyz().dot(point_2) + image_1.depth.w());
+    }
     pub(crate) fn place_in_image(
         &self,
-        image: Image,
-        point_1: impl rt::Into<rt::Vec3<f32>>,
+        image_2: Image,
+        point_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_place_in_image(image, rt::into(point_1)))
+        rt::into(self.v_place_in_image(image_2, rt::into(point_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_place_in_image(
         &self,
-        image: Image,
-        point_1: rt::Vec3<f32>,
+        image_2: Image,
+        point_3: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let u = (image.u.xyz().dot(point_1) + image.u.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let v_2 = (image.v.xyz().dot(point_1) + image.v.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let h_4 = (image.height.xyz().dot(point_1) + image.height.w());
-        return <rt::Vec3<f32>>::new_21((image.corner + (image.extent * <rt::Vec2<f32>>::from_scalars(u, v_2))), h_4);
+        let _e2 = self.v_depth_in_image(image_2, point_3);
+        let u = ((image_2.u.xyz().dot(point_3) + image_2.u.w()) / _e2).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let v_2 = ((image_2.v.xyz().dot(point_3) + image_2.v.w()) / _e2).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let h_4 = ((image_2.height.xyz().dot(point_3) + image_2.height.w()) / _e2);
+        return <rt::Vec3<f32>>::new_21((image_2.corner + (image_2.extent * <rt::Vec2<f32>>::from_scalars(u, v_2))), h_4);
+    }
+    pub(crate) fn tangent_of_image(&self, image_3: Image) -> rt::Vec3<f32> {
+        rt::into(self.v_tangent_of_image(image_3))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_tangent_of_image(&self, image_3: Image) -> rt::Vec3<f32> {
+        let across_2 = (image_3.u.xyz() - (rt::Scalar(0.5f32) * image_3.depth.xyz()));
+        return (across_2 / rt::Vec3::splat_from_scalar((across_2.dot(across_2) * image_3.extent.x())));
+    }
+    pub(crate) fn stretch_in_image(
+        &self,
+        image_4: Image,
+        point_4: impl rt::Into<rt::Vec3<f32>>,
+        height: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_stretch_in_image(image_4, rt::into(point_4), rt::into(height)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_stretch_in_image(
+        &self,
+        image_4: Image,
+        point_4: rt::Vec3<f32>,
+        height: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition((!rt::Scalar(image_4.has_eye))) {
+            return rt::Scalar(1f32);
+        }
+        let _e6 = self.v_toward_image(image_4, point_4);
+        let change_1 = (image_4.height.xyz().dot(_e6) - (height * image_4.depth.xyz().dot(_e6)));
+        let _e15 = self.v_depth_in_image(image_4, point_4);
+        let _e18 = rt::Scalar(self.surface_settings.scale_m);
+        return (_e15 / (change_1 * _e18));
     }
     pub(crate) fn height_size(&self, level_7: impl rt::Into<rt::Scalar<u32>>) -> rt::Vec2<f32> {
         rt::into(self.v_height_size(rt::into(level_7)))
@@ -2483,9 +2567,9 @@ impl<'g> Resources<'g> {
         level_9: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
         let _e2 = self.v_height_size(level_9);
-        let point_18 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_18);
-        let f = (point_18 - _e8);
+        let point_21 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_21);
+        let f = (point_21 - _e8);
         let _e11 = self.v_height_cell(_e8.to_i32(), level_9);
         let top_2 = (_e11.x() + ((_e11.y() - _e11.x()) * f.x()));
         let bottom_1 = (_e11.z() + ((_e11.w() - _e11.z()) * f.x()));
@@ -2493,34 +2577,39 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn angle_to_image(
         &self,
-        image_1: Image,
-        point_2: impl rt::Into<rt::Vec3<f32>>,
+        image_5: Image,
+        point_5: impl rt::Into<rt::Vec3<f32>>,
         view_6: impl rt::Into<rt::Vec3<f32>>,
         asked: impl rt::Into<rt::Scalar<bool>>,
     ) -> f32 {
-        rt::into(self.v_angle_to_image(image_1, rt::into(point_2), rt::into(view_6), rt::into(asked)))
+        rt::into(self.v_angle_to_image(image_5, rt::into(point_5), rt::into(view_6), rt::into(asked)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
     fn v_angle_to_image(
         &self,
-        image_1: Image,
-        point_2: rt::Vec3<f32>,
+        image_5: Image,
+        point_5: rt::Vec3<f32>,
         view_6: rt::Vec3<f32>,
         asked: rt::Scalar<bool>,
     ) -> rt::Scalar<f32> {
-        let toward_6 = image_1.toward;
-        let beside_3 = toward_6.cross(view_6);
-        let _e10 = self.v_turn_of(<rt::Vec2<f32>>::from_scalars(toward_6.dot(view_6), beside_3.dot(beside_3).sqrt()));
+        let _e4 = self.v_toward_image(image_5, point_5);
+        let beside_3 = _e4.cross(view_6);
+        let _e10 = self.v_turn_of(<rt::Vec2<f32>>::from_scalars(_e4.dot(view_6), beside_3.dot(beside_3).sqrt()));
         if rt::Scalar::into_branch_condition((!asked)) {
             return _e10;
         }
-        let _e12 = self.v_place_in_image(image_1, point_2);
+        let _e12 = self.v_place_in_image(image_5, point_5);
         let _e18 = self.surface_settings.height_size.x();
-        let width_1 = (image_1.extent.x() * _e18.to_f32());
-        let _e24 = self.v_height_at(_e12.xy(), rt::Scalar(0u32));
-        let off_1 = (_e12.z() - _e24).abs();
-        return (_e10 + rt::Scalar(2f32).select(rt::Scalar(0f32), (off_1 * width_1).elementwise_le(rt::Scalar(2f32))));
+        let width_1 = (image_5.extent.x() * _e18.to_f32());
+        let _e21 = self.v_tangent_of_image(image_5);
+        let _e26 = self.v_depth_in_image(image_5, point_5);
+        let wider = ((_e21.length() * image_5.extent.x()) * _e26);
+        let _e29 = self.v_stretch_in_image(image_5, point_5, _e12.z());
+        let _e32 = rt::Scalar(self.surface_settings.scale_m);
+        let deeper = (_e29 * _e32);
+        let _e37 = self.v_height_at(_e12.xy(), rt::Scalar(0u32));
+        let off_1 = (_e12.z() - _e37).abs();
+        return (_e10 + rt::Scalar(2f32).select(rt::Scalar(0f32), ((off_1 * width_1) * (deeper / wider)).elementwise_le(rt::Scalar(2f32))));
     }
     pub(crate) fn around_three(
         &self,
@@ -2592,13 +2681,13 @@ impl<'g> Resources<'g> {
         let w_3 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
         let normal_20 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
         let place_19 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_20 * offset));
-        let t_34 = place_19.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let t_35 = place_19.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let second_1 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
         let third = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
         let volume = (second_1.cross(third).dot(normal_20) * rt::Scalar(way.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
-        let height_10 = (((offset - low_1) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        return <WayPoint>::new(<ShellPoint>::new(w_3, height_10), t_34, (place_19 - (along * t_34)).length(), volume);
+        let height_11 = (((offset - low_1) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        return <WayPoint>::new(<ShellPoint>::new(w_3, height_11), t_35, (place_19 - (along * t_35)).length(), volume);
     }
     pub(crate) fn before_turn(
         &self,
@@ -2724,7 +2813,7 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_path_uv(path_3, t_7);
         let _e4 = self.v_path_height(path_3, t_7);
         let _e5 = self.v_path_slope(path_3, t_7);
-        return <Path>::new(_e2, path_3.duv, <rt::Vec3<f32>>::from_scalars(_e4, _e5, path_3.h.z()), (rt::Scalar(path_3.exit) - t_7), rt::Scalar(path_3.base), path_3.metric, rt::Scalar(path_3.ray), rt::Scalar(path_3.level), (rt::Scalar(path_3.start) + t_7), rt::Scalar(path_3.share));
+        return <Path>::new(_e2, path_3.duv, <rt::Vec3<f32>>::from_scalars(_e4, _e5, path_3.h.z()), (rt::Scalar(path_3.exit) - t_7), rt::Scalar(path_3.base), path_3.metric, rt::Scalar(path_3.ray), rt::Scalar(path_3.level), (rt::Scalar(path_3.start) + t_7), rt::Scalar(path_3.share), rt::Scalar(path_3.bend));
     }
     pub(crate) fn bent_exit(&self, h: impl rt::Into<rt::Vec3<f32>>) -> f32 {
         rt::into(self.v_bent_exit(rt::into(h)))
@@ -2830,8 +2919,8 @@ impl<'g> Resources<'g> {
         let apart = (_e19 * _e21).abs();
         let bend_3 = (rt::Scalar(2f32) * ((rt::Scalar(a_1.height) + rt::Scalar(b_1.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
         let slope_5 = ((rt::Scalar(b_1.height) - rt::Scalar(a_1.height)) - bend_3);
-        let height_11 = (rt::Scalar(a_1.height) + (part_1 * (slope_5 + (part_1 * bend_3))));
-        return apart.x().max(apart.y()).max(((rt::Scalar(at_10.height) - height_11).abs() / rt::Scalar(0.0625f32)));
+        let height_12 = (rt::Scalar(a_1.height) + (part_1 * (slope_5 + (part_1 * bend_3))));
+        return apart.x().max(apart.y()).max(((rt::Scalar(at_10.height) - height_12).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn beside_way(
         &self,
@@ -2859,8 +2948,8 @@ impl<'g> Resources<'g> {
         let _e31 = self.v_height_size(rt::Scalar(0u32));
         let apart_1 = (_e29 * _e31).abs();
         let slope_6 = ((rt::Scalar(b_2.point.height) - rt::Scalar(a_2.point.height)) - bend_1);
-        let height_12 = (rt::Scalar(a_2.point.height) + (part_8 * (slope_6 + (part_8 * bend_1))));
-        return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_11.point.height) - height_12).abs() / rt::Scalar(0.0625f32)));
+        let height_13 = (rt::Scalar(a_2.point.height) + (part_8 * (slope_6 + (part_8 * bend_1))));
+        return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_11.point.height) - height_13).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn between(&self, a_3: ShellPoint, b_3: ShellPoint) -> ShellPoint {
         rt::into(self.v_between(a_3, b_3))
@@ -2870,22 +2959,23 @@ impl<'g> Resources<'g> {
     fn v_between(&self, a_3: ShellPoint, b_3: ShellPoint) -> ShellPoint {
         return <ShellPoint>::new((rt::Scalar(0.5f32) * (a_3.weights + b_3.weights)), (rt::Scalar(0.5f32) * (rt::Scalar(a_3.height) + rt::Scalar(b_3.height))));
     }
-    pub(crate) fn beyond_image(&self, image_2: Image) -> rt::Vec2<f32> {
-        rt::into(self.v_beyond_image(image_2))
+    pub(crate) fn beyond_image(&self, image_6: Image) -> rt::Vec2<f32> {
+        rt::into(self.v_beyond_image(image_6))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_beyond_image(&self, image_2: Image) -> rt::Vec2<f32> {
+    fn v_beyond_image(&self, image_6: Image) -> rt::Vec2<f32> {
         let _e6 = self.v_height_size(rt::Scalar(0u32));
-        return (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / (image_2.extent * _e6));
+        return (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / (image_6.extent * _e6));
     }
-    pub(crate) fn bitangent_of_image(&self, image_3: Image) -> rt::Vec3<f32> {
-        rt::into(self.v_bitangent_of_image(image_3))
+    pub(crate) fn bitangent_of_image(&self, image_7: Image) -> rt::Vec3<f32> {
+        rt::into(self.v_bitangent_of_image(image_7))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_bitangent_of_image(&self, image_3: Image) -> rt::Vec3<f32> {
-        return (image_3.v.xyz() / rt::Vec3::splat_from_scalar((image_3.v.xyz().dot(image_3.v.xyz()) * image_3.extent.y())));
+    fn v_bitangent_of_image(&self, image_7: Image) -> rt::Vec3<f32> {
+        let along_20 = (image_7.v.xyz() - (rt::Scalar(0.5f32) * image_7.depth.xyz()));
+        return (along_20 / rt::Vec3::splat_from_scalar((along_20.dot(along_20) * image_7.extent.y())));
     }
     pub(crate) fn both_roots(&self, c_2: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_both_roots(rt::into(c_2)))
@@ -3243,11 +3333,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
             return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32).select(interval.x(), weight_1.elementwise_ge((rt::Scalar(0f32) - slack))), interval.y());
         }
-        let t_35 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
+        let t_36 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
         if rt::Scalar::into_branch_condition(change.elementwise_gt(rt::Scalar(0f32))) {
-            return <rt::Vec2<f32>>::from_scalars(interval.x().max(t_35), interval.y());
+            return <rt::Vec2<f32>>::from_scalars(interval.x().max(t_36), interval.y());
         }
-        return <rt::Vec2<f32>>::from_scalars(interval.x(), interval.y().min(t_35));
+        return <rt::Vec2<f32>>::from_scalars(interval.x(), interval.y().min(t_36));
     }
     pub(crate) fn inside_unit(
         &self,
@@ -3338,9 +3428,9 @@ impl<'g> Resources<'g> {
         let _e11 = self.v_cell_of(((path_10.uv * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
         let _e14 = self.v_height_cell(_e11.to_i32(), rt::Scalar(path_10.level));
         let range = (_e14.x().max(_e14.y()).max(_e14.z().max(_e14.w())) - _e14.x().min(_e14.y()).min(_e14.z().min(_e14.w())));
-        let change_1 = (path_10.duv.abs() * _e4);
+        let change_2 = (path_10.duv.abs() * _e4);
         let places = ((path_10.uv.abs() * _e4) * rt::Scalar(0.0000009536743f32));
-        let aside_2 = (((((change_1.x() + change_1.y()) * slack_1) + places.x()) + places.y()) + texels_1);
+        let aside_2 = (((((change_2.x() + change_2.y()) * slack_1) + places.x()) + places.y()) + texels_1);
         return (((path_10.h.y().abs() * slack_1) + (range * aside_2)) + rt::Scalar(0.0000009536743f32));
     }
     pub(crate) fn out_of_ground(
@@ -3471,16 +3561,16 @@ impl<'g> Resources<'g> {
         let duv_4 = ((_e18 - _e16) / rt::Vec2::splat_from_scalar(long));
         let slope_7 = ((rt::Scalar(b_4.height) - rt::Scalar(a_4.height)) - bend_2);
         let _e26 = self.v_shell_slack(pixel_5, middle_1);
-        let change_2 = ((b_4.weights - a_4.weights) / rt::Vec3::splat_from_scalar(long));
+        let change_3 = ((b_4.weights - a_4.weights) / rt::Vec3::splat_from_scalar(long));
         inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_8)), long);
         let _e39 = inside;
-        let _e44 = self.v_where_positive(_e39, a_4.weights.x(), change_2.x(), beyond.x());
+        let _e44 = self.v_where_positive(_e39, a_4.weights.x(), change_3.x(), beyond.x());
         inside = _e44;
         let _e45 = inside;
-        let _e50 = self.v_where_positive(_e45, a_4.weights.y(), change_2.y(), beyond.y());
+        let _e50 = self.v_where_positive(_e45, a_4.weights.y(), change_3.y(), beyond.y());
         inside = _e50;
         let _e51 = inside;
-        let _e56 = self.v_where_positive(_e51, a_4.weights.z(), change_2.z(), beyond.z());
+        let _e56 = self.v_where_positive(_e51, a_4.weights.z(), change_3.z(), beyond.z());
         inside = _e56;
         let _e59 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e59.elementwise_eq(WRAP_CLAMP)) {
@@ -3492,40 +3582,40 @@ impl<'g> Resources<'g> {
             inside = _e69;
         }
         let _e76 = inside.y();
-        path_12 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_4.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_13.metric, RAY_VIEW, rt::Scalar(at_13.level), (middle_1 + first_8), (rt::Scalar(1f32) / rt::Scalar(at_13.segments).to_f32()));
-        let _e89 = inside.y();
-        let _e91 = inside.x();
-        if rt::Scalar::into_branch_condition((!_e89.elementwise_gt(_e91))) {
+        path_12 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_4.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_13.metric, RAY_VIEW, rt::Scalar(at_13.level), (middle_1 + first_8), (rt::Scalar(1f32) / rt::Scalar(at_13.segments).to_f32()), rt::Scalar(0f32));
+        let _e90 = inside.y();
+        let _e92 = inside.x();
+        if rt::Scalar::into_branch_condition((!_e90.elementwise_gt(_e92))) {
             rt::Scalar(path_12.exit) = rt::Scalar(0f32);
-            let _e96 = path_12;
-            return _e96;
+            let _e97 = path_12;
+            return _e97;
         }
-        let _e97 = path_12;
-        let _e99 = inside.x();
-        let _e100 = self.v_path_from(_e97, _e99);
-        path_12 = _e100;
-        let _e103 = path_12.h.x();
-        let above_4 = (_e103 - heights_1.y());
+        let _e98 = path_12;
+        let _e100 = inside.x();
+        let _e101 = self.v_path_from(_e98, _e100);
+        path_12 = _e101;
+        let _e104 = path_12.h.x();
+        let above_4 = (_e104 - heights_1.y());
         if rt::Scalar::into_branch_condition(above_4.elementwise_gt(rt::Scalar(0f32))) {
-            let _e108 = path_12;
-            let _e111 = path_12.h.y();
-            let _e114 = path_12.h.z();
-            let _e117 = rt::Scalar(path_12.exit);
-            let _e118 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_4, _e111, _e114), _e117);
-            let _e120 = rt::Scalar(path_12.exit);
-            let _e122 = self.v_path_from(_e108, _e118.min(_e120));
-            path_12 = _e122;
+            let _e109 = path_12;
+            let _e112 = path_12.h.y();
+            let _e115 = path_12.h.z();
+            let _e118 = rt::Scalar(path_12.exit);
+            let _e119 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_4, _e112, _e115), _e118);
+            let _e121 = rt::Scalar(path_12.exit);
+            let _e123 = self.v_path_from(_e109, _e119.min(_e121));
+            path_12 = _e123;
         }
-        let _e124 = rt::Scalar(path_12.exit);
-        if rt::Scalar::into_branch_condition(_e124.elementwise_gt(rt::Scalar(0f32))) {
-            let _e127 = path_12;
+        let _e125 = rt::Scalar(path_12.exit);
+        if rt::Scalar::into_branch_condition(_e125.elementwise_gt(rt::Scalar(0f32))) {
             let _e128 = path_12;
-            let _e132 = self.v_out_of_ground(_e128, (rt::Scalar(4f32) * _e26), params_5.x());
-            let _e133 = self.v_path_from(_e127, _e132);
-            path_12 = _e133;
+            let _e129 = path_12;
+            let _e133 = self.v_out_of_ground(_e129, (rt::Scalar(4f32) * _e26), params_5.x());
+            let _e134 = self.v_path_from(_e128, _e133);
+            path_12 = _e134;
         }
-        let _e134 = path_12;
-        return _e134;
+        let _e135 = path_12;
+        return _e135;
     }
     pub(crate) fn chord_reach(
         &self,
@@ -3739,12 +3829,12 @@ impl<'g> Resources<'g> {
         let _e66 = x;
         let _e69 = x;
         let _e70 = z;
-        let across_2 = ((_e66 + rt::Scalar(1f32)).select(((_e69 + _e70) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_3));
+        let across_3 = ((_e66 + rt::Scalar(1f32)).select(((_e69 + _e70) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_3));
         let _e78 = z;
         let _e81 = z;
         let _e82 = x;
-        let along_20 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_3));
-        let place_20 = <rt::Vec2<f32>>::from_scalars(across_2, along_20).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_3, last_3));
+        let along_21 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_3));
+        let place_20 = <rt::Vec2<f32>>::from_scalars(across_3, along_21).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_3, last_3));
         let cell_21 = place_20.floor().min(<rt::Vec2<f32>>::from_scalars((last_3 - rt::Scalar(1f32)), (last_3 - rt::Scalar(1f32))));
         let part_9 = (place_20 - cell_21);
         let side_5 = (last_3.to_u32() + rt::Scalar(1u32));
@@ -3758,15 +3848,27 @@ impl<'g> Resources<'g> {
         rt::into(self.v_image_of_object(rt::into(number)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
     fn v_image_of_object(&self, number: rt::Scalar<u32>) -> Image {
+        let mut depth_5: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(1f32));
+        let mut eye_1: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+
         let row_9 = number.to_i32();
         let _e4 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(3i32), row_9));
-        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_9));
-        let _e10 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_9));
-        let _e13 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_9));
-        let _e20 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(4i32), row_9));
-        return <Image>::new(_e7, _e10, _e13, _e4.xy(), <rt::Vec2<f32>>::from_scalars(_e4.z(), _e4.w()), _e20.xyz());
+        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(4i32), row_9));
+        let has_eye = _e7.w().elementwise_eq(rt::Scalar(1f32));
+        if rt::Scalar::into_branch_condition(has_eye) {
+            let _e25 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(5i32), row_9));
+            depth_5 = _e25;
+            let _e28 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(6i32), row_9));
+            eye_1 = _e28;
+        }
+        let _e31 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_9));
+        let _e34 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_9));
+        let _e37 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_9));
+        let _e38 = depth_5;
+        let _e44 = eye_1;
+        let _e47 = eye_1.w();
+        return <Image>::new(_e31, _e34, _e37, _e38, _e4.xy(), <rt::Vec2<f32>>::from_scalars(_e4.z(), _e4.w()), _e7.xyz(), has_eye, _e44.xyz(), _e47);
     }
     pub(crate) fn frame_number(
         &self,
@@ -4030,8 +4132,8 @@ impl<'g> Resources<'g> {
         direction_4: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
         let aside_3 = (origin + (direction_4 * t_14));
-        let along_21 = (normal_8.dot(aside_3) / normal_8.dot(pixel_11.direction));
-        let _e15 = self.v_climb(at_17, (aside_3 - (pixel_11.direction * along_21)));
+        let along_22 = (normal_8.dot(aside_3) / normal_8.dot(pixel_11.direction));
+        let _e15 = self.v_climb(at_17, (aside_3 - (pixel_11.direction * along_22)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.to_f32());
     }
@@ -4085,9 +4187,9 @@ impl<'g> Resources<'g> {
         params_7: rt::Vec4<f32>,
     ) -> Detail {
         let _e4 = self.v_footprint_of(pixel_13, at_19, params_7.x());
-        let begin_3 = (params_7.z() * params_7.w());
+        let begin_4 = (params_7.z() * params_7.w());
         let _e8 = self.v_depth_in_samples(pixel_13, at_19);
-        let part_10 = ((begin_3 - _e8) / (begin_3 - params_7.z()).max(rt::Scalar(0.000001f32)));
+        let part_10 = ((begin_4 - _e8) / (begin_4 - params_7.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
         let _e20 = self.v_levels_of((_e4 / params_7.y()), _e19);
         let level_28 = rt::Scalar(_e20.fine);
@@ -4811,9 +4913,9 @@ impl<'g> Resources<'g> {
         level_15: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_height_size(level_15);
-        let point_19 = ((uv_6 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_19);
-        let f_1 = (point_19 - _e8);
+        let point_22 = ((uv_6 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_22);
+        let f_1 = (point_22 - _e8);
         let _e11 = self.v_height_cell(_e8.to_i32(), level_15);
         let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_3 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
@@ -4918,10 +5020,10 @@ impl<'g> Resources<'g> {
         &self,
         path_17: Path,
         uv_9: impl rt::Into<rt::Vec2<f32>>,
-        height: impl rt::Into<rt::Scalar<f32>>,
+        height_1: impl rt::Into<rt::Scalar<f32>>,
         slices: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_distance_at(path_17, rt::into(uv_9), rt::into(height), rt::into(slices)))
+        rt::into(self.v_distance_at(path_17, rt::into(uv_9), rt::into(height_1), rt::into(slices)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4929,10 +5031,10 @@ impl<'g> Resources<'g> {
         &self,
         path_17: Path,
         uv_9: rt::Vec2<f32>,
-        height: rt::Scalar<f32>,
+        height_1: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_22 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let place_22 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
         let below_5 = place_22.floor();
         let _e13 = self.v_search_texel_between(path_17, uv_9, below_5.to_i32());
         let lower_1 = _e13.x();
@@ -4955,9 +5057,9 @@ impl<'g> Resources<'g> {
         b_8: impl rt::Into<rt::Vec3<f32>>,
         c_3: impl rt::Into<rt::Vec3<f32>>,
         normal_10: impl rt::Into<rt::Vec3<f32>>,
-        point_3: impl rt::Into<rt::Vec3<f32>>,
+        point_6: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_weights_of(rt::into(a_8), rt::into(b_8), rt::into(c_3), rt::into(normal_10), rt::into(point_3)))
+        rt::into(self.v_weights_of(rt::into(a_8), rt::into(b_8), rt::into(c_3), rt::into(normal_10), rt::into(point_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4967,10 +5069,10 @@ impl<'g> Resources<'g> {
         b_8: rt::Vec3<f32>,
         c_3: rt::Vec3<f32>,
         normal_10: rt::Vec3<f32>,
-        point_3: rt::Vec3<f32>,
+        point_6: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let nn = normal_10.dot(normal_10);
-        let from_a = (point_3 - a_8);
+        let from_a = (point_6 - a_8);
         let wb = (from_a.cross((c_3 - a_8)).dot(normal_10) / nn);
         let wc = ((b_8 - a_8).cross(from_a).dot(normal_10) / nn);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - wb) - wc), wb, wc);
@@ -4979,9 +5081,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_18: PixelIn,
         normal_11: impl rt::Into<rt::Vec3<f32>>,
-        point_4: impl rt::Into<rt::Vec3<f32>>,
+        point_7: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_plane_weights(pixel_18, rt::into(normal_11), rt::into(point_4)))
+        rt::into(self.v_plane_weights(pixel_18, rt::into(normal_11), rt::into(point_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4989,9 +5091,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_18: PixelIn,
         normal_11: rt::Vec3<f32>,
-        point_4: rt::Vec3<f32>,
+        point_7: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e9 = self.v_weights_of(pixel_18.a.position, pixel_18.b.position, pixel_18.c.position, normal_11, point_4);
+        let _e9 = self.v_weights_of(pixel_18.a.position, pixel_18.b.position, pixel_18.c.position, normal_11, point_7);
         return _e9;
     }
     pub(crate) fn surface_plane_enter(
@@ -5011,8 +5113,8 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_plane_normal(pixel_19);
         let _e5 = self.v_plane_distance(pixel_19, _e2);
-        let point_20 = (pixel_19.origin + (pixel_19.direction * _e5));
-        let _e8 = self.v_plane_weights(pixel_19, _e2, point_20);
+        let point_23 = (pixel_19.origin + (pixel_19.direction * _e5));
+        let _e8 = self.v_plane_weights(pixel_19, _e2, point_23);
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
@@ -5034,7 +5136,7 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_27;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_20, uv_30, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_23, uv_30, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -5081,11 +5183,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_22: PixelIn,
         weights_1: impl rt::Into<rt::Vec3<f32>>,
-        point_5: impl rt::Into<rt::Vec3<f32>>,
+        point_8: impl rt::Into<rt::Vec3<f32>>,
         uv_10: impl rt::Into<rt::Vec2<f32>>,
         facing: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_frame_at(pixel_22, rt::into(weights_1), rt::into(point_5), rt::into(uv_10), rt::into(facing)))
+        rt::into(self.v_frame_at(pixel_22, rt::into(weights_1), rt::into(point_8), rt::into(uv_10), rt::into(facing)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5093,7 +5195,7 @@ impl<'g> Resources<'g> {
         &self,
         pixel_22: PixelIn,
         weights_1: rt::Vec3<f32>,
-        point_5: rt::Vec3<f32>,
+        point_8: rt::Vec3<f32>,
         uv_10: rt::Vec2<f32>,
         facing: rt::Vec3<f32>,
     ) -> Entered {
@@ -5106,7 +5208,7 @@ impl<'g> Resources<'g> {
         let _e49 = rt::Scalar(self.surface_settings.scale_m);
         let metric_2 = <rt::Vec4<f32>>::from_scalars(tangent_2.dot(tangent_2), tangent_2.dot(bitangent_1), bitangent_1.dot(bitangent_1), _e49);
         let unit = (normal_23.normalize() * rt::Scalar(pixel_22.side));
-        return <Entered>::new(rt::Scalar(1u32), point_5, uv_10, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(1u32), point_8, uv_10, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn facing_of(
         &self,
@@ -5146,9 +5248,9 @@ impl<'g> Resources<'g> {
         let third_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
         let uv_31 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_24, along_7);
-        let point_21 = (pixel_24.origin + (along_7 * _e17));
+        let point_24 = (pixel_24.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_24, along_7);
-        let _e21 = self.v_frame_at(pixel_24, third_1, point_21, uv_31, _e20);
+        let _e21 = self.v_frame_at(pixel_24, third_1, point_24, uv_31, _e20);
         at_24 = _e21;
         rt::Scalar(at_24.segments) = rt::Scalar(0u32);
         let _e25 = at_24;
@@ -5467,18 +5569,18 @@ impl<'g> Resources<'g> {
     ) -> Entered {
         let mut at_25: Entered;
 
-        let along_22 = pixel_28.direction.normalize();
-        let _e4 = self.v_middle_of(pixel_28, along_22);
-        let _e5 = self.v_prism_of(pixel_28, along_22, _e4, params_12);
-        let _e6 = self.v_shell_middle(pixel_28, along_22);
+        let along_23 = pixel_28.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_28, along_23);
+        let _e5 = self.v_prism_of(pixel_28, along_23, _e4, params_12);
+        let _e6 = self.v_shell_middle(pixel_28, along_23);
         at_25 = _e6;
-        let _e8 = self.v_way_of(pixel_28, _e5, along_22);
+        let _e8 = self.v_way_of(pixel_28, _e5, along_23);
         let _e9 = self.v_shell_slack(pixel_28, _e4);
         let _e10 = self.v_way_offsets(pixel_28, _e5, _e9);
         let _e11 = at_25;
         let _e12 = self.v_chord_reach(pixel_28, _e11, _e4, params_12);
         let _e13 = self.v_way_beyond(_e5, _e10, _e12);
-        let _e17 = self.v_way_chord(pixel_28, _e5, along_22, _e8, _e10, _e13, params_12.x(), rt::Scalar(0u32));
+        let _e17 = self.v_way_chord(pixel_28, _e5, along_23, _e8, _e10, _e13, params_12.x(), rt::Scalar(0u32));
         rt::Scalar(at_25.segments) = rt::Scalar(_e17.count);
         let _e19 = at_25;
         return _e19;
@@ -5513,9 +5615,9 @@ impl<'g> Resources<'g> {
         let least_4 = far_6.x().min(far_6.y()).min(far_6.z().min(far_6.w()));
         let most_10 = far_6.x().max(far_6.y()).max(far_6.z().max(far_6.w()));
         let beyond_3 = (slack_4 * normal_12.length());
-        let change_3 = normal_12.dot(along_11);
-        let _e32 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least_4), change_3, beyond_3);
-        let _e35 = self.v_where_positive(_e32, most_10, (rt::Scalar(0f32) - change_3), beyond_3);
+        let change_4 = normal_12.dot(along_11);
+        let _e32 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least_4), change_4, beyond_3);
+        let _e35 = self.v_where_positive(_e32, most_10, (rt::Scalar(0f32) - change_4), beyond_3);
         return _e35;
     }
     pub(crate) fn span_of(
@@ -5653,9 +5755,9 @@ impl<'g> Resources<'g> {
                     let a_21 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_24 * second_3));
                     let b_21 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_7)) + (normal_24 * third_2));
                     let c_14 = (normal_24 * width_5);
-                    let across_3 = b_21.cross(c_14);
-                    let one_over = (rt::Scalar(1f32) / a_21.dot(across_3));
-                    let db = (rest_3.dot(across_3) * one_over);
+                    let across_4 = b_21.cross(c_14);
+                    let one_over = (rt::Scalar(1f32) / a_21.dot(across_4));
+                    let db = (rest_3.dot(across_4) * one_over);
                     let dc = (rest_3.dot(c_14.cross(a_21)) * one_over);
                     let dh = (rest_3.dot(a_21.cross(b_21)) * one_over);
                     let _e126 = w_1.x();
@@ -5678,9 +5780,9 @@ impl<'g> Resources<'g> {
         &self,
         prism_10: Prism,
         place_11: impl rt::Into<rt::Vec3<f32>>,
-        height_1: impl rt::Into<rt::Scalar<f32>>,
+        height_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point(prism_10, rt::into(place_11), rt::into(height_1)))
+        rt::into(self.v_shell_point(prism_10, rt::into(place_11), rt::into(height_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5688,9 +5790,9 @@ impl<'g> Resources<'g> {
         &self,
         prism_10: Prism,
         place_11: rt::Vec3<f32>,
-        height_1: rt::Scalar<f32>,
+        height_2: rt::Scalar<f32>,
     ) -> ShellPoint {
-        let _e8 = self.v_shell_point_from(prism_10, place_11, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_1));
+        let _e8 = self.v_shell_point_from(prism_10, place_11, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_2));
         return _e8;
     }
     pub(crate) fn surface_prism_enter(
@@ -5713,10 +5815,10 @@ impl<'g> Resources<'g> {
             let _e6 = self.v_folded_enter(pixel_30, params_14);
             return _e6;
         }
-        let along_23 = pixel_30.direction.normalize();
-        let _e9 = self.v_middle_of(pixel_30, along_23);
-        let _e10 = self.v_prism_of(pixel_30, along_23, _e9, params_14);
-        let _e11 = self.v_span_of(pixel_30, _e10, along_23, _e9, params_14);
+        let along_24 = pixel_30.direction.normalize();
+        let _e9 = self.v_middle_of(pixel_30, along_24);
+        let _e10 = self.v_prism_of(pixel_30, along_24, _e9, params_14);
+        let _e11 = self.v_span_of(pixel_30, _e10, along_24, _e9, params_14);
         let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
             local_31 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
@@ -5728,23 +5830,23 @@ impl<'g> Resources<'g> {
             let _e28 = self.v_passed_by();
             return _e28;
         }
-        let _e29 = self.v_shell_middle(pixel_30, along_23);
+        let _e29 = self.v_shell_middle(pixel_30, along_24);
         at_26 = _e29;
         at_26.span = _e11;
-        let height_13 = (rt::Scalar(0.5f32) * (pixel_30.shell.heights.x() + pixel_30.shell.heights.y()));
+        let height_14 = (rt::Scalar(0.5f32) * (pixel_30.shell.heights.x() + pixel_30.shell.heights.y()));
         let _e43 = at_26.span.x();
-        let _e45 = self.v_shell_point(_e10, (along_23 * _e43), height_13);
+        let _e45 = self.v_shell_point(_e10, (along_24 * _e43), height_14);
         let _e48 = at_26.span.y();
-        let _e50 = self.v_shell_point(_e10, (along_23 * _e48), height_13);
+        let _e50 = self.v_shell_point(_e10, (along_24 * _e48), height_14);
         let _e53 = at_26.span.x();
         let _e58 = self.v_between(_e45, _e50);
-        let _e59 = self.v_shell_point_from(_e10, (along_23 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
+        let _e59 = self.v_shell_point_from(_e10, (along_24 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
         let _e62 = at_26.span.x();
         let _e67 = self.v_between(_e45, _e59);
-        let _e68 = self.v_shell_point_from(_e10, (along_23 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
+        let _e68 = self.v_shell_point_from(_e10, (along_24 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
         let _e71 = at_26.span.x();
         let _e76 = self.v_between(_e59, _e50);
-        let _e77 = self.v_shell_point_from(_e10, (along_23 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
+        let _e77 = self.v_shell_point_from(_e10, (along_24 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
         let _e79 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e68, rt::Scalar(0.25f32));
         let _e81 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e77, rt::Scalar(0.75f32));
         let quarters_1 = _e79.max(_e81);
@@ -5793,35 +5895,35 @@ impl<'g> Resources<'g> {
     pub(crate) fn quadric_of(
         &self,
         pixel_31: PixelIn,
-        point_6: impl rt::Into<rt::Vec3<f32>>,
+        point_9: impl rt::Into<rt::Vec3<f32>>,
         lift_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_quadric_of(pixel_31, rt::into(point_6), rt::into(lift_1)))
+        rt::into(self.v_quadric_of(pixel_31, rt::into(point_9), rt::into(lift_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_of(
         &self,
         pixel_31: PixelIn,
-        point_6: rt::Vec3<f32>,
+        point_9: rt::Vec3<f32>,
         lift_1: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let mut height_2: rt::Scalar<f32>;
+        let mut height_3: rt::Scalar<f32>;
 
         let _e3 = self.v_plane_normal(pixel_31);
-        let _e4 = self.v_plane_weights(pixel_31, _e3, point_6);
+        let _e4 = self.v_plane_weights(pixel_31, _e3, point_9);
         let quadric_2 = (((pixel_31.a.of_surface * _e4.x()) + (pixel_31.b.of_surface * _e4.y())) + (pixel_31.c.of_surface * _e4.z()));
         let _e19 = self.v_base_height();
-        height_2 = _e19;
+        height_3 = _e19;
         let _e23 = rt::Scalar(self.surface_settings.bias_m);
         let _e26 = rt::Scalar(self.surface_settings.scale_m);
         if rt::Scalar::into_branch_condition((_e23 + _e26).elementwise_gt(rt::Scalar(0f32))) {
-            let _e30 = height_2;
-            height_2 = ((rt::Scalar(2f32) * _e30) - rt::Scalar(1f32)).select(rt::Scalar(1f32), rt::Scalar(pixel_31.side).elementwise_gt(rt::Scalar(0f32)));
+            let _e30 = height_3;
+            height_3 = ((rt::Scalar(2f32) * _e30) - rt::Scalar(1f32)).select(rt::Scalar(1f32), rt::Scalar(pixel_31.side).elementwise_gt(rt::Scalar(0f32)));
         }
         let _e43 = self.v_ordered_weights(pixel_31.shell, _e4);
         let _e44 = self.v_lift_of(pixel_31.shell.lift, _e43);
         let lifted_1 = (_e44 * (lift_1 * rt::Scalar(pixel_31.side)));
-        let _e50 = height_2;
+        let _e50 = height_3;
         let _e51 = self.v_traced_scale_m();
         return <rt::Vec4<f32>>::new_31((quadric_2 * rt::Scalar(pixel_31.side)), (_e50 - (lifted_1 / _e51)));
     }
@@ -5871,14 +5973,14 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_surface_quadric_vertical_enter(pixel_33, params_16);
         at_28 = _e2;
-        let along_24 = pixel_33.direction.length();
+        let along_25 = pixel_33.direction.length();
         let _e6 = at_28;
-        let _e10 = self.v_across_of(_e6, (pixel_33.direction / rt::Vec3::splat_from_scalar(along_24)));
+        let _e10 = self.v_across_of(_e6, (pixel_33.direction / rt::Vec3::splat_from_scalar(along_25)));
         let _e11 = self.v_plane_normal(pixel_33);
         let _e12 = self.v_plane_distance(pixel_33, _e11);
-        let eye_1 = (rt::Scalar(0f32) - (_e12 * along_24));
+        let eye_2 = (rt::Scalar(0f32) - (_e12 * along_25));
         let _e17 = at_28;
-        let _e18 = self.v_across_span(_e17, _e10, eye_1);
+        let _e18 = self.v_across_span(_e17, _e10, eye_2);
         at_28.span = _e18;
         let _e22 = rt::Scalar(at_28.segments);
         let _e28 = at_28.span.y();
@@ -5909,9 +6011,9 @@ impl<'g> Resources<'g> {
         &self,
         corner_2: Corner,
         side_2: impl rt::Into<rt::Scalar<f32>>,
-        height_3: impl rt::Into<rt::Scalar<f32>>,
+        height_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_raised(corner_2, rt::into(side_2), rt::into(height_3)))
+        rt::into(self.v_raised(corner_2, rt::into(side_2), rt::into(height_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5919,10 +6021,10 @@ impl<'g> Resources<'g> {
         &self,
         corner_2: Corner,
         side_2: rt::Scalar<f32>,
-        height_3: rt::Scalar<f32>,
+        height_4: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let shell_5 = self.surface_settings.shell_m;
-        let _e14 = self.v_moved_out(corner_2, side_2, (shell_5.x() + ((shell_5.y() - shell_5.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_3)));
+        let _e14 = self.v_moved_out(corner_2, side_2, (shell_5.x() + ((shell_5.y() - shell_5.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_4)));
         return _e14;
     }
     pub(crate) fn tetrahedron(
@@ -6052,18 +6154,18 @@ impl<'g> Resources<'g> {
         let mut local_34: rt::Scalar<bool>;
         let mut at_29: Entered;
 
-        let along_25 = pixel_36.direction.normalize();
-        let _e4 = self.v_middle_of(pixel_36, along_25);
-        let _e6 = self.v_is_met(pixel_36, along_25, _e4, rt::Scalar(0u32));
+        let along_26 = pixel_36.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_36, along_26);
+        let _e6 = self.v_is_met(pixel_36, along_26, _e4, rt::Scalar(0u32));
         if rt::Scalar::into_branch_condition((!_e6)) {
-            let _e11 = self.v_is_met(pixel_36, along_25, _e4, rt::Scalar(1u32));
+            let _e11 = self.v_is_met(pixel_36, along_26, _e4, rt::Scalar(1u32));
             local_33 = (!_e11);
         } else {
             local_33 = rt::Scalar(false);
         }
         let _e14 = local_33;
         if rt::Scalar::into_branch_condition(_e14) {
-            let _e18 = self.v_is_met(pixel_36, along_25, _e4, rt::Scalar(2u32));
+            let _e18 = self.v_is_met(pixel_36, along_26, _e4, rt::Scalar(2u32));
             local_34 = (!_e18);
         } else {
             local_34 = rt::Scalar(false);
@@ -6073,7 +6175,7 @@ impl<'g> Resources<'g> {
             let _e22 = self.v_passed_by();
             return _e22;
         }
-        let _e23 = self.v_shell_middle(pixel_36, along_25);
+        let _e23 = self.v_shell_middle(pixel_36, along_26);
         at_29 = _e23;
         rt::Scalar(at_29.segments) = rt::Scalar(3u32);
         let _e27 = at_29;
@@ -6096,23 +6198,23 @@ impl<'g> Resources<'g> {
         let a_22 = (pixel_37.a.position - pixel_37.origin);
         let b_22 = (pixel_37.b.position - pixel_37.origin);
         let c_15 = (pixel_37.c.position - pixel_37.origin);
-        let along_26 = (pixel_37.direction / rt::Vec3::splat_from_scalar(pixel_37.direction.dot(pixel_37.direction)));
-        let places_1 = <rt::Vec3<f32>>::from_scalars(a_22.dot(along_26), b_22.dot(along_26), c_15.dot(along_26));
+        let along_27 = (pixel_37.direction / rt::Vec3::splat_from_scalar(pixel_37.direction.dot(pixel_37.direction)));
+        let places_1 = <rt::Vec3<f32>>::from_scalars(a_22.dot(along_27), b_22.dot(along_27), c_15.dot(along_27));
         let least_5 = places_1.x().min(places_1.y()).min(places_1.z());
         let most_12 = places_1.x().max(places_1.y()).max(places_1.z());
-        let across_4 = normal_13.dot(pixel_37.direction);
-        if rt::Scalar::into_branch_condition(across_4.elementwise_eq(rt::Scalar(0f32))) {
+        let across_5 = normal_13.dot(pixel_37.direction);
+        if rt::Scalar::into_branch_condition(across_5.elementwise_eq(rt::Scalar(0f32))) {
             return least_5;
         }
-        return (normal_13.dot(a_22) / across_4).clamp(least_5, most_12);
+        return (normal_13.dot(a_22) / across_5).clamp(least_5, most_12);
     }
     pub(crate) fn triangle_weights(
         &self,
         pixel_38: PixelIn,
         normal_14: impl rt::Into<rt::Vec3<f32>>,
-        point_7: impl rt::Into<rt::Vec3<f32>>,
+        point_10: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_triangle_weights(pixel_38, rt::into(normal_14), rt::into(point_7)))
+        rt::into(self.v_triangle_weights(pixel_38, rt::into(normal_14), rt::into(point_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6120,9 +6222,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_38: PixelIn,
         normal_14: rt::Vec3<f32>,
-        point_7: rt::Vec3<f32>,
+        point_10: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_plane_weights(pixel_38, normal_14, point_7);
+        let _e3 = self.v_plane_weights(pixel_38, normal_14, point_10);
         let inside_6 = _e3.max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
         return (inside_6 / rt::Vec3::splat_from_scalar(((inside_6.x() + inside_6.y()) + inside_6.z())));
     }
@@ -6161,8 +6263,8 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_plane_normal(pixel_39);
         let _e5 = self.v_triangle_distance(pixel_39, _e2);
-        let point_22 = (pixel_39.origin + (pixel_39.direction * _e5));
-        let _e8 = self.v_triangle_weights(pixel_39, _e2, point_22);
+        let point_25 = (pixel_39.origin + (pixel_39.direction * _e5));
+        let _e8 = self.v_triangle_weights(pixel_39, _e2, point_25);
         let uv_33 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
         let tangent_3 = (((pixel_39.a.tangent * _e8.x()) + (pixel_39.b.tangent * _e8.y())) + (pixel_39.c.tangent * _e8.z()));
         let bitangent_2 = (((pixel_39.a.bitangent * _e8.x()) + (pixel_39.b.bitangent * _e8.y())) + (pixel_39.c.bitangent * _e8.z()));
@@ -6178,7 +6280,7 @@ impl<'g> Resources<'g> {
         }
         let _e79 = local_36;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_22, uv_33, tangent_3, bitangent_2, sum_8.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_25, uv_33, tangent_3, bitangent_2, sum_8.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
@@ -6198,8 +6300,8 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_plane_normal(pixel_40);
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
-        let point_23 = (pixel_40.origin + (pixel_40.direction * _e5));
-        let _e8 = self.v_triangle_weights(pixel_40, _e2, point_23);
+        let point_26 = (pixel_40.origin + (pixel_40.direction * _e5));
+        let _e8 = self.v_triangle_weights(pixel_40, _e2, point_26);
         let uv_34 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
         let tangent_4 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
         let bitangent_3 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
@@ -6227,7 +6329,7 @@ impl<'g> Resources<'g> {
         }
         let _e110 = local_38;
         let _e116 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e110), (point_23 - (raw_ * height_m)), uv_34, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e116), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e110), (point_26 - (raw_ * height_m)), uv_34, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e116), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_object_enter(
         &self,
@@ -6528,15 +6630,15 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let a_23 = (own * rate);
         let b_23 = (beside * rate);
-        let along_27 = (rt::Scalar(1f32) + (a_23 * b_23));
+        let along_28 = (rt::Scalar(1f32) + (a_23 * b_23));
         let apart_3 = (a_23 - b_23).abs();
-        if rt::Scalar::into_branch_condition(apart_3.elementwise_le((rt::Scalar(0.5f32) * along_27))) {
+        if rt::Scalar::into_branch_condition(apart_3.elementwise_le((rt::Scalar(0.5f32) * along_28))) {
             return beside;
         }
-        if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_27))) {
+        if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_28))) {
             return own;
         }
-        let part_15 = (((apart_3 / along_27) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
+        let part_15 = (((apart_3 / along_28) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
         return (beside + ((own - beside) * part_15));
     }
     pub(crate) fn slopes_between_creases(
@@ -6553,9 +6655,9 @@ impl<'g> Resources<'g> {
         uv_13: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
-        let point_24 = ((uv_13 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e9 = self.v_cell_of(point_24);
-        let part_16 = (point_24 - _e9);
+        let point_27 = ((uv_13 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e9 = self.v_cell_of(point_27);
+        let part_16 = (point_27 - _e9);
         let i_3 = _e9.to_i32();
         let _e13 = self.v_height_cell(i_3, rt::Scalar(0u32));
         let _e14 = self.v_cell_slopes(_e13, part_16);
@@ -6601,8 +6703,8 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec3<f32> {
         let along_u_1 = (at_35.tangent + (at_35.normal * slope_u));
         let along_v_1 = (at_35.bitangent + (at_35.normal * slope_v));
-        let across_5 = along_v_1.cross(along_u_1).normalize();
-        return (across_5 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_5.dot(at_35.normal).elementwise_ge(rt::Scalar(0f32))));
+        let across_6 = along_v_1.cross(along_u_1).normalize();
+        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_35.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn normal_from_height(
         &self,
@@ -6693,8 +6795,8 @@ impl<'g> Resources<'g> {
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_3: rt::Vec2<f32>;
 
-        let along_28 = pixel_46.direction.length();
-        let direction_6 = (pixel_46.direction / rt::Vec3::splat_from_scalar(along_28));
+        let along_29 = pixel_46.direction.length();
+        let direction_6 = (pixel_46.direction / rt::Vec3::splat_from_scalar(along_29));
         let _e9 = self.v_climb(at_38, direction_6);
         let duv_5 = _e9.xy();
         let descent_3 = (rt::Scalar(0f32) - at_38.normal.dot(direction_6));
@@ -6703,10 +6805,10 @@ impl<'g> Resources<'g> {
         let slope_8 = ((rt::Scalar(0f32) - descent_3) / _e15);
         let _e20 = self.v_plane_normal(pixel_46);
         let _e21 = self.v_plane_distance(pixel_46, _e20);
-        let distance = (_e21 * along_28);
-        let eye_2 = (rt::Scalar(0f32) - distance);
+        let distance = (_e21 * along_29);
+        let eye_3 = (rt::Scalar(0f32) - distance);
         let top_6 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
-        enter = top_6.max(eye_2);
+        enter = top_6.max(eye_3);
         leave_4 = ((_e16 * _e15) / descent_3);
         let _e34 = leave_4;
         let _e35 = leave_4;
@@ -6734,7 +6836,7 @@ impl<'g> Resources<'g> {
         let _e81 = leave_4;
         let _e82 = enter;
         let _e87 = enter;
-        return <Path>::new((at_38.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_8, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_38.metric, RAY_VIEW, rt::Scalar(at_38.level), (distance + _e87), rt::Scalar(1f32));
+        return <Path>::new((at_38.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_8, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_38.metric, RAY_VIEW, rt::Scalar(at_38.level), (distance + _e87), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn folded_segment(
         &self,
@@ -6758,20 +6860,20 @@ impl<'g> Resources<'g> {
         let mut path_19: Path;
         let mut local_40: rt::Scalar<bool>;
 
-        let along_29 = pixel_47.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_47, along_29);
-        let _e7 = self.v_prism_of(pixel_47, along_29, _e6, params_24);
+        let along_30 = pixel_47.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_47, along_30);
+        let _e7 = self.v_prism_of(pixel_47, along_30, _e6, params_24);
         let _e8 = self.v_shell_slack(pixel_47, _e6);
-        let _e9 = self.v_way_of(pixel_47, _e7, along_29);
+        let _e9 = self.v_way_of(pixel_47, _e7, along_30);
         let _e10 = self.v_way_offsets(pixel_47, _e7, _e8);
         let _e11 = self.v_chord_reach(pixel_47, at_39, _e6, params_24);
         let _e12 = self.v_way_beyond(_e7, _e10, _e11);
-        let _e14 = self.v_way_chord(pixel_47, _e7, along_29, _e9, _e10, _e12, params_24.x(), k_5);
-        let _e16 = self.v_before_turn(_e7, along_29, _e9, _e14.offsets);
-        let _e18 = self.v_way_point(_e7, along_29, _e9, _e16.x());
+        let _e14 = self.v_way_chord(pixel_47, _e7, along_30, _e9, _e10, _e12, params_24.x(), k_5);
+        let _e16 = self.v_before_turn(_e7, along_30, _e9, _e14.offsets);
+        let _e18 = self.v_way_point(_e7, along_30, _e9, _e16.x());
         a_10 = _e18;
-        let _e25 = self.v_way_point(_e7, along_29, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
-        let _e27 = self.v_way_point(_e7, along_29, _e9, _e16.y());
+        let _e25 = self.v_way_point(_e7, along_30, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
+        let _e27 = self.v_way_point(_e7, along_30, _e9, _e16.y());
         b_10 = _e27;
         let _e30 = rt::Scalar(b_10.t);
         let _e32 = rt::Scalar(a_10.t);
@@ -6829,17 +6931,17 @@ impl<'g> Resources<'g> {
             let _e8 = self.v_folded_segment(pixel_48, at_40, k_6, params_25);
             return _e8;
         }
-        let along_30 = pixel_48.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_48, along_30);
-        let _e12 = self.v_prism_of(pixel_48, along_30, _e11, params_25);
+        let along_31 = pixel_48.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_48, along_31);
+        let _e12 = self.v_prism_of(pixel_48, along_31, _e11, params_25);
         let heights_2 = pixel_48.shell.heights;
         let mean_3 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
         let _e20 = self.v_chord_end(at_40, k_6);
         let _e23 = self.v_chord_end(at_40, (k_6 + rt::Scalar(1u32)));
-        let _e25 = self.v_shell_point(_e12, (along_30 * _e20), mean_3);
-        let _e27 = self.v_shell_point(_e12, (along_30 * _e23), mean_3);
+        let _e25 = self.v_shell_point(_e12, (along_31 * _e20), mean_3);
+        let _e27 = self.v_shell_point(_e12, (along_31 * _e23), mean_3);
         let _e32 = self.v_between(_e25, _e27);
-        let _e33 = self.v_shell_point_from(_e12, (along_30 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
+        let _e33 = self.v_shell_point_from(_e12, (along_31 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
         let _e56 = self.v_chord_reach(pixel_48, at_40, _e11, params_25);
         let beyond_5 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
@@ -6869,12 +6971,12 @@ impl<'g> Resources<'g> {
         let mut path_20: Path;
         let mut inside_2: rt::Vec2<f32>;
 
-        let along_31 = pixel_49.direction.length();
-        let _e9 = self.v_across_of(at_41, (pixel_49.direction / rt::Vec3::splat_from_scalar(along_31)));
+        let along_32 = pixel_49.direction.length();
+        let _e9 = self.v_across_of(at_41, (pixel_49.direction / rt::Vec3::splat_from_scalar(along_32)));
         let _e10 = self.v_traced_scale_m();
         let _e11 = self.v_plane_normal(pixel_49);
         let _e12 = self.v_plane_distance(pixel_49, _e11);
-        let distance_1 = (_e12 * along_31);
+        let distance_1 = (_e12 * along_32);
         let whole = (at_41.span.y() - at_41.span.x());
         let first_11 = (at_41.span.x() + (whole * (k_7.to_f32() / params_26.z())));
         let last_5 = (at_41.span.x() + (whole * ((k_7 + rt::Scalar(1u32)).to_f32() / params_26.z())));
@@ -6908,31 +7010,31 @@ impl<'g> Resources<'g> {
         let slope_9 = ((_e84 - _e85) - bend_5);
         let base_3 = (rt::Scalar(0f32) - first_11).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e98 = begin_1;
-        path_20 = <Path>::new((at_41.uv + (_e9.duv * first_11)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_41.metric, RAY_VIEW, rt::Scalar(at_41.level), (distance_1 + first_11), (rt::Scalar(1f32) / params_26.z()));
+        path_20 = <Path>::new((at_41.uv + (_e9.duv * first_11)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_41.metric, RAY_VIEW, rt::Scalar(at_41.level), (distance_1 + first_11), (rt::Scalar(1f32) / params_26.z()), rt::Scalar(0f32));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
-        let _e117 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e117.elementwise_eq(WRAP_CLAMP)) {
-            let _e122 = path_20.uv.x();
-            let _e125 = inside_2;
-            let _e126 = self.v_inside_unit(_e122, _e9.duv.x(), _e125);
-            inside_2 = _e126;
-            let _e129 = path_20.uv.y();
-            let _e132 = inside_2;
-            let _e133 = self.v_inside_unit(_e129, _e9.duv.y(), _e132);
-            inside_2 = _e133;
-            let _e136 = inside_2.y();
-            rt::Scalar(path_20.exit) = _e136;
-            let _e137 = path_20;
-            let _e139 = inside_2.x();
-            let _e140 = self.v_path_from(_e137, _e139);
-            path_20 = _e140;
+        let _e118 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e118.elementwise_eq(WRAP_CLAMP)) {
+            let _e123 = path_20.uv.x();
+            let _e126 = inside_2;
+            let _e127 = self.v_inside_unit(_e123, _e9.duv.x(), _e126);
+            inside_2 = _e127;
+            let _e130 = path_20.uv.y();
+            let _e133 = inside_2;
+            let _e134 = self.v_inside_unit(_e130, _e9.duv.y(), _e133);
+            inside_2 = _e134;
+            let _e137 = inside_2.y();
+            rt::Scalar(path_20.exit) = _e137;
+            let _e138 = path_20;
+            let _e140 = inside_2.x();
+            let _e141 = self.v_path_from(_e138, _e140);
+            path_20 = _e141;
         }
-        let _e142 = rt::Scalar(path_20.exit);
-        if rt::Scalar::into_branch_condition((!_e142.elementwise_gt(rt::Scalar(0f32)))) {
+        let _e143 = rt::Scalar(path_20.exit);
+        if rt::Scalar::into_branch_condition((!_e143.elementwise_gt(rt::Scalar(0f32)))) {
             rt::Scalar(path_20.exit) = rt::Scalar(0f32);
         }
-        let _e148 = path_20;
-        return _e148;
+        let _e149 = path_20;
+        return _e149;
     }
     pub(crate) fn surface_quadric_vertical_segment(
         &self,
@@ -6959,23 +7061,23 @@ impl<'g> Resources<'g> {
         let mut path_21: Path;
         let mut local_44: rt::Scalar<bool>;
 
-        let along_32 = pixel_50.direction.length();
-        let direction_7 = (pixel_50.direction / rt::Vec3::splat_from_scalar(along_32));
+        let along_33 = pixel_50.direction.length();
+        let direction_7 = (pixel_50.direction / rt::Vec3::splat_from_scalar(along_33));
         let _e9 = self.v_climb(at_42, direction_7);
         let duv_6 = _e9.xy();
         let descent_4 = (rt::Scalar(0f32) - at_42.normal.dot(direction_7));
         let _e15 = self.v_traced_scale_m();
-        let height_14 = at_42.of_surface.w();
+        let height_15 = at_42.of_surface.w();
         let slope_10 = ((rt::Scalar(0f32) - descent_4) / _e15);
         let _e23 = self.v_quadric_at(at_42.of_surface.xyz(), duv_6);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
         let _e27 = self.v_plane_normal(pixel_50);
         let _e28 = self.v_plane_distance(pixel_50, _e27);
-        let distance_2 = (_e28 * along_32);
-        let eye_3 = (rt::Scalar(0f32) - distance_2);
-        let _e35 = self.v_bent_descent(((height_14 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
+        let distance_2 = (_e28 * along_33);
+        let eye_4 = (rt::Scalar(0f32) - distance_2);
+        let _e35 = self.v_bent_descent(((height_15 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-            if rt::Scalar::into_branch_condition((!height_14.elementwise_lt(rt::Scalar(1f32)))) {
+            if rt::Scalar::into_branch_condition((!height_15.elementwise_lt(rt::Scalar(1f32)))) {
                 local_43 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
                 local_43 = rt::Scalar(true);
@@ -6986,17 +7088,17 @@ impl<'g> Resources<'g> {
             local_42 = rt::Scalar(false);
         }
         let comes_down = local_42;
-        enter_1 = _e35.max(eye_3);
+        enter_1 = _e35.max(eye_4);
         let _e53 = enter_1;
         let _e54 = enter_1;
         let _e59 = enter_1;
-        let begin_4 = (height_14 + (_e53 * (slope_10 + (curve * _e54)))).select(rt::Scalar(1f32), _e59.elementwise_eq(_e35));
+        let begin_5 = (height_15 + (_e53 * (slope_10 + (curve * _e54)))).select(rt::Scalar(1f32), _e59.elementwise_eq(_e35));
         let _e63 = enter_1;
         let _e66 = enter_1;
-        let _e70 = self.v_bent_exit(<rt::Vec3<f32>>::from_scalars(begin_4, (slope_10 + ((rt::Scalar(2f32) * curve) * _e66)), curve));
+        let _e70 = self.v_bent_exit(<rt::Vec3<f32>>::from_scalars(begin_5, (slope_10 + ((rt::Scalar(2f32) * curve) * _e66)), curve));
         leave_5 = (_e63 + _e70);
         if rt::Scalar::into_branch_condition(_e23.elementwise_eq(rt::Scalar(0f32))) {
-            leave_5 = ((height_14 * _e15) / descent_4);
+            leave_5 = ((height_15 * _e15) / descent_4);
             let _e77 = leave_5;
             let _e78 = leave_5;
             leave_5 = (_e77 + ((_e78 - _e35) * rt::Scalar(0.000001f32)));
@@ -7018,7 +7120,7 @@ impl<'g> Resources<'g> {
         let _e105 = enter_1;
         let _e106 = enter_1;
         let _e111 = enter_1;
-        let entry_height_1 = (height_14 + (_e105 * (slope_10 + (curve * _e106)))).select(rt::Scalar(1f32), _e111.elementwise_eq(_e35));
+        let entry_height_1 = (height_15 + (_e105 * (slope_10 + (curve * _e106)))).select(rt::Scalar(1f32), _e111.elementwise_eq(_e35));
         let _e115 = enter_1;
         let base_4 = (rt::Scalar(0f32) - _e115).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e122 = enter_1;
@@ -7026,19 +7128,19 @@ impl<'g> Resources<'g> {
         let _e131 = leave_5;
         let _e132 = enter_1;
         let _e137 = enter_1;
-        path_21 = <Path>::new((at_42.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_42.metric, RAY_VIEW, rt::Scalar(at_42.level), (distance_2 + _e137), rt::Scalar(1f32));
+        path_21 = <Path>::new((at_42.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_42.metric, RAY_VIEW, rt::Scalar(at_42.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
-            let _e147 = rt::Scalar(path_21.exit);
-            local_44 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
+            let _e148 = rt::Scalar(path_21.exit);
+            local_44 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
         } else {
             local_44 = rt::Scalar(true);
         }
-        let _e152 = local_44;
-        if rt::Scalar::into_branch_condition(_e152) {
+        let _e153 = local_44;
+        if rt::Scalar::into_branch_condition(_e153) {
             rt::Scalar(path_21.exit) = rt::Scalar(0f32);
         }
-        let _e155 = path_21;
-        return _e155;
+        let _e156 = path_21;
+        return _e156;
     }
     pub(crate) fn surface_tetrahedra_segment(
         &self,
@@ -7061,11 +7163,11 @@ impl<'g> Resources<'g> {
         let mut inside_3: rt::Vec2<f32>;
         let mut path_22: Path;
 
-        let along_33 = pixel_51.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_51, along_33);
-        let _e8 = self.v_tetrahedron(pixel_51, along_33, _e6, rt::Scalar(0u32));
-        let _e10 = self.v_tetrahedron(pixel_51, along_33, _e6, rt::Scalar(1u32));
-        let _e12 = self.v_tetrahedron(pixel_51, along_33, _e6, rt::Scalar(2u32));
+        let along_34 = pixel_51.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_51, along_34);
+        let _e8 = self.v_tetrahedron(pixel_51, along_34, _e6, rt::Scalar(0u32));
+        let _e10 = self.v_tetrahedron(pixel_51, along_34, _e6, rt::Scalar(1u32));
+        let _e12 = self.v_tetrahedron(pixel_51, along_34, _e6, rt::Scalar(2u32));
         let _e15 = self.v_comes_before(_e8.inside, _e10.inside);
         let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
         let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
@@ -7110,17 +7212,17 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_22 = <Path>::new((uv_35 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_43.metric, RAY_VIEW, rt::Scalar(at_43.level), (_e6 + _e146), ((_e149 - _e151) / whole_1));
-        let _e158 = rt::Scalar(path_22.exit);
-        if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
-            let _e161 = path_22;
+        path_22 = <Path>::new((uv_35 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_43.metric, RAY_VIEW, rt::Scalar(at_43.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
+        let _e159 = rt::Scalar(path_22.exit);
+        if rt::Scalar::into_branch_condition(_e159.elementwise_gt(rt::Scalar(0f32))) {
             let _e162 = path_22;
-            let _e166 = self.v_out_of_ground(_e162, (rt::Scalar(4f32) * _e61), rt::Scalar(0f32));
-            let _e167 = self.v_path_from(_e161, _e166);
-            path_22 = _e167;
+            let _e163 = path_22;
+            let _e167 = self.v_out_of_ground(_e163, (rt::Scalar(4f32) * _e61), rt::Scalar(0f32));
+            let _e168 = self.v_path_from(_e162, _e167);
+            path_22 = _e168;
         }
-        let _e168 = path_22;
-        return _e168;
+        let _e169 = path_22;
+        return _e169;
     }
     pub(crate) fn surface_facets_segment(
         &self,
@@ -7145,7 +7247,7 @@ impl<'g> Resources<'g> {
         let start_2 = (_e5 * pixel_52.direction.length());
         let _e11 = self.v_height_at(at_44.uv, rt::Scalar(at_44.level));
         let duv_8 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Path>::new(at_44.uv, duv_8, <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(1f32), rt::Scalar(0f32), at_44.metric, RAY_VIEW, rt::Scalar(at_44.level), start_2, rt::Scalar(1f32));
+        return <Path>::new(at_44.uv, duv_8, <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(1f32), rt::Scalar(0f32), at_44.metric, RAY_VIEW, rt::Scalar(at_44.level), start_2, rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn slice_inside(
         &self,
@@ -7296,10 +7398,10 @@ impl<'g> Resources<'g> {
         let b_24 = (pixel_53.b.position + (pixel_53.b.normal * step_m));
         let c_16 = (pixel_53.c.position + (pixel_53.c.normal * step_m));
         let n_10 = (b_24 - a_24).cross((c_16 - a_24));
-        let t_36 = (n_10.dot((a_24 - pixel_53.origin)) / n_10.dot(pixel_53.direction));
-        let lead = (far_2 - (t_36 * along_16));
+        let t_37 = (n_10.dot((a_24 - pixel_53.origin)) / n_10.dot(pixel_53.direction));
+        let lead = (far_2 - (t_37 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
-            local_45 = t_36.abs().elementwise_le(rt::Scalar(1000000000f32));
+            local_45 = t_37.abs().elementwise_le(rt::Scalar(1000000000f32));
         } else {
             local_45 = rt::Scalar(false);
         }
@@ -7307,7 +7409,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e68 = self.v_weights_of(a_24, b_24, c_16, n_10, (pixel_53.origin + (pixel_53.direction * t_36)));
+        let _e68 = self.v_weights_of(a_24, b_24, c_16, n_10, (pixel_53.origin + (pixel_53.direction * t_37)));
         let aside_4 = ((((pixel_53.a.uv * _e68.x()) + (pixel_53.b.uv * _e68.y())) + (pixel_53.c.uv * _e68.z())) - at_46.uv);
         return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_4, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
@@ -7395,18 +7497,18 @@ impl<'g> Resources<'g> {
         k_11: rt::Scalar<u32>,
         params_33: rt::Vec4<f32>,
     ) -> Path {
-        let along_34 = pixel_55.direction.length();
+        let along_35 = pixel_55.direction.length();
         let _e6 = self.v_plane_normal(pixel_55);
         let _e7 = self.v_triangle_distance(pixel_55, _e6);
-        let far_7 = (_e7 * along_34);
+        let far_7 = (_e7 * along_35);
         let axis_2 = pixel_55.a.of_surface.z().to_u32();
-        let height_15 = at_49.of_surface.x();
+        let height_16 = at_49.of_surface.x();
         let _e17 = self.v_height_at(at_49.uv, rt::Scalar(at_49.level));
         let _e18 = self.v_slice_spacing(at_49, axis_2);
-        let _e19 = self.v_slices_stage(_e17, height_15, _e18);
-        let _e20 = self.v_slice_before(pixel_55, at_49, axis_2, along_34, far_7);
+        let _e19 = self.v_slices_stage(_e17, height_16, _e18);
+        let _e20 = self.v_slice_before(pixel_55, at_49, axis_2, along_35, far_7);
         let lead_2 = (far_7 * rt::Scalar(0.0000005f32)).select(_e20.w().min(far_7), _e20.w().elementwise_gt(rt::Scalar(0f32)));
-        return <Path>::new((at_49.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_15 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_49.metric, RAY_VIEW, rt::Scalar(at_49.level), (far_7 - lead_2), rt::Scalar(1f32));
+        return <Path>::new((at_49.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_16 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_49.metric, RAY_VIEW, rt::Scalar(at_49.level), (far_7 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn within_bounds(
         &self,
@@ -7445,24 +7547,26 @@ impl<'g> Resources<'g> {
         let b_25 = ((high - x_1) / dx_1);
         return <rt::Vec2<f32>>::from_scalars(interval_5.x().max(a_25.min(b_25)), interval_5.y().min(a_25.max(b_25)));
     }
-    pub(crate) fn tangent_of_image(&self, image_4: Image) -> rt::Vec3<f32> {
-        rt::into(self.v_tangent_of_image(image_4))
+    pub(crate) fn metric_of_image(
+        &self,
+        image_8: Image,
+        depth_6: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_metric_of_image(image_8, rt::into(depth_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_tangent_of_image(&self, image_4: Image) -> rt::Vec3<f32> {
-        return (image_4.u.xyz() / rt::Vec3::splat_from_scalar((image_4.u.xyz().dot(image_4.u.xyz()) * image_4.extent.x())));
-    }
-    pub(crate) fn metric_of_image(&self, image_5: Image) -> rt::Vec4<f32> {
-        rt::into(self.v_metric_of_image(image_5))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_metric_of_image(&self, image_5: Image) -> rt::Vec4<f32> {
-        let _e1 = self.v_tangent_of_image(image_5);
-        let _e2 = self.v_bitangent_of_image(image_5);
-        let _e8 = rt::Scalar(self.surface_settings.scale_m);
-        return <rt::Vec4<f32>>::from_scalars(_e1.dot(_e1), _e1.dot(_e2), _e2.dot(_e2), _e8);
+    fn v_metric_of_image(
+        &self,
+        image_8: Image,
+        depth_6: rt::Scalar<f32>,
+    ) -> rt::Vec4<f32> {
+        let _e2 = self.v_tangent_of_image(image_8);
+        let tangent_5 = (_e2 * depth_6);
+        let _e4 = self.v_bitangent_of_image(image_8);
+        let bitangent_4 = (_e4 * depth_6);
+        let _e11 = rt::Scalar(self.surface_settings.scale_m);
+        return <rt::Vec4<f32>>::from_scalars(tangent_5.dot(tangent_5), tangent_5.dot(bitangent_4), bitangent_4.dot(bitangent_4), _e11);
     }
     pub(crate) fn path_through_image(
         &self,
@@ -7477,37 +7581,61 @@ impl<'g> Resources<'g> {
         pixel_56: PixelIn,
         k_12: rt::Scalar<u32>,
     ) -> Path {
+        let mut begin_2: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_48: rt::Scalar<bool>;
         let mut interval_6: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let mut height_4: rt::Vec3<f32>;
+        let mut height_5: rt::Vec3<f32>;
 
-        let along_35 = pixel_56.direction.normalize();
+        let along_36 = pixel_56.direction.normalize();
         let _e4 = self.v_image_of_object(k_12);
-        let u_1 = (_e4.u.xyz().dot(pixel_56.origin) + _e4.u.w());
-        let v_3 = (_e4.v.xyz().dot(pixel_56.origin) + _e4.v.w());
-        let h_5 = (_e4.height.xyz().dot(pixel_56.origin) + _e4.height.w());
-        let du_1 = _e4.u.xyz().dot(along_35);
-        let dv_1 = _e4.v.xyz().dot(along_35);
-        let dh_1 = _e4.height.xyz().dot(along_35);
-        let _e35 = self.v_beyond_image(_e4);
-        let _e46 = interval_6;
-        let _e47 = self.v_within_bounds(u_1, du_1, (rt::Scalar(0f32) - _e35.x()), (rt::Scalar(1f32) + _e35.x()), _e46);
-        interval_6 = _e47;
-        let _e54 = interval_6;
-        let _e55 = self.v_within_bounds(v_3, dv_1, (rt::Scalar(0f32) - _e35.y()), (rt::Scalar(1f32) + _e35.y()), _e54);
-        interval_6 = _e55;
-        let _e58 = interval_6;
-        let _e59 = self.v_within_bounds(h_5, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e58);
-        interval_6 = _e59;
-        let start_3 = interval_6.x();
-        height_4 = <rt::Vec3<f32>>::from_scalars((h_5 + (dh_1 * start_3)), dh_1, rt::Scalar(0f32));
-        let _e69 = rt::Scalar(self.surface_settings.cells);
-        if rt::Scalar::into_branch_condition(_e69.elementwise_eq(CELLS_MASK)) {
-            height_4 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let deepens = _e4.depth.xyz().dot(along_36);
+        let _e9 = self.v_depth_in_image(_e4, pixel_56.origin);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e4.has_eye)) {
+            let nearest_2 = (rt::Scalar(0.01f32) * rt::Scalar(_e4.nearest));
+            begin_2 = rt::Scalar(0f32).select(rt::Scalar(300000000000000000000000000000000000000f32), _e9.elementwise_lt(nearest_2));
+            if rt::Scalar::into_branch_condition(_e9.elementwise_lt(nearest_2)) {
+                local_48 = deepens.elementwise_gt(rt::Scalar(0f32));
+            } else {
+                local_48 = rt::Scalar(false);
+            }
+            let _e26 = local_48;
+            if rt::Scalar::into_branch_condition(_e26) {
+                begin_2 = ((nearest_2 - _e9) / deepens);
+            }
         }
-        let _e88 = height_4;
-        let _e90 = interval_6.y();
-        let _e93 = self.v_metric_of_image(_e4);
-        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_1 + (du_1 * start_3)), (v_3 + (dv_1 * start_3))))), (_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)), _e88, (_e90 - start_3), k_12.to_f32(), _e93, RAY_VIEW, rt::Scalar(0u32), start_3, rt::Scalar(1f32));
+        let _e30 = begin_2;
+        let origin_6 = (pixel_56.origin + (along_36 * _e30));
+        let _e33 = self.v_depth_in_image(_e4, origin_6);
+        let bend_6 = (deepens / _e33);
+        let u_1 = ((_e4.u.xyz().dot(origin_6) + _e4.u.w()) / _e33);
+        let v_3 = ((_e4.v.xyz().dot(origin_6) + _e4.v.w()) / _e33);
+        let h_5 = ((_e4.height.xyz().dot(origin_6) + _e4.height.w()) / _e33);
+        let du_1 = ((_e4.u.xyz().dot(along_36) - (u_1 * deepens)) / _e33);
+        let dv_1 = ((_e4.v.xyz().dot(along_36) - (v_3 * deepens)) / _e33);
+        let dh_1 = ((_e4.height.xyz().dot(along_36) - (h_5 * deepens)) / _e33);
+        let _e74 = self.v_beyond_image(_e4);
+        let _e85 = interval_6;
+        let _e86 = self.v_within_bounds(u_1, du_1, (rt::Scalar(0f32) - _e74.x()), (rt::Scalar(1f32) + _e74.x()), _e85);
+        interval_6 = _e86;
+        let _e93 = interval_6;
+        let _e94 = self.v_within_bounds(v_3, dv_1, (rt::Scalar(0f32) - _e74.y()), (rt::Scalar(1f32) + _e74.y()), _e93);
+        interval_6 = _e94;
+        let _e97 = interval_6;
+        let _e98 = self.v_within_bounds(h_5, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e97);
+        interval_6 = _e98;
+        let start_3 = interval_6.x();
+        let nearer = (rt::Scalar(1f32) - (bend_6 * start_3));
+        let change_5 = (nearer * nearer);
+        height_5 = <rt::Vec3<f32>>::from_scalars((h_5 + (dh_1 * start_3)), (dh_1 * change_5), rt::Scalar(0f32));
+        let _e113 = rt::Scalar(self.surface_settings.cells);
+        if rt::Scalar::into_branch_condition(_e113.elementwise_eq(CELLS_MASK)) {
+            height_5 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        }
+        let _e133 = height_5;
+        let _e135 = interval_6.y();
+        let _e140 = self.v_metric_of_image(_e4, (_e33 / nearer));
+        let _e143 = begin_2;
+        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_1 + (du_1 * start_3)), (v_3 + (dv_1 * start_3))))), ((_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)) * change_5), _e133, ((_e135 - start_3) / change_5), k_12.to_f32(), _e140, RAY_VIEW, rt::Scalar(0u32), (_e143 + (start_3 / nearer)), rt::Scalar(1f32), (bend_6 * nearer));
     }
     pub(crate) fn surface_object_segment(
         &self,
@@ -7555,49 +7683,57 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn on_image(
         &self,
-        image_6: Image,
-        point_8: impl rt::Into<rt::Vec3<f32>>,
+        image_9: Image,
+        point_11: impl rt::Into<rt::Vec3<f32>>,
     ) -> OnImage {
-        rt::into(self.v_on_image(image_6, rt::into(point_8)))
+        rt::into(self.v_on_image(image_9, rt::into(point_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_on_image(
         &self,
-        image_6: Image,
-        point_8: rt::Vec3<f32>,
+        image_9: Image,
+        point_11: rt::Vec3<f32>,
     ) -> OnImage {
-        let mut local_48: rt::Scalar<bool>;
         let mut local_49: rt::Scalar<bool>;
+        let mut local_50: rt::Scalar<bool>;
+        let mut local_51: rt::Scalar<bool>;
 
-        let u_2 = (image_6.u.xyz().dot(point_8) + image_6.u.w());
-        let v_4 = (image_6.v.xyz().dot(point_8) + image_6.v.w());
-        let h_6 = (image_6.height.xyz().dot(point_8) + image_6.height.w());
-        let _e20 = self.v_beyond_image(image_6);
-        let beside_5 = ((u_2 - rt::Scalar(0.5f32)).abs() - _e20.x()).max(((v_4 - rt::Scalar(0.5f32)).abs() - _e20.y()));
-        let uv_36 = (image_6.corner + (image_6.extent * <rt::Vec2<f32>>::from_scalars(u_2, v_4)));
-        let _e38 = self.v_height_size(rt::Scalar(0u32));
-        let _e44 = self.v_cell_parts();
-        let at_133 = (((uv_36 * _e38) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e44.to_f32());
-        let _e47 = self.v_cell_of(at_133);
-        let part_18 = (at_133 - _e47);
-        let _e51 = self.v_grid_cell(_e47.to_i32(), rt::Scalar(0u32));
-        let top_7 = (_e51.x() + ((_e51.y() - _e51.x()) * part_18.x()));
-        let bottom_4 = (_e51.z() + ((_e51.w() - _e51.z()) * part_18.x()));
+        let _e2 = self.v_depth_in_image(image_9, point_11);
+        let u_2 = ((image_9.u.xyz().dot(point_11) + image_9.u.w()) / _e2);
+        let v_4 = ((image_9.v.xyz().dot(point_11) + image_9.v.w()) / _e2);
+        let h_6 = ((image_9.height.xyz().dot(point_11) + image_9.height.w()) / _e2);
+        let _e24 = self.v_beyond_image(image_9);
+        let beside_5 = ((u_2 - rt::Scalar(0.5f32)).abs() - _e24.x()).max(((v_4 - rt::Scalar(0.5f32)).abs() - _e24.y()));
+        let uv_36 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_2, v_4)));
+        let _e42 = self.v_height_size(rt::Scalar(0u32));
+        let _e48 = self.v_cell_parts();
+        let at_133 = (((uv_36 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e48.to_f32());
+        let _e51 = self.v_cell_of(at_133);
+        let part_18 = (at_133 - _e51);
+        let _e55 = self.v_grid_cell(_e51.to_i32(), rt::Scalar(0u32));
+        let top_7 = (_e55.x() + ((_e55.y() - _e55.x()) * part_18.x()));
+        let bottom_4 = (_e55.z() + ((_e55.w() - _e55.z()) * part_18.x()));
         let map_5 = (top_7 + ((bottom_4 - top_7) * part_18.y()));
-        if rt::Scalar::into_branch_condition(beside_5.elementwise_le(rt::Scalar(0.5f32))) {
-            local_48 = h_6.elementwise_gt(rt::Scalar(0.00001f32));
-        } else {
-            local_48 = rt::Scalar(false);
-        }
-        let _e77 = local_48;
-        if rt::Scalar::into_branch_condition(_e77) {
-            local_49 = h_6.elementwise_le(rt::Scalar(1f32));
+        if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(0f32))) {
+            local_49 = beside_5.elementwise_le(rt::Scalar(0.5f32));
         } else {
             local_49 = rt::Scalar(false);
         }
-        let is_inside_1 = local_49;
-        let _e86 = rt::Scalar(self.surface_settings.cells);
-        return <OnImage>::new(uv_36, h_6.select(rt::Scalar(0.5f32), _e86.elementwise_eq(CELLS_MASK)), map_5, is_inside_1);
+        let _e81 = local_49;
+        if rt::Scalar::into_branch_condition(_e81) {
+            local_50 = h_6.elementwise_gt(rt::Scalar(0.00001f32));
+        } else {
+            local_50 = rt::Scalar(false);
+        }
+        let _e87 = local_50;
+        if rt::Scalar::into_branch_condition(_e87) {
+            local_51 = h_6.elementwise_le(rt::Scalar(1f32));
+        } else {
+            local_51 = rt::Scalar(false);
+        }
+        let is_inside_1 = local_51;
+        let _e96 = rt::Scalar(self.surface_settings.cells);
+        return <OnImage>::new(uv_36, h_6.select(rt::Scalar(0.5f32), _e96.elementwise_eq(CELLS_MASK)), map_5, is_inside_1);
     }
     pub(crate) fn is_in_image(&self, at_52: OnImage) -> bool {
         rt::into(self.v_is_in_image(at_52))
@@ -7605,24 +7741,24 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_is_in_image(&self, at_52: OnImage) -> rt::Scalar<bool> {
-        let mut local_50: rt::Scalar<bool>;
+        let mut local_52: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(at_52.is_inside)) {
             let _e7 = self.v_slices_stage(rt::Scalar(at_52.map), rt::Scalar(at_52.height), rt::Scalar(0f32));
-            local_50 = _e7;
+            local_52 = _e7;
         } else {
-            local_50 = rt::Scalar(false);
+            local_52 = rt::Scalar(false);
         }
-        let _e9 = local_50;
+        let _e9 = local_52;
         return _e9;
     }
     pub(crate) fn with_image(
         &self,
         slice_4: OnSlice,
         number_9: impl rt::Into<rt::Scalar<u32>>,
-        point_9: impl rt::Into<rt::Vec3<f32>>,
+        point_12: impl rt::Into<rt::Vec3<f32>>,
     ) -> OnSlice {
-        rt::into(self.v_with_image(slice_4, rt::into(number_9), rt::into(point_9)))
+        rt::into(self.v_with_image(slice_4, rt::into(number_9), rt::into(point_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7630,10 +7766,10 @@ impl<'g> Resources<'g> {
         &self,
         slice_4: OnSlice,
         number_9: rt::Scalar<u32>,
-        point_9: rt::Vec3<f32>,
+        point_12: rt::Vec3<f32>,
     ) -> OnSlice {
         let _e3 = self.v_image_of_object(number_9);
-        let _e4 = self.v_on_image(_e3, point_9);
+        let _e4 = self.v_on_image(_e3, point_12);
         let over_1 = (rt::Scalar(_e4.map) - rt::Scalar(_e4.height));
         let _e8 = self.v_is_in_image(_e4);
         if rt::Scalar::into_branch_condition(over_1.elementwise_lt(rt::Scalar(slice_4.over))) {
@@ -7641,14 +7777,14 @@ impl<'g> Resources<'g> {
         }
         return <OnSlice>::new(_e8, rt::Scalar(slice_4.number), slice_4.nearest, rt::Scalar(slice_4.over));
     }
-    pub(crate) fn slice_at(&self, point_10: impl rt::Into<rt::Vec3<f32>>) -> OnSlice {
-        rt::into(self.v_slice_at(rt::into(point_10)))
+    pub(crate) fn slice_at(&self, point_13: impl rt::Into<rt::Vec3<f32>>) -> OnSlice {
+        rt::into(self.v_slice_at(rt::into(point_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_slice_at(&self, point_10: rt::Vec3<f32>) -> OnSlice {
+    fn v_slice_at(&self, point_13: rt::Vec3<f32>) -> OnSlice {
         let mut slice_5: OnSlice = <OnSlice>::new(rt::Scalar(true), rt::Scalar(0u32), <OnImage>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(false)), rt::Scalar(2f32));
         let mut number_10: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_51: rt::Scalar<bool>;
+        let mut local_53: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
@@ -7656,11 +7792,11 @@ impl<'g> Resources<'g> {
                 let _e18 = rt::Scalar(self.surface_settings.images);
                 if rt::Scalar::into_branch_condition(_e15.elementwise_lt(_e18)) {
                     let _e23 = rt::Scalar(slice_5.passes);
-                    local_51 = _e23;
+                    local_53 = _e23;
                 } else {
-                    local_51 = rt::Scalar(false);
+                    local_53 = rt::Scalar(false);
                 }
-                let _e25 = local_51;
+                let _e25 = local_53;
                 if rt::Scalar::into_branch_condition(_e25) {
                 } else {
                     break 'naga_break;
@@ -7668,7 +7804,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e26 = slice_5;
                     let _e27 = number_10;
-                    let _e28 = self.v_with_image(_e26, _e27, point_10);
+                    let _e28 = self.v_with_image(_e26, _e27, point_13);
                     slice_5 = _e28;
                     let _e29 = number_10;
                     number_10 = (_e29 + rt::Scalar(1u32));
@@ -7697,11 +7833,12 @@ impl<'g> Resources<'g> {
         params_36: rt::Vec4<f32>,
     ) -> Path {
         let _e5 = self.v_slice_at(at_53.point);
+        let _e7 = self.v_image_of_object(rt::Scalar(_e5.number));
         let far_8 = (at_53.point - pixel_59.origin).length();
         let lead_3 = (far_8 * rt::Scalar(0.0000005f32));
-        let _e26 = self.v_image_of_object(rt::Scalar(_e5.number));
-        let _e27 = self.v_metric_of_image(_e26);
-        return <Path>::new(_e5.nearest.uv, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e5.nearest.height), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_3, rt::Scalar(_e5.passes)), lead_3, _e27, RAY_VIEW, rt::Scalar(0u32), (far_8 - lead_3), rt::Scalar(1f32));
+        let _e28 = self.v_depth_in_image(_e7, at_53.point);
+        let _e29 = self.v_metric_of_image(_e7, _e28);
+        return <Path>::new(_e5.nearest.uv, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e5.nearest.height), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_3, rt::Scalar(_e5.passes)), lead_3, _e29, RAY_VIEW, rt::Scalar(0u32), (far_8 - lead_3), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_segment_stage(
         &self,
@@ -7797,10 +7934,10 @@ impl<'g> Resources<'g> {
             let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_6, path_23.h.y(), path_23.h.z()), rt::Scalar(path_23.exit));
             start = _e22.min(rt::Scalar(path_23.exit));
         }
-        let height_16 = (middle_8 + ((path_23.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
+        let height_17 = (middle_8 + ((path_23.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
         let _e32 = start;
         let _e33 = self.v_path_slope(path_23, _e32);
-        let h_7 = <rt::Vec3<f32>>::from_scalars(height_16, (_e33 / kept), (path_23.h.z() / kept));
+        let h_7 = <rt::Vec3<f32>>::from_scalars(height_17, (_e33 / kept), (path_23.h.z() / kept));
         let _e40 = start;
         let rest_4 = (rt::Scalar(path_23.exit) - _e40);
         let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_7.x().max(rt::Scalar(0f32)), h_7.y(), h_7.z()), rest_4);
@@ -7810,7 +7947,7 @@ impl<'g> Resources<'g> {
         let _e58 = start;
         let _e59 = self.v_path_uv(path_23, _e58);
         let _e65 = start;
-        return <Path>::new(_e59, path_23.duv, h_7, exit_1, base_5, path_23.metric, rt::Scalar(path_23.ray), rt::Scalar(path_23.level), (rt::Scalar(path_23.start) + _e65), rt::Scalar(path_23.share));
+        return <Path>::new(_e59, path_23.duv, h_7, exit_1, base_5, path_23.metric, rt::Scalar(path_23.ray), rt::Scalar(path_23.level), (rt::Scalar(path_23.start) + _e65), rt::Scalar(path_23.share), rt::Scalar(path_23.bend));
     }
     pub(crate) fn segment_of(
         &self,
@@ -7886,22 +8023,22 @@ impl<'g> Resources<'g> {
         let a_26 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
         let b_26 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
         let rest_5 = (place_12 - corner_6);
-        let across_6 = a_26.cross(b_26);
-        let square_2 = across_6.dot(across_6);
+        let across_7 = a_26.cross(b_26);
+        let square_2 = across_7.dot(across_7);
         if rt::Scalar::into_branch_condition((!square_2.elementwise_gt(rt::Scalar(0f32)))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
         }
-        let second_4 = (rest_5.cross(b_26).dot(across_6) / square_2);
-        let third_3 = (a_26.cross(rest_5).dot(across_6) / square_2);
+        let second_4 = (rest_5.cross(b_26).dot(across_7) / square_2);
+        let third_3 = (a_26.cross(rest_5).dot(across_7) / square_2);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_4) - third_3), second_4, third_3);
     }
     pub(crate) fn shell_point_near(
         &self,
         prism_12: Prism,
         place_13: impl rt::Into<rt::Vec3<f32>>,
-        height_5: impl rt::Into<rt::Scalar<f32>>,
+        height_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_near(prism_12, rt::into(place_13), rt::into(height_5)))
+        rt::into(self.v_shell_point_near(prism_12, rt::into(place_13), rt::into(height_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7909,18 +8046,18 @@ impl<'g> Resources<'g> {
         &self,
         prism_12: Prism,
         place_13: rt::Vec3<f32>,
-        height_5: rt::Scalar<f32>,
+        height_6: rt::Scalar<f32>,
     ) -> ShellPoint {
         let low_3 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
-        let offset_8 = (low_3 + ((_e10 - low_3).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_5));
+        let offset_8 = (low_3 + ((_e10 - low_3).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_6));
         let _e16 = self.v_weights_at_offset(prism_12, place_13, offset_8);
         let _e18 = self.v_lift_of(prism_12.lift, _e16);
         let _e20 = self.v_weights_at_offset(prism_12, place_13, (offset_8 + _e18));
-        let near_8 = <ShellPoint>::new(_e20, height_5);
+        let near_8 = <ShellPoint>::new(_e20, height_6);
         let _e22 = self.v_shell_point_from(prism_12, place_13, near_8);
         let moved = (_e22.weights - near_8.weights).abs();
-        let away_1 = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_5).abs()));
+        let away_1 = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_6).abs()));
         if rt::Scalar::into_branch_condition(away_1.elementwise_lt(rt::Scalar(0.5f32))) {
             return _e22;
         }
@@ -7931,9 +8068,9 @@ impl<'g> Resources<'g> {
         pixel_63: PixelIn,
         prism_13: Prism,
         place_14: impl rt::Into<rt::Vec3<f32>>,
-        height_6: impl rt::Into<rt::Scalar<f32>>,
+        height_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_point_of_way(pixel_63, prism_13, rt::into(place_14), rt::into(height_6)))
+        rt::into(self.v_point_of_way(pixel_63, prism_13, rt::into(place_14), rt::into(height_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7942,13 +8079,13 @@ impl<'g> Resources<'g> {
         pixel_63: PixelIn,
         prism_13: Prism,
         place_14: rt::Vec3<f32>,
-        height_6: rt::Scalar<f32>,
+        height_7: rt::Scalar<f32>,
     ) -> ShellPoint {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_63.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_shell_point_near(prism_13, place_14, height_6);
+            let _e8 = self.v_shell_point_near(prism_13, place_14, height_7);
             return _e8;
         }
-        let _e9 = self.v_shell_point(prism_13, place_14, height_6);
+        let _e9 = self.v_shell_point(prism_13, place_14, height_7);
         return _e9;
     }
     pub(crate) fn surface_prism_polish(
@@ -7971,12 +8108,12 @@ impl<'g> Resources<'g> {
         params_38: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_15: rt::Scalar<f32>;
-        let mut point_11: ShellPoint;
+        let mut point_14: ShellPoint;
         let mut step_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let along_36 = pixel_64.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_64, along_36);
-        let _e8 = self.v_prism_of(pixel_64, along_36, _e7, params_38);
+        let along_37 = pixel_64.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_64, along_37);
+        let _e8 = self.v_prism_of(pixel_64, along_37, _e7, params_38);
         let _e10 = self.v_path_gap(path_26, rt::Scalar(hit_8.t));
         let _e11 = self.v_grid_of(path_26);
         let texels_5 = _e11.step.abs();
@@ -7985,8 +8122,8 @@ impl<'g> Resources<'g> {
         let _e30 = t_15;
         let _e34 = t_15;
         let _e35 = self.v_path_height(path_26, _e34);
-        let _e36 = self.v_point_of_way(pixel_64, _e8, (along_36 * ((rt::Scalar(path_26.start) + _e30) - _e7)), _e35);
-        point_11 = _e36;
+        let _e36 = self.v_point_of_way(pixel_64, _e8, (along_37 * ((rt::Scalar(path_26.start) + _e30) - _e7)), _e35);
+        point_14 = _e36;
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = step_2;
@@ -7997,8 +8134,8 @@ impl<'g> Resources<'g> {
                 {
                     let _e43 = step_2;
                     step_2 = (_e43 + rt::Scalar(1u32));
-                    let _e47 = rt::Scalar(point_11.height);
-                    let _e49 = point_11.weights;
+                    let _e47 = rt::Scalar(point_14.height);
+                    let _e49 = point_14.weights;
                     let _e50 = self.v_uv_of(pixel_64, _e49);
                     let _e52 = self.v_height_at(_e50, rt::Scalar(path_26.level));
                     let gap_1 = ((_e47 - _e52) - _e10);
@@ -8006,29 +8143,29 @@ impl<'g> Resources<'g> {
                     let _e60 = self.v_cell_of((_e11.origin + (_e11.step * _e57)));
                     let _e61 = t_15;
                     let _e62 = self.v_cell_gap(path_26, _e11, _e60, _e61);
-                    let change_4 = _e62.y();
-                    if rt::Scalar::into_branch_condition(change_4.elementwise_lt(rt::Scalar(0f32))) {
+                    let change_6 = _e62.y();
+                    if rt::Scalar::into_branch_condition(change_6.elementwise_lt(rt::Scalar(0f32))) {
                         let _e66 = t_15;
-                        t_15 = (_e66 - (gap_1 / change_4)).clamp((rt::Scalar(hit_8.t) - most_13), (rt::Scalar(hit_8.t) + most_13));
+                        t_15 = (_e66 - (gap_1 / change_6)).clamp((rt::Scalar(hit_8.t) - most_13), (rt::Scalar(hit_8.t) + most_13));
                     }
                     let _e75 = t_15;
-                    let place_23 = (along_36 * ((rt::Scalar(path_26.start) + _e75) - _e7));
+                    let place_23 = (along_37 * ((rt::Scalar(path_26.start) + _e75) - _e7));
                     if rt::Scalar::into_branch_condition(rt::Scalar(pixel_64.shell.order).elementwise_ge(SHELL_FOLDED)) {
                         let _e83 = t_15;
                         let _e84 = self.v_path_height(path_26, _e83);
                         let _e85 = self.v_shell_point_near(_e8, place_23, _e84);
-                        point_11 = _e85;
+                        point_14 = _e85;
                     } else {
-                        let _e86 = point_11;
+                        let _e86 = point_14;
                         let _e87 = self.v_shell_point_from(_e8, place_23, _e86);
-                        point_11 = _e87;
+                        point_14 = _e87;
                     }
                 }
             }
         }
-        let _e91 = point_11.weights;
+        let _e91 = point_14.weights;
         let _e92 = self.v_uv_of(pixel_64, _e91);
-        let _e94 = rt::Scalar(point_11.height);
+        let _e94 = rt::Scalar(point_14.height);
         let _e95 = t_15;
         return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_8.exhausted), _e92, _e94, _e95, hit_8.cost);
     }
@@ -8147,15 +8284,45 @@ impl<'g> Resources<'g> {
         let _e10 = counted;
         return _e10;
     }
+    pub(crate) fn metres_on(
+        &self,
+        path_32: Path,
+        t_16: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_metres_on(path_32, rt::into(t_16)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_metres_on(
+        &self,
+        path_32: Path,
+        t_16: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        return (t_16 / (rt::Scalar(1f32) - (rt::Scalar(path_32.bend) * t_16)));
+    }
+    pub(crate) fn polished_on_image(&self, path_33: Path, hit_14: Hit) -> Hit {
+        rt::into(self.v_polished_on_image(path_33, hit_14))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_polished_on_image(&self, path_33: Path, hit_14: Hit) -> Hit {
+        let mut polished: Hit;
+
+        polished = hit_14;
+        let _e5 = self.v_metres_on(path_33, rt::Scalar(hit_14.t));
+        rt::Scalar(polished.t) = _e5;
+        let _e6 = polished;
+        return _e6;
+    }
     pub(crate) fn surface_object_polish(
         &self,
         pixel_70: PixelIn,
         at_63: Entered,
-        path_32: Path,
-        hit_14: Hit,
+        path_34: Path,
+        hit_15: Hit,
         params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_polish(pixel_70, at_63, path_32, hit_14, rt::into(params_44)))
+        rt::into(self.v_surface_object_polish(pixel_70, at_63, path_34, hit_15, rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8163,21 +8330,22 @@ impl<'g> Resources<'g> {
         &self,
         pixel_70: PixelIn,
         at_63: Entered,
-        path_32: Path,
-        hit_14: Hit,
+        path_34: Path,
+        hit_15: Hit,
         params_44: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_14;
+        let _e5 = self.v_polished_on_image(path_34, hit_15);
+        return _e5;
     }
     pub(crate) fn surface_frames_polish(
         &self,
         pixel_71: PixelIn,
         at_64: Entered,
-        path_33: Path,
-        hit_15: Hit,
+        path_35: Path,
+        hit_16: Hit,
         params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_frames_polish(pixel_71, at_64, path_33, hit_15, rt::into(params_45)))
+        rt::into(self.v_surface_frames_polish(pixel_71, at_64, path_35, hit_16, rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8185,21 +8353,22 @@ impl<'g> Resources<'g> {
         &self,
         pixel_71: PixelIn,
         at_64: Entered,
-        path_33: Path,
-        hit_15: Hit,
+        path_35: Path,
+        hit_16: Hit,
         params_45: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_15;
+        let _e5 = self.v_polished_on_image(path_35, hit_16);
+        return _e5;
     }
     pub(crate) fn surface_object_slices_polish(
         &self,
         pixel_72: PixelIn,
         at_65: Entered,
-        path_34: Path,
-        hit_16: Hit,
+        path_36: Path,
+        hit_17: Hit,
         params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_slices_polish(pixel_72, at_65, path_34, hit_16, rt::into(params_46)))
+        rt::into(self.v_surface_object_slices_polish(pixel_72, at_65, path_36, hit_17, rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8207,96 +8376,96 @@ impl<'g> Resources<'g> {
         &self,
         pixel_72: PixelIn,
         at_65: Entered,
-        path_34: Path,
-        hit_16: Hit,
+        path_36: Path,
+        hit_17: Hit,
         params_46: rt::Vec4<f32>,
     ) -> Hit {
         let mut counted_1: Hit;
 
-        counted_1 = hit_16;
+        counted_1 = hit_17;
         let _e10 = rt::Scalar(self.surface_settings.images);
         let _e15 = rt::Scalar(self.surface_settings.images);
-        counted_1.cost = (hit_16.cost + <rt::Vec3<u32>>::from_scalars(_e10, rt::Scalar(0u32), (rt::Scalar(16u32) * _e15)));
+        counted_1.cost = (hit_17.cost + <rt::Vec3<u32>>::from_scalars(_e10, rt::Scalar(0u32), (rt::Scalar(16u32) * _e15)));
         let _e19 = counted_1;
         return _e19;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_73: PixelIn, at_66: Entered, path_35: Path, hit_17: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_73, at_66, path_35, hit_17))
+    pub(crate) fn surface_polish_stage(&self, pixel_73: PixelIn, at_66: Entered, path_37: Path, hit_18: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_73, at_66, path_37, hit_18))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_73: PixelIn, at_66: Entered, path_35: Path, hit_17: Hit) -> Hit {
+    fn v_surface_polish_stage(&self, pixel_73: PixelIn, at_66: Entered, path_37: Path, hit_18: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_73, at_66, path_35, hit_17, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_73, at_66, path_37, hit_18, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_73, at_66, path_35, hit_17, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_73, at_66, path_37, hit_18, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_73, at_66, path_35, hit_17, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_73, at_66, path_37, hit_18, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_73, at_66, path_35, hit_17, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_73, at_66, path_37, hit_18, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_73, at_66, path_35, hit_17, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_73, at_66, path_37, hit_18, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_polish(pixel_73, at_66, path_35, hit_17, _e43);
+                let _e44 = self.v_surface_facets_polish(pixel_73, at_66, path_37, hit_18, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_polish(pixel_73, at_66, path_35, hit_17, _e49);
+                let _e50 = self.v_surface_slices_polish(pixel_73, at_66, path_37, hit_18, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_polish(pixel_73, at_66, path_35, hit_17, _e55);
+                let _e56 = self.v_surface_object_polish(pixel_73, at_66, path_37, hit_18, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_polish(pixel_73, at_66, path_35, hit_17, _e61);
+                let _e62 = self.v_surface_frames_polish(pixel_73, at_66, path_37, hit_18, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_polish(pixel_73, at_66, path_35, hit_17, _e67);
+                let _e68 = self.v_surface_object_slices_polish(pixel_73, at_66, path_37, hit_18, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_74: PixelIn, at_67: Entered, path_36: Path, hit_18: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_74, at_67, path_36, hit_18))
+    pub(crate) fn polish_hit(&self, pixel_74: PixelIn, at_67: Entered, path_38: Path, hit_19: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_74, at_67, path_38, hit_19))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_polish_hit(&self, pixel_74: PixelIn, at_67: Entered, path_36: Path, hit_18: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_74, at_67, path_36, hit_18);
+    fn v_polish_hit(&self, pixel_74: PixelIn, at_67: Entered, path_38: Path, hit_19: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_74, at_67, path_38, hit_19);
         return _e4;
     }
-    pub(crate) fn key_of(&self, depth_5: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_key_of(rt::into(depth_5)))
+    pub(crate) fn key_of(&self, depth_7: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_key_of(rt::into(depth_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_key_of(&self, depth_5: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    fn v_key_of(&self, depth_7: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.frame.near);
         let _e6 = rt::Scalar(self.frame.near);
-        return (_e3 / (_e6 + depth_5.max(rt::Scalar(0f32))));
+        return (_e3 / (_e6 + depth_7.max(rt::Scalar(0f32))));
     }
     pub(crate) fn is_in_hole(&self, uv_16: impl rt::Into<rt::Vec2<f32>>) -> bool {
         rt::into(self.v_is_in_hole(rt::into(uv_16)))
@@ -8336,18 +8505,18 @@ impl<'g> Resources<'g> {
         &self,
         pixel_75: PixelIn,
         at_68: Entered,
-        path_37: Path,
+        path_39: Path,
         found: Hit,
         k_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> FirstHit {
-        rt::into(self.v_hit_on_segment(pixel_75, at_68, path_37, found, rt::into(k_18)))
+        rt::into(self.v_hit_on_segment(pixel_75, at_68, path_39, found, rt::into(k_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_segment(
         &self,
         pixel_75: PixelIn,
         at_68: Entered,
-        path_37: Path,
+        path_39: Path,
         found: Hit,
         k_18: rt::Scalar<u32>,
     ) -> FirstHit {
@@ -8355,8 +8524,8 @@ impl<'g> Resources<'g> {
 
         first_1 = <FirstHit>::new(found, k_18, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(rt::Scalar(found.found).elementwise_eq(rt::Scalar(1u32))) {
-            let _e11 = self.v_polish_hit(pixel_75, at_68, path_37, found);
-            let _e12 = self.v_depth_on_ray(pixel_75, path_37, _e11);
+            let _e11 = self.v_polish_hit(pixel_75, at_68, path_39, found);
+            let _e12 = self.v_depth_on_ray(pixel_75, path_39, _e11);
             let _e13 = self.v_key_of(_e12);
             first_1 = <FirstHit>::new(_e11, k_18, _e13);
             let _e16 = self.v_in_hole(_e11.uv);
@@ -8369,55 +8538,55 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn hit_on_path(
         &self,
-        path_38: Path,
-        t_16: impl rt::Into<rt::Scalar<f32>>,
+        path_40: Path,
+        t_17: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
         cost_3: impl rt::Into<rt::Vec3<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_38, rt::into(t_16), rt::into(exhausted), rt::into(cost_3)))
+        rt::into(self.v_hit_on_path(path_40, rt::into(t_17), rt::into(exhausted), rt::into(cost_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_path(
         &self,
-        path_38: Path,
-        t_16: rt::Scalar<f32>,
+        path_40: Path,
+        t_17: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_52: rt::Scalar<bool>;
+        let mut local_54: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_16.elementwise_gt(rt::Scalar(path_38.exit))) {
-            let _e9 = self.v_path_height(path_38, rt::Scalar(path_38.exit));
-            local_52 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+        if rt::Scalar::into_branch_condition(t_17.elementwise_gt(rt::Scalar(path_40.exit))) {
+            let _e9 = self.v_path_height(path_40, rt::Scalar(path_40.exit));
+            local_54 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_52 = rt::Scalar(false);
+            local_54 = rt::Scalar(false);
         }
-        let _e13 = local_52;
+        let _e13 = local_54;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
         }
-        let inside_7 = t_16.clamp(rt::Scalar(0f32), rt::Scalar(path_38.exit));
-        let _e19 = self.v_path_uv(path_38, inside_7);
-        let _e20 = self.v_path_height(path_38, inside_7);
+        let inside_7 = t_17.clamp(rt::Scalar(0f32), rt::Scalar(path_40.exit));
+        let _e19 = self.v_path_uv(path_40, inside_7);
+        let _e20 = self.v_path_height(path_40, inside_7);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_7, cost_3);
     }
-    pub(crate) fn starting_point(&self, path_39: Path, found_1: Found) -> f32 {
-        rt::into(self.v_starting_point(path_39, found_1))
+    pub(crate) fn starting_point(&self, path_41: Path, found_1: Found) -> f32 {
+        rt::into(self.v_starting_point(path_41, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_39: Path, found_1: Found) -> rt::Scalar<f32> {
-        let mut local_53: rt::Scalar<bool>;
+    fn v_starting_point(&self, path_41: Path, found_1: Found) -> rt::Scalar<f32> {
+        let mut local_55: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_39.base);
+            return rt::Scalar(path_41.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_53 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_55 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_53 = rt::Scalar(true);
+            local_55 = rt::Scalar(true);
         }
-        let _e16 = local_53;
+        let _e16 = local_55;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -8425,17 +8594,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_none(
         &self,
-        path_40: Path,
+        path_42: Path,
         found_2: Found,
         params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_40, found_2, rt::into(params_47)))
+        rt::into(self.v_refine_none(path_42, found_2, rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_refine_none(
         &self,
-        path_40: Path,
+        path_42: Path,
         found_2: Found,
         params_47: rt::Vec4<f32>,
     ) -> Hit {
@@ -8444,156 +8613,156 @@ impl<'g> Resources<'g> {
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_40, found_2);
-        let _e16 = self.v_hit_on_path(path_40, _e14, exhausted_1, found_2.cost);
+        let _e14 = self.v_starting_point(path_42, found_2);
+        let _e16 = self.v_hit_on_path(path_42, _e14, exhausted_1, found_2.cost);
         return _e16;
     }
     pub(crate) fn refine_offset(
         &self,
-        path_41: Path,
+        path_43: Path,
         found_3: Found,
         params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_41, found_3, rt::into(params_48)))
+        rt::into(self.v_refine_offset(path_43, found_3, rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
-        path_41: Path,
+        path_43: Path,
         found_3: Found,
         params_48: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_17: rt::Scalar<f32>;
+        let mut t_18: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_3.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_3.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_41, found_3);
-        let _e9 = self.v_path_uv(path_41, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_41.level));
-        let _e12 = self.v_path_slope(path_41, _e8);
-        t_17 = _e8;
+        let _e8 = self.v_starting_point(path_43, found_3);
+        let _e9 = self.v_path_uv(path_43, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_43.level));
+        let _e12 = self.v_path_slope(path_43, _e8);
+        t_18 = _e8;
         if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
-            let _e16 = self.v_path_height(path_41, _e8);
-            t_17 = (_e8 + ((_e11 - _e16) / _e12));
+            let _e16 = self.v_path_height(path_43, _e8);
+            t_18 = (_e8 + ((_e11 - _e16) / _e12));
         }
-        let _e20 = t_17;
-        let _e30 = self.v_hit_on_path(path_41, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
+        let _e20 = t_18;
+        let _e30 = self.v_hit_on_path(path_43, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
         return _e30;
     }
     pub(crate) fn refine_offset_limited(
         &self,
-        path_42: Path,
+        path_44: Path,
         found_4: Found,
         params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_42, found_4, rt::into(params_49)))
+        rt::into(self.v_refine_offset_limited(path_44, found_4, rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
-        path_42: Path,
+        path_44: Path,
         found_4: Found,
         params_49: rt::Vec4<f32>,
     ) -> Hit {
-        let mut hit_19: Hit;
+        let mut hit_20: Hit;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_4.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_42, found_4);
-        let _e9 = self.v_path_uv(path_42, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_42.level));
-        let _e12 = self.v_path_height(path_42, _e8);
-        let rise_m = ((_e11 - _e12) * path_42.metric.w());
+        let _e8 = self.v_starting_point(path_44, found_4);
+        let _e9 = self.v_path_uv(path_44, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_44.level));
+        let _e12 = self.v_path_height(path_44, _e8);
+        let rise_m = ((_e11 - _e12) * path_44.metric.w());
         let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e27 = self.v_hit_on_path(path_42, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
-        hit_19 = _e27;
-        let _e30 = rt::Scalar(hit_19.found);
+        let _e27 = self.v_hit_on_path(path_44, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
+        hit_20 = _e27;
+        let _e30 = rt::Scalar(hit_20.found);
         if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
-            rt::Scalar(hit_19.height) = _e11;
+            rt::Scalar(hit_20.height) = _e11;
         }
-        let _e34 = hit_19;
+        let _e34 = hit_20;
         return _e34;
     }
     pub(crate) fn normal_z(
         &self,
-        path_43: Path,
+        path_45: Path,
         slope_1: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_43, rt::into(slope_1)))
+        rt::into(self.v_normal_z(path_45, rt::into(slope_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_z(
         &self,
-        path_43: Path,
+        path_45: Path,
         slope_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m_4 = path_43.metric;
+        let m_4 = path_45.metric;
         let area_5 = ((m_4.x() * m_4.z()) - (m_4.y() * m_4.y()));
         let squared_2 = (((((slope_1.x() * slope_1.x()) * m_4.z()) - (((rt::Scalar(2f32) * slope_1.x()) * slope_1.y()) * m_4.y())) + ((slope_1.y() * slope_1.y()) * m_4.x())) / area_5);
         return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_4.w() * m_4.w()) * squared_2)).sqrt());
     }
     pub(crate) fn refine_slope(
         &self,
-        path_44: Path,
+        path_46: Path,
         found_5: Found,
         params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_44, found_5, rt::into(params_50)))
+        rt::into(self.v_refine_slope(path_46, found_5, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
-        path_44: Path,
+        path_46: Path,
         found_5: Found,
         params_50: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_18: rt::Scalar<f32>;
+        let mut t_19: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_5.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_44, found_5);
-        let _e9 = self.v_path_uv(path_44, _e8);
-        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_44.level));
-        let _e13 = self.v_path_height(path_44, _e8);
+        let _e8 = self.v_starting_point(path_46, found_5);
+        let _e9 = self.v_path_uv(path_46, _e8);
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_46.level));
+        let _e13 = self.v_path_height(path_46, _e8);
         let rise_1 = (_e11.x() - _e13);
-        t_18 = _e8;
+        t_19 = _e8;
         if rt::Scalar::into_branch_condition(params_50.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e19 = self.v_path_slope(path_44, _e8);
-            let closing = (_e19 - ((_e11.y() * path_44.duv.x()) + (_e11.z() * path_44.duv.y())));
+            let _e19 = self.v_path_slope(path_46, _e8);
+            let closing = (_e19 - ((_e11.y() * path_46.duv.x()) + (_e11.z() * path_46.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
-                t_18 = (_e8 + (rise_1 / closing));
+                t_19 = (_e8 + (rise_1 / closing));
             }
         } else {
-            let _e40 = self.v_normal_z(path_44, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_18 = (_e8 - ((rise_1 * path_44.metric.w()) * _e40));
+            let _e40 = self.v_normal_z(path_46, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_19 = (_e8 - ((rise_1 * path_46.metric.w()) * _e40));
         }
-        let _e43 = t_18;
-        let _e53 = self.v_hit_on_path(path_44, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
+        let _e43 = t_19;
+        let _e53 = self.v_hit_on_path(path_46, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
         return _e53;
     }
     pub(crate) fn refine_slope_iterative(
         &self,
-        path_45: Path,
+        path_47: Path,
         found_6: Found,
         params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_45, found_6, rt::into(params_51)))
+        rt::into(self.v_refine_slope_iterative(path_47, found_6, rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
-        path_45: Path,
+        path_47: Path,
         found_6: Found,
         params_51: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_19: rt::Scalar<f32>;
+        let mut t_20: rt::Scalar<f32>;
         let mut cost_4: rt::Vec3<u32>;
         let mut k_19: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -8601,8 +8770,8 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_6.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_45, found_6);
-        t_19 = _e8;
+        let _e8 = self.v_starting_point(path_47, found_6);
+        t_20 = _e8;
         cost_4 = found_6.cost;
         'naga_break: loop {
             'naga_continue: {
@@ -8614,37 +8783,37 @@ impl<'g> Resources<'g> {
                 {
                     let _e17 = cost_4;
                     cost_4 = (_e17 + STEP);
-                    let _e20 = t_19;
-                    let _e21 = self.v_path_uv(path_45, _e20);
-                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_45.level));
+                    let _e20 = t_20;
+                    let _e21 = self.v_path_uv(path_47, _e20);
+                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_47.level));
                     let _e24 = cost_4;
                     cost_4 = (_e24 + HEIGHTS_READ);
-                    let _e28 = t_19;
-                    let _e29 = self.v_path_height(path_45, _e28);
+                    let _e28 = t_20;
+                    let _e29 = self.v_path_height(path_47, _e28);
                     let rise_2 = (_e23.x() - _e29);
                     if rt::Scalar::into_branch_condition(params_51.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e34 = t_19;
-                        let _e35 = self.v_path_slope(path_45, _e34);
-                        let closing_1 = (_e35 - ((_e23.y() * path_45.duv.x()) + (_e23.z() * path_45.duv.y())));
+                        let _e34 = t_20;
+                        let _e35 = self.v_path_slope(path_47, _e34);
+                        let closing_1 = (_e35 - ((_e23.y() * path_47.duv.x()) + (_e23.z() * path_47.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
-                            let _e48 = t_19;
-                            t_19 = (_e48 + (rise_2 / closing_1));
+                            let _e48 = t_20;
+                            t_20 = (_e48 + (rise_2 / closing_1));
                         }
                     } else {
-                        let _e51 = t_19;
-                        let _e58 = self.v_normal_z(path_45, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
-                        t_19 = (_e51 - ((rise_2 * path_45.metric.w()) * _e58));
+                        let _e51 = t_20;
+                        let _e58 = self.v_normal_z(path_47, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
+                        t_20 = (_e51 - ((rise_2 * path_47.metric.w()) * _e58));
                     }
-                    let _e61 = t_19;
-                    t_19 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_45.exit));
+                    let _e61 = t_20;
+                    t_20 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_47.exit));
                     let _e65 = k_19;
                     k_19 = (_e65 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e68 = t_19;
+        let _e68 = t_20;
         let _e75 = cost_4;
-        let _e76 = self.v_hit_on_path(path_45, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
+        let _e76 = self.v_hit_on_path(path_47, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
         return _e76;
     }
     pub(crate) fn has_interval(&self, found_7: Found) -> bool {
@@ -8652,55 +8821,55 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found_7: Found) -> rt::Scalar<bool> {
-        let mut local_54: rt::Scalar<bool>;
-        let mut local_55: rt::Scalar<bool>;
         let mut local_56: rt::Scalar<bool>;
+        let mut local_57: rt::Scalar<bool>;
+        let mut local_58: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.far).elementwise_gt(rt::Scalar(found_7.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                local_55 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
+                local_57 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
-                local_55 = rt::Scalar(true);
+                local_57 = rt::Scalar(true);
             }
-            let _e16 = local_55;
+            let _e16 = local_57;
             if rt::Scalar::into_branch_condition((!_e16)) {
-                local_56 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
+                local_58 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
             } else {
-                local_56 = rt::Scalar(true);
+                local_58 = rt::Scalar(true);
             }
-            let _e24 = local_56;
-            local_54 = _e24;
+            let _e24 = local_58;
+            local_56 = _e24;
         } else {
-            local_54 = rt::Scalar(false);
+            local_56 = rt::Scalar(false);
         }
-        let _e26 = local_54;
+        let _e26 = local_56;
         return _e26;
     }
     pub(crate) fn refine_binary(
         &self,
-        path_46: Path,
+        path_48: Path,
         found_8: Found,
         params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_46, found_8, rt::into(params_52)))
+        rt::into(self.v_refine_binary(path_48, found_8, rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
-        path_46: Path,
+        path_48: Path,
         found_8: Found,
         params_52: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_2: rt::Scalar<f32>;
         let mut far_4: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_57: rt::Scalar<bool>;
+        let mut local_59: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_20: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_46, found_8, params_52);
+            let _e5 = self.v_refine_none(path_48, found_8, params_52);
             return _e5;
         }
         near_2 = rt::Scalar(found_8.near);
@@ -8708,12 +8877,12 @@ impl<'g> Resources<'g> {
         cost_5 = found_8.cost;
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_8.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_4;
-            let _e19 = self.v_path_height(path_46, _e18);
-            local_57 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            let _e19 = self.v_path_height(path_48, _e18);
+            local_59 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_57 = rt::Scalar(true);
+            local_59 = rt::Scalar(true);
         }
-        let _e23 = local_57;
+        let _e23 = local_59;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -8730,7 +8899,7 @@ impl<'g> Resources<'g> {
                     let middle_14 = (rt::Scalar(0.5f32) * (_e33 + _e34));
                     let _e38 = cost_5;
                     cost_5 = (_e38 + HEIGHTS_READ);
-                    let _e41 = self.v_path_gap(path_46, middle_14);
+                    let _e41 = self.v_path_gap(path_48, middle_14);
                     if rt::Scalar::into_branch_condition(_e41.elementwise_le(rt::Scalar(0f32))) {
                         far_4 = middle_14;
                         crossed = rt::Scalar(true);
@@ -8751,21 +8920,21 @@ impl<'g> Resources<'g> {
         let _e52 = near_2;
         let _e53 = far_4;
         let _e58 = cost_5;
-        let _e59 = self.v_hit_on_path(path_46, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
+        let _e59 = self.v_hit_on_path(path_48, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
         return _e59;
     }
     pub(crate) fn refine_secant(
         &self,
-        path_47: Path,
+        path_49: Path,
         found_9: Found,
         params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_47, found_9, rt::into(params_53)))
+        rt::into(self.v_refine_secant(path_49, found_9, rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
-        path_47: Path,
+        path_49: Path,
         found_9: Found,
         params_53: rt::Vec4<f32>,
     ) -> Hit {
@@ -8774,12 +8943,12 @@ impl<'g> Resources<'g> {
         let mut near_gap_1: rt::Scalar<f32>;
         let mut far_gap_1: rt::Scalar<f32>;
         let mut cost_6: rt::Vec3<u32>;
-        let mut t_20: rt::Scalar<f32>;
+        let mut t_21: rt::Scalar<f32>;
         let mut k_21: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_47, found_9, params_53);
+            let _e5 = self.v_refine_none(path_49, found_9, params_53);
             return _e5;
         }
         near_3 = rt::Scalar(found_9.near);
@@ -8789,10 +8958,10 @@ impl<'g> Resources<'g> {
         cost_6 = found_9.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_3;
-            let _e20 = self.v_path_gap(path_47, _e19);
+            let _e20 = self.v_path_gap(path_49, _e19);
             near_gap_1 = _e20;
             let _e21 = far_5;
-            let _e22 = self.v_path_gap(path_47, _e21);
+            let _e22 = self.v_path_gap(path_49, _e21);
             far_gap_1 = _e22;
             let _e23 = cost_6;
             cost_6 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -8804,7 +8973,7 @@ impl<'g> Resources<'g> {
             }
         }
         let _e33 = far_5;
-        t_20 = _e33;
+        t_21 = _e33;
         'naga_break: loop {
             'naga_continue: {
                 let _e37 = k_21;
@@ -8825,19 +8994,19 @@ impl<'g> Resources<'g> {
                     let _e50 = far_5;
                     let _e51 = near_3;
                     let _e53 = near_gap_1;
-                    t_20 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
+                    t_21 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
                     let _e57 = k_21;
                     if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_53.x())) {
-                        let _e60 = t_20;
-                        let _e61 = self.v_path_gap(path_47, _e60);
+                        let _e60 = t_21;
+                        let _e61 = self.v_path_gap(path_49, _e60);
                         let _e62 = cost_6;
                         cost_6 = (_e62 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_le(rt::Scalar(0f32))) {
-                            let _e67 = t_20;
+                            let _e67 = t_21;
                             far_5 = _e67;
                             far_gap_1 = _e61;
                         } else {
-                            let _e68 = t_20;
+                            let _e68 = t_21;
                             near_3 = _e68;
                             near_gap_1 = _e61;
                         }
@@ -8847,23 +9016,23 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e72 = t_20;
+        let _e72 = t_21;
         let _e74 = cost_6;
-        let _e75 = self.v_hit_on_path(path_47, _e72, rt::Scalar(0u32), _e74);
+        let _e75 = self.v_hit_on_path(path_49, _e72, rt::Scalar(0u32), _e74);
         return _e75;
     }
     pub(crate) fn refine_true_secant(
         &self,
-        path_48: Path,
+        path_50: Path,
         found_10: Found,
         params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_48, found_10, rt::into(params_54)))
+        rt::into(self.v_refine_true_secant(path_50, found_10, rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
-        path_48: Path,
+        path_50: Path,
         found_10: Found,
         params_54: rt::Vec4<f32>,
     ) -> Hit {
@@ -8876,7 +9045,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_10);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_48, found_10, params_54);
+            let _e5 = self.v_refine_none(path_50, found_10, params_54);
             return _e5;
         }
         before_1 = rt::Scalar(found_10.near);
@@ -8886,10 +9055,10 @@ impl<'g> Resources<'g> {
         cost_7 = found_10.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before_1;
-            let _e20 = self.v_path_gap(path_48, _e19);
+            let _e20 = self.v_path_gap(path_50, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_48, _e21);
+            let _e22 = self.v_path_gap(path_50, _e21);
             last_gap = _e22;
             let _e23 = cost_7;
             cost_7 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -8912,23 +9081,23 @@ impl<'g> Resources<'g> {
                     cost_7 = (_e38 + STEP);
                     let _e41 = before_gap;
                     let _e42 = last_gap;
-                    let change_5 = (_e41 - _e42);
-                    if rt::Scalar::into_branch_condition(change_5.elementwise_eq(rt::Scalar(0f32))) {
+                    let change_7 = (_e41 - _e42);
+                    if rt::Scalar::into_branch_condition(change_7.elementwise_eq(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
                     let _e46 = last;
                     let _e47 = last;
                     let _e48 = before_1;
                     let _e50 = last_gap;
-                    let t_37 = (_e46 + ((_e47 - _e48) * (_e50 / change_5))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
+                    let t_38 = (_e46 + ((_e47 - _e48) * (_e50 / change_7))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
                     let _e57 = last;
                     before_1 = _e57;
                     let _e58 = last_gap;
                     before_gap = _e58;
-                    last = t_37;
+                    last = t_38;
                     let _e59 = k_22;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_54.x())) {
-                        let _e62 = self.v_path_gap(path_48, t_37);
+                        let _e62 = self.v_path_gap(path_50, t_38);
                         last_gap = _e62;
                         let _e63 = cost_7;
                         cost_7 = (_e63 + HEIGHTS_READ);
@@ -8940,44 +9109,44 @@ impl<'g> Resources<'g> {
         }
         let _e69 = last;
         let _e71 = cost_7;
-        let _e72 = self.v_hit_on_path(path_48, _e69, rt::Scalar(0u32), _e71);
+        let _e72 = self.v_hit_on_path(path_50, _e69, rt::Scalar(0u32), _e71);
         return _e72;
     }
     pub(crate) fn refine_patch(
         &self,
-        path_49: Path,
+        path_51: Path,
         found_11: Found,
         params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_49, found_11, rt::into(params_55)))
+        rt::into(self.v_refine_patch(path_51, found_11, rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
-        path_49: Path,
+        path_51: Path,
         found_11: Found,
         params_55: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_21: rt::Scalar<f32>;
+        let mut t_22: rt::Scalar<f32>;
         let mut cell_8: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_58: rt::Scalar<bool>;
+        let mut local_60: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_11.cost);
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_49, rt::Scalar(found_11.near), rt::Scalar(1u32), found_11.cost);
+            let _e14 = self.v_hit_on_path(path_51, rt::Scalar(found_11.near), rt::Scalar(1u32), found_11.cost);
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_49, rt::Scalar(found_11.near), rt::Scalar(0u32), found_11.cost);
+            let _e21 = self.v_hit_on_path(path_51, rt::Scalar(found_11.near), rt::Scalar(0u32), found_11.cost);
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_49);
-        t_21 = rt::Scalar(found_11.near);
-        let _e27 = t_21;
+        let _e22 = self.v_grid_of(path_51);
+        t_22 = rt::Scalar(found_11.near);
+        let _e27 = t_22;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
         cell_8 = _e30;
         cost_8 = found_11.cost;
@@ -8996,36 +9165,36 @@ impl<'g> Resources<'g> {
                     let _e45 = cell_8;
                     let _e46 = self.v_cell_leave(_e22, _e45);
                     let end_4 = _e46.x().min(_e46.y()).min(rt::Scalar(found_11.far));
-                    let _e52 = t_21;
+                    let _e52 = t_22;
                     let span_6 = (end_4 - _e52).max(rt::Scalar(0f32));
                     let _e56 = cell_8;
-                    let _e57 = t_21;
-                    let _e58 = self.v_cell_gap(path_49, _e22, _e56, _e57);
+                    let _e57 = t_22;
+                    let _e58 = self.v_cell_gap(path_51, _e22, _e56, _e57);
                     let _e59 = cost_8;
                     cost_8 = (_e59 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e58.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e65 = t_21;
+                        let _e65 = t_22;
                         let _e67 = cost_8;
-                        let _e68 = self.v_hit_on_path(path_49, _e65, rt::Scalar(0u32), _e67);
+                        let _e68 = self.v_hit_on_path(path_51, _e65, rt::Scalar(0u32), _e67);
                         return _e68;
                     }
                     let _e69 = self.v_first_root(_e58, span_6);
                     if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e72 = t_21;
+                        let _e72 = t_22;
                         let _e75 = cost_8;
-                        let _e76 = self.v_hit_on_path(path_49, (_e72 + _e69), rt::Scalar(0u32), _e75);
+                        let _e76 = self.v_hit_on_path(path_51, (_e72 + _e69), rt::Scalar(0u32), _e75);
                         return _e76;
                     }
                     if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(found_11.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_11.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_58 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
+                            local_60 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_58 = rt::Scalar(true);
+                            local_60 = rt::Scalar(true);
                         }
-                        let _e89 = local_58;
+                        let _e89 = local_60;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
-                            let _e93 = self.v_hit_on_path(path_49, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
+                            let _e93 = self.v_hit_on_path(path_51, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
                             return _e93;
                         }
                         let _e94 = cost_8;
@@ -9035,144 +9204,144 @@ impl<'g> Resources<'g> {
                     let _e96 = cell_8;
                     let _e97 = self.v_cell_next(_e22, _e96, _e46);
                     cell_8 = _e97;
-                    let _e98 = t_21;
-                    t_21 = _e98.max(end_4);
+                    let _e98 = t_22;
+                    t_22 = _e98.max(end_4);
                 }
             }
         }
-        let _e100 = t_21;
+        let _e100 = t_22;
         let _e102 = cost_8;
-        let _e103 = self.v_hit_on_path(path_49, _e100, rt::Scalar(1u32), _e102);
+        let _e103 = self.v_hit_on_path(path_51, _e100, rt::Scalar(1u32), _e102);
         return _e103;
     }
     pub(crate) fn refine_half_texel(
         &self,
-        path_50: Path,
+        path_52: Path,
         found_12: Found,
         params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_50, found_12, rt::into(params_56)))
+        rt::into(self.v_refine_half_texel(path_52, found_12, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
-        path_50: Path,
+        path_52: Path,
         found_12: Found,
         params_56: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_5: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_12.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_50, found_12, params_56);
+            let _e6 = self.v_refine_none(path_52, found_12, params_56);
             return _e6;
         }
-        let _e9 = self.v_height_size(rt::Scalar(path_50.level));
-        let speed_1 = (path_50.duv * _e9).length();
-        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_50.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_50, found_12, params_56);
+        let _e9 = self.v_height_size(rt::Scalar(path_52.level));
+        let speed_1 = (path_52.duv * _e9).length();
+        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_52.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e17 = self.v_refine_none(path_52, found_12, params_56);
             return _e17;
         }
         let half_1 = (rt::Scalar(0.5f32) / speed_1);
         let backward = (rt::Scalar(found_12.far) - half_1).max(rt::Scalar(0f32));
-        let forward_2 = (rt::Scalar(found_12.far) + half_1).min(rt::Scalar(path_50.exit));
-        let _e28 = self.v_path_gap(path_50, backward);
+        let forward_2 = (rt::Scalar(found_12.far) + half_1).min(rt::Scalar(path_52.exit));
+        let _e28 = self.v_path_gap(path_52, backward);
         let before_3 = _e28.abs();
-        let _e30 = self.v_path_gap(path_50, forward_2);
+        let _e30 = self.v_path_gap(path_52, forward_2);
         let behind_2 = _e30.abs();
         if rt::Scalar::into_branch_condition((before_3 + behind_2).elementwise_gt(rt::Scalar(0f32))) {
             part_5 = (before_3 / (before_3 + behind_2));
         }
         let cost_24 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
         let _e45 = part_5;
-        let _e49 = self.v_hit_on_path(path_50, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_24);
+        let _e49 = self.v_hit_on_path(path_52, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_24);
         return _e49;
     }
-    pub(crate) fn refine_stage(&self, path_51: Path, found_13: Found) -> Hit {
-        rt::into(self.v_refine_stage(path_51, found_13))
+    pub(crate) fn refine_stage(&self, path_53: Path, found_13: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_53, found_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_51: Path, found_13: Found) -> Hit {
+    fn v_refine_stage(&self, path_53: Path, found_13: Found) -> Hit {
         let _e6 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[6usize].params;
-                let _e12 = self.v_refine_none(path_51, found_13, _e11);
+                let _e12 = self.v_refine_none(path_53, found_13, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[6usize].params;
-                let _e18 = self.v_refine_offset(path_51, found_13, _e17);
+                let _e18 = self.v_refine_offset(path_53, found_13, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[6usize].params;
-                let _e24 = self.v_refine_offset_limited(path_51, found_13, _e23);
+                let _e24 = self.v_refine_offset_limited(path_53, found_13, _e23);
                 return _e24;
             }
             3u32 => {
                 let _e29 = self.surface_settings.choices[6usize].params;
-                let _e30 = self.v_refine_slope(path_51, found_13, _e29);
+                let _e30 = self.v_refine_slope(path_53, found_13, _e29);
                 return _e30;
             }
             4u32 => {
                 let _e35 = self.surface_settings.choices[6usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_51, found_13, _e35);
+                let _e36 = self.v_refine_slope_iterative(path_53, found_13, _e35);
                 return _e36;
             }
             5u32 => {
                 let _e41 = self.surface_settings.choices[6usize].params;
-                let _e42 = self.v_refine_binary(path_51, found_13, _e41);
+                let _e42 = self.v_refine_binary(path_53, found_13, _e41);
                 return _e42;
             }
             6u32 => {
                 let _e47 = self.surface_settings.choices[6usize].params;
-                let _e48 = self.v_refine_secant(path_51, found_13, _e47);
+                let _e48 = self.v_refine_secant(path_53, found_13, _e47);
                 return _e48;
             }
             7u32 => {
                 let _e53 = self.surface_settings.choices[6usize].params;
-                let _e54 = self.v_refine_true_secant(path_51, found_13, _e53);
+                let _e54 = self.v_refine_true_secant(path_53, found_13, _e53);
                 return _e54;
             }
             8u32 => {
                 let _e59 = self.surface_settings.choices[6usize].params;
-                let _e60 = self.v_refine_patch(path_51, found_13, _e59);
+                let _e60 = self.v_refine_patch(path_53, found_13, _e59);
                 return _e60;
             }
             _ => {
                 let _e65 = self.surface_settings.choices[6usize].params;
-                let _e66 = self.v_refine_half_texel(path_51, found_13, _e65);
+                let _e66 = self.v_refine_half_texel(path_53, found_13, _e65);
                 return _e66;
             }
         }
     }
     pub(crate) fn search_none(
         &self,
-        path_52: Path,
+        path_54: Path,
         params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_52, rt::into(params_57)))
+        rt::into(self.v_search_none(path_54, rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_search_none(
         &self,
-        path_52: Path,
+        path_54: Path,
         params_57: rt::Vec4<f32>,
     ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_52.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_54.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
-        path_53: Path,
+        path_55: Path,
         params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_53, rt::into(params_58)))
+        rt::into(self.v_search_linear(path_55, rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
-        path_53: Path,
+        path_55: Path,
         params_58: rt::Vec4<f32>,
     ) -> Found {
         let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -9180,9 +9349,9 @@ impl<'g> Resources<'g> {
         let mut cost_9: rt::Vec3<u32> = HEIGHTS_READ;
         let mut k_23: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_5 = (path_53.h.y().abs() * path_53.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps_2 = rt::Scalar(1f32).max(((params_58.x() * params_58.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_53.share)).ceil());
-        let _e24 = self.v_path_gap(path_53, rt::Scalar(0f32));
+        let cosine_5 = (path_55.h.y().abs() * path_55.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps_2 = rt::Scalar(1f32).max(((params_58.x() * params_58.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_55.share)).ceil());
+        let _e24 = self.v_path_gap(path_55, rt::Scalar(0f32));
         near_gap_2 = _e24;
         let _e28 = near_gap_2;
         if rt::Scalar::into_branch_condition(_e28.elementwise_lt(rt::Scalar(0f32))) {
@@ -9202,17 +9371,17 @@ impl<'g> Resources<'g> {
                     let _e42 = cost_9;
                     cost_9 = (_e42 + STEP);
                     let _e46 = k_23;
-                    let t_38 = (rt::Scalar(path_53.exit) * (_e46 / steps_2));
-                    let _e49 = self.v_path_gap(path_53, t_38);
+                    let t_39 = (rt::Scalar(path_55.exit) * (_e46 / steps_2));
+                    let _e49 = self.v_path_gap(path_55, t_39);
                     let _e50 = cost_9;
                     cost_9 = (_e50 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e49.elementwise_le(rt::Scalar(0f32))) {
                         let _e56 = near_4;
                         let _e57 = near_gap_2;
                         let _e58 = cost_9;
-                        return <Found>::new(FOUND_BRACKET, _e56, t_38, _e57, _e49, _e58);
+                        return <Found>::new(FOUND_BRACKET, _e56, t_39, _e57, _e49, _e58);
                     }
-                    near_4 = t_38;
+                    near_4 = t_39;
                     near_gap_2 = _e49;
                     let _e60 = k_23;
                     k_23 = (_e60 + rt::Scalar(1f32));
@@ -9248,62 +9417,62 @@ impl<'g> Resources<'g> {
     pub(crate) fn found_in_cell(
         &self,
         c_7: impl rt::Into<rt::Vec3<f32>>,
-        t_22: impl rt::Into<rt::Scalar<f32>>,
+        t_23: impl rt::Into<rt::Scalar<f32>>,
         span_3: impl rt::Into<rt::Scalar<f32>>,
         first_2: impl rt::Into<rt::Scalar<bool>>,
         cost_10: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_found_in_cell(rt::into(c_7), rt::into(t_22), rt::into(span_3), rt::into(first_2), rt::into(cost_10)))
+        rt::into(self.v_found_in_cell(rt::into(c_7), rt::into(t_23), rt::into(span_3), rt::into(first_2), rt::into(cost_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_found_in_cell(
         &self,
         c_7: rt::Vec3<f32>,
-        t_22: rt::Scalar<f32>,
+        t_23: rt::Scalar<f32>,
         span_3: rt::Scalar<f32>,
         first_2: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_59: rt::Scalar<bool>;
+        let mut local_61: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_7.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first_2) {
-                local_59 = c_7.x().elementwise_lt(rt::Scalar(0f32));
+                local_61 = c_7.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_59 = rt::Scalar(false);
+                local_61 = rt::Scalar(false);
             }
-            let _e14 = local_59;
+            let _e14 = local_61;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_7.x(), c_7.x(), cost_10);
             }
-            return <Found>::new(FOUND_BRACKET, t_22, t_22, c_7.x(), c_7.x(), cost_10);
+            return <Found>::new(FOUND_BRACKET, t_23, t_23, c_7.x(), c_7.x(), cost_10);
         }
         let _e25 = self.v_least_at(c_7, span_3);
         let _e26 = self.v_quadratic(c_7, _e25);
         if rt::Scalar::into_branch_condition(_e26.elementwise_le(rt::Scalar(0f32))) {
-            return <Found>::new(FOUND_BRACKET, t_22, (t_22 + _e25), c_7.x(), _e26, cost_10);
+            return <Found>::new(FOUND_BRACKET, t_23, (t_23 + _e25), c_7.x(), _e26, cost_10);
         }
         let _e36 = self.v_quadratic(c_7, span_3);
-        return <Found>::new(FOUND_ABOVE, t_22, (t_22 + span_3), c_7.x(), _e36, cost_10);
+        return <Found>::new(FOUND_ABOVE, t_23, (t_23 + span_3), c_7.x(), _e36, cost_10);
     }
     pub(crate) fn search_cells(
         &self,
-        path_54: Path,
+        path_56: Path,
         params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_54, rt::into(params_59)))
+        rt::into(self.v_search_cells(path_56, rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
-        path_54: Path,
+        path_56: Path,
         params_59: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_9: rt::Vec2<f32>;
-        let mut t_23: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_11: rt::Vec3<u32> = NO_COST;
 
-        let _e2 = self.v_grid_of(path_54);
+        let _e2 = self.v_grid_of(path_56);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_9 = _e4;
         let limit_1 = params_59.x().to_u32();
@@ -9319,37 +9488,37 @@ impl<'g> Resources<'g> {
                     cost_11 = (_e15 + STEP);
                     let _e18 = cell_9;
                     let _e19 = self.v_cell_leave(_e2, _e18);
-                    let end_5 = _e19.x().min(_e19.y()).min(rt::Scalar(path_54.exit));
+                    let end_5 = _e19.x().min(_e19.y()).min(rt::Scalar(path_56.exit));
                     let _e25 = cell_9;
-                    let _e26 = t_23;
-                    let _e27 = self.v_cell_gap(path_54, _e2, _e25, _e26);
+                    let _e26 = t_24;
+                    let _e27 = self.v_cell_gap(path_56, _e2, _e25, _e26);
                     let _e28 = cost_11;
                     cost_11 = (_e28 + HEIGHTS_READ);
-                    let _e31 = t_23;
+                    let _e31 = t_24;
                     let span_7 = (end_5 - _e31).max(rt::Scalar(0f32));
-                    let _e35 = t_23;
+                    let _e35 = t_24;
                     let _e37 = cost_11.x();
                     let _e40 = cost_11;
                     let _e41 = self.v_found_in_cell(_e27, _e35, span_7, _e37.elementwise_eq(rt::Scalar(1u32)), _e40);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e41.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e41;
                     }
-                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_54.exit))) {
-                        let _e48 = t_23;
+                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_56.exit))) {
+                        let _e48 = t_24;
                         let _e52 = cost_11;
-                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_54.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
+                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_56.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
                     }
                     let _e54 = cell_9;
                     let _e55 = self.v_cell_next(_e2, _e54, _e19);
                     cell_9 = _e55;
-                    let _e56 = t_23;
-                    t_23 = _e56.max(end_5);
+                    let _e56 = t_24;
+                    t_24 = _e56.max(end_5);
                 }
             }
         }
-        let _e59 = t_23;
+        let _e59 = t_24;
         let _e61 = cost_11;
-        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_54.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
+        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_56.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
     }
     pub(crate) fn image_of(
         &self,
@@ -9364,14 +9533,14 @@ impl<'g> Resources<'g> {
         cell_10: rt::Scalar<i32>,
         n_5: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_60: rt::Scalar<bool>;
+        let mut local_62: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_10.elementwise_ge(rt::Scalar(0i32))) {
-            local_60 = cell_10.elementwise_lt(n_5);
+            local_62 = cell_10.elementwise_lt(n_5);
         } else {
-            local_60 = rt::Scalar(false);
+            local_62 = rt::Scalar(false);
         }
-        let _e8 = local_60;
+        let _e8 = local_62;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_10, rt::Scalar(0i32));
         }
@@ -9395,53 +9564,53 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn frustum_slope(
         &self,
-        path_55: Path,
+        path_57: Path,
         cell_11: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_55, rt::into(cell_11), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_57, rt::into(cell_11), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frustum_slope(
         &self,
-        path_55: Path,
+        path_57: Path,
         cell_11: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_61: rt::Scalar<bool>;
+        let mut local_63: rt::Scalar<bool>;
 
-        let _e4 = self.v_height_texels(rt::Scalar(path_55.level));
+        let _e4 = self.v_height_texels(rt::Scalar(path_57.level));
         let _e7 = self.v_image_of(cell_11.x(), _e4.x());
         let _e10 = self.v_image_of(cell_11.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_61 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_63 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_61 = rt::Scalar(true);
+            local_63 = rt::Scalar(true);
         }
-        let _e21 = local_61;
+        let _e21 = local_63;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
-        let _e29 = self.v_search_texel(path_55, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_55.level).to_i32());
+        let _e29 = self.v_search_texel(path_57, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_57.level).to_i32());
         let right_3 = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
         let down = forward_1.y().elementwise_eq(_e10.y().elementwise_eq(rt::Scalar(0i32)));
         return _e29.w().select(_e29.z(), right_3).select(_e29.y().select(_e29.x(), right_3), down);
     }
     pub(crate) fn map_read(
         &self,
-        path_56: Path,
+        path_58: Path,
         texels_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_map_read(path_56, rt::into(texels_3)))
+        rt::into(self.v_map_read(path_58, rt::into(texels_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_map_read(
         &self,
-        path_56: Path,
+        path_58: Path,
         texels_3: rt::Scalar<u32>,
     ) -> rt::Vec3<u32> {
-        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_56.ray).elementwise_eq(RAY_SHADOW));
+        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_58.ray).elementwise_eq(RAY_SHADOW));
         let _e14 = rt::Scalar(self.surface_settings.maps[rt::Scalar::into_array_index(slot)].texel_bytes);
         return <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), (texels_3 * _e14));
     }
@@ -9484,25 +9653,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_frustum(
         &self,
-        path_57: Path,
+        path_59: Path,
         params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_57, rt::into(params_60)))
+        rt::into(self.v_search_frustum(path_59, rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
-        path_57: Path,
+        path_59: Path,
         params_60: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_12: rt::Vec2<f32>;
-        let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_3: rt::Scalar<f32>;
-        let mut local_62: rt::Scalar<bool>;
+        let mut local_64: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_57);
+        let _e2 = self.v_grid_of(path_59);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_12 = _e9;
@@ -9520,51 +9689,51 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_12.x();
                     let first_12 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_12;
-                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_57.level));
+                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_59.level));
                     let _e31 = cost_12;
                     cost_12 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_12;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_57.exit));
-                    let _e41 = t_24;
+                    let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_59.exit));
+                    let _e41 = t_25;
                     let span_8 = (end_6 - _e41).max(rt::Scalar(0f32));
                     let top_9 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
-                    let _e52 = t_24;
-                    let _e53 = self.v_path_height(path_57, _e52);
-                    let _e55 = t_24;
-                    let _e56 = self.v_path_slope(path_57, _e55);
-                    let above_8 = <rt::Vec3<f32>>::from_scalars((_e53 - top_9), _e56, path_57.h.z());
-                    let _e63 = t_24;
-                    let _e67 = t_24;
-                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_57.h.x().abs() + (_e63 * (path_57.h.y().abs() + (_e67 * path_57.h.z().abs())))));
-                    let _e77 = t_24;
+                    let _e52 = t_25;
+                    let _e53 = self.v_path_height(path_59, _e52);
+                    let _e55 = t_25;
+                    let _e56 = self.v_path_slope(path_59, _e55);
+                    let above_8 = <rt::Vec3<f32>>::from_scalars((_e53 - top_9), _e56, path_59.h.z());
+                    let _e63 = t_25;
+                    let _e67 = t_25;
+                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_59.h.x().abs() + (_e63 * (path_59.h.y().abs() + (_e67 * path_59.h.z().abs())))));
+                    let _e77 = t_25;
                     next_1 = _e77.max(end_6);
                     slope_3 = rt::Scalar(-1f32);
                     let _e82 = self.v_least_at(above_8, span_8);
                     let _e83 = self.v_quadratic(above_8, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_62 = above_8.x().elementwise_gt(of_heights);
+                        local_64 = above_8.x().elementwise_gt(of_heights);
                     } else {
-                        local_62 = rt::Scalar(false);
+                        local_64 = rt::Scalar(false);
                     }
-                    let _e90 = local_62;
+                    let _e90 = local_64;
                     if rt::Scalar::into_branch_condition(_e90) {
-                        if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_57.exit))) {
+                        if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_59.exit))) {
                             let _e93 = cell_12;
-                            let _e95 = self.v_frustum_slope(path_57, _e93.to_i32(), forward_3);
+                            let _e95 = self.v_frustum_slope(path_59, _e93.to_i32(), forward_3);
                             slope_3 = _e95;
                             let _e96 = slope_3;
                             if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
                                 let _e99 = cost_12;
-                                let _e101 = self.v_map_read(path_57, rt::Scalar(1u32));
+                                let _e101 = self.v_map_read(path_59, rt::Scalar(1u32));
                                 cost_12 = (_e99 + _e101);
                             }
                         }
                     } else {
                         let _e103 = cell_12;
-                        let _e104 = t_24;
-                        let _e105 = self.v_gap_to(path_57, _e2, _e103, _e30, _e104);
-                        let _e106 = t_24;
+                        let _e104 = t_25;
+                        let _e105 = self.v_gap_to(path_59, _e2, _e103, _e30, _e104);
+                        let _e106 = t_25;
                         let _e107 = cost_12;
                         let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_12, _e107);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
@@ -9574,28 +9743,28 @@ impl<'g> Resources<'g> {
                     let _e112 = slope_3;
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_12;
-                        let _e119 = t_24;
+                        let _e119 = t_25;
                         let at_134 = ((_e2.origin - _e116) + (_e2.step * _e119));
                         let left_4 = at_134.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_134), forward_3);
-                        let _e131 = t_24;
+                        let _e131 = t_25;
                         let far_9 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_3;
                         let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_9));
-                        let _e145 = t_24;
-                        let rest_6 = (rt::Scalar(path_57.exit) - _e145);
+                        let _e145 = t_25;
+                        let rest_6 = (rt::Scalar(path_59.exit) - _e145);
                         let _e147 = slope_3;
                         let _e152 = self.v_stays_above(above_8, _e147, left_4.x(), _e2.step.x(), lost_1.x(), rest_6);
                         let _e153 = slope_3;
                         let _e158 = self.v_stays_above(above_8, _e153, left_4.y(), _e2.step.y(), lost_1.y(), rest_6);
                         let _e159 = next_1;
-                        let _e160 = t_24;
+                        let _e160 = t_25;
                         next_1 = _e159.max((_e160 + _e152.min(_e158)));
                     }
                     let _e164 = next_1;
-                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_57.exit))) {
-                        let _e168 = t_24;
+                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_59.exit))) {
+                        let _e168 = t_25;
                         let _e170 = cost_12;
-                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_57.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
+                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
                     }
                     let _e174 = slope_3;
                     if rt::Scalar::into_branch_condition(_e174.elementwise_ge(rt::Scalar(0f32))) {
@@ -9609,13 +9778,13 @@ impl<'g> Resources<'g> {
                         cell_12 = _e181;
                     }
                     let _e182 = next_1;
-                    t_24 = _e182;
+                    t_25 = _e182;
                 }
             }
         }
-        let _e184 = t_24;
+        let _e184 = t_25;
         let _e186 = cost_12;
-        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_57.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
+        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
     pub(crate) fn nearest_corner(&self, at_69: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_nearest_corner(rt::into(at_69)))
@@ -9627,61 +9796,61 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn stays_inside(
         &self,
-        path_58: Path,
+        path_60: Path,
         grid_8: Grid,
         offset_6: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_4: impl rt::Into<rt::Scalar<f32>>,
-        t_25: impl rt::Into<rt::Scalar<f32>>,
+        t_26: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_58, grid_8, rt::into(offset_6), rt::into(apex), rt::into(slope_4), rt::into(t_25)))
+        rt::into(self.v_stays_inside(path_60, grid_8, rt::into(offset_6), rt::into(apex), rt::into(slope_4), rt::into(t_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
         &self,
-        path_58: Path,
+        path_60: Path,
         grid_8: Grid,
         offset_6: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
         slope_4: rt::Scalar<f32>,
-        t_25: rt::Scalar<f32>,
+        t_26: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_63: rt::Scalar<bool>;
+        let mut local_65: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_7 = (rt::Scalar(path_58.exit) - t_25);
-        let _e8 = self.v_path_height(path_58, t_25);
-        let height_17 = (_e8 - apex);
-        let terms = (path_58.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_58.exit)) * path_58.h.z().abs()));
-        let _e21 = self.v_path_slope(path_58, t_25);
-        let rise_4 = ((_e21 + (path_58.h.z().min(rt::Scalar(0f32)) * rest_7)) - (rt::Scalar(0.0000009536743f32) * terms));
+        let rest_7 = (rt::Scalar(path_60.exit) - t_26);
+        let _e8 = self.v_path_height(path_60, t_26);
+        let height_18 = (_e8 - apex);
+        let terms = (path_60.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_60.exit)) * path_60.h.z().abs()));
+        let _e21 = self.v_path_slope(path_60, t_26);
+        let rise_4 = ((_e21 + (path_60.h.z().min(rt::Scalar(0f32)) * rest_7)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_7;
         if rt::Scalar::into_branch_condition(rise_4.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
-            most = _e34.min((height_17 / (rt::Scalar(0f32) - rise_4)));
+            most = _e34.min((height_18 / (rt::Scalar(0f32) - rise_4)));
         }
         let _e39 = most;
-        let end_7 = (t_25 + _e39);
-        let _e52 = self.v_height_size(rt::Scalar(path_58.level));
+        let end_7 = (t_26 + _e39);
+        let _e52 = self.v_height_size(rt::Scalar(path_60.level));
         let far_10 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_7)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
-        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_58.h.x().abs() + (end_7 * (path_58.h.y().abs() + (end_7 * path_58.h.z().abs())))));
+        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_60.h.x().abs() + (end_7 * (path_60.h.y().abs() + (end_7 * path_60.h.z().abs())))));
         let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_10.x() + far_10.y())));
-        let gap_3 = (height_17 - (rt::Scalar(2f32) * lost_2));
-        let _e85 = self.v_height_size(rt::Scalar(path_58.level));
-        let aside_5 = (((grid_8.origin - offset_6) + (grid_8.step * t_25)) / _e85);
+        let gap_3 = (height_18 - (rt::Scalar(2f32) * lost_2));
+        let _e85 = self.v_height_size(rt::Scalar(path_60.level));
+        let aside_5 = (((grid_8.origin - offset_6) + (grid_8.step * t_26)) / _e85);
         let c_17 = (((slope_4 * aside_5.length()) - gap_3) * ((slope_4 * aside_5.length()) + gap_3));
         if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
-            local_63 = c_17.elementwise_ge(rt::Scalar(0f32));
+            local_65 = c_17.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_63 = rt::Scalar(true);
+            local_65 = rt::Scalar(true);
         }
-        let _e102 = local_63;
+        let _e102 = local_65;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_27 = (((slope_4 * slope_4) * aside_5.dot(path_58.duv)) - (gap_3 * rise_4));
-        let a_27 = (((slope_4 * slope_4) * path_58.duv.dot(path_58.duv)) - (rise_4 * rise_4));
+        let b_27 = (((slope_4 * slope_4) * aside_5.dot(path_60.duv)) - (gap_3 * rise_4));
+        let a_27 = (((slope_4 * slope_4) * path_60.duv.dot(path_60.duv)) - (rise_4 * rise_4));
         let discriminant_3 = ((b_27 * b_27) - (a_27 * c_17));
         if rt::Scalar::into_branch_condition(discriminant_3.elementwise_ge(rt::Scalar(0f32))) {
             let root_4 = discriminant_3.sqrt();
@@ -9698,7 +9867,7 @@ impl<'g> Resources<'g> {
         leave_6 = _e135.min(_e136);
         let _e139 = leave_6;
         let _e145 = leave_6;
-        if rt::Scalar::into_branch_condition(((slope_4 * (aside_5 + (path_58.duv * _e139)).length()) + lost_2).elementwise_le((height_17 + (rise_4 * _e145)))) {
+        if rt::Scalar::into_branch_condition(((slope_4 * (aside_5 + (path_60.duv * _e139)).length()) + lost_2).elementwise_le((height_18 + (rise_4 * _e145)))) {
             let _e149 = leave_6;
             return _e149;
         }
@@ -9706,23 +9875,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cone(
         &self,
-        path_59: Path,
+        path_61: Path,
         params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_59, rt::into(params_61)))
+        rt::into(self.v_search_cone(path_61, rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
-        path_59: Path,
+        path_61: Path,
         params_61: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_13: rt::Vec2<f32>;
-        let mut t_26: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_59);
+        let _e2 = self.v_grid_of(path_61);
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_13 = _e9;
@@ -9740,106 +9909,106 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_13.x();
                     let first_13 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_13;
-                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_59.level));
+                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_61.level));
                     let _e31 = cost_13;
                     cost_13 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_13;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_8 = _e35.x().min(_e35.y()).min(rt::Scalar(path_59.exit));
-                    let _e41 = t_26;
+                    let end_8 = _e35.x().min(_e35.y()).min(rt::Scalar(path_61.exit));
+                    let _e41 = t_27;
                     let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_13;
-                    let _e49 = t_26;
+                    let _e49 = t_27;
                     let at_135 = ((_e2.origin - _e46) + (_e2.step * _e49));
                     let _e52 = self.v_nearest_corner(at_135);
                     let _e53 = self.v_corner_height(_e30, _e52);
-                    let _e54 = t_26;
+                    let _e54 = t_27;
                     next_2 = _e54;
-                    let _e56 = t_26;
-                    let _e57 = self.v_path_height(path_59, _e56);
+                    let _e56 = t_27;
+                    let _e57 = self.v_path_height(path_61, _e56);
                     if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
                         let _e59 = cell_13;
                         let texel_8 = (_e59 + _e52);
-                        let _e61 = self.v_cone_slope(path_59, texel_8);
+                        let _e61 = self.v_cone_slope(path_61, texel_8);
                         let _e62 = cost_13;
-                        let _e64 = self.v_map_read(path_59, rt::Scalar(1u32));
+                        let _e64 = self.v_map_read(path_61, rt::Scalar(1u32));
                         cost_13 = (_e62 + _e64);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e68 = t_26;
-                            let _e69 = t_26;
-                            let _e70 = self.v_stays_inside(path_59, _e2, texel_8, _e53, _e61, _e69);
+                            let _e68 = t_27;
+                            let _e69 = t_27;
+                            let _e70 = self.v_stays_inside(path_61, _e2, texel_8, _e53, _e61, _e69);
                             next_2 = (_e68 + _e70);
                         }
                     }
                     let _e72 = next_2;
                     if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_8)) {
                         let _e74 = cell_13;
-                        let _e75 = t_26;
-                        let _e76 = self.v_gap_to(path_59, _e2, _e74, _e30, _e75);
-                        let _e77 = t_26;
+                        let _e75 = t_27;
+                        let _e76 = self.v_gap_to(path_61, _e2, _e74, _e30, _e75);
+                        let _e77 = t_27;
                         let _e78 = cost_13;
                         let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_13, _e78);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e79.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e79;
                         }
-                        let _e83 = t_26;
+                        let _e83 = t_27;
                         next_2 = _e83.max(end_8);
                     }
                     let _e85 = next_2;
-                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_59.exit))) {
-                        let _e89 = t_26;
+                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_61.exit))) {
+                        let _e89 = t_27;
                         let _e91 = cost_13;
-                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
+                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
                     }
                     let _e95 = cell_13;
                     let _e96 = next_2;
                     let _e97 = self.v_cell_after(_e2, _e95, _e35, forward_4, _e96);
                     cell_13 = _e97;
                     let _e98 = next_2;
-                    t_26 = _e98;
+                    t_27 = _e98;
                 }
             }
         }
-        let _e100 = t_26;
+        let _e100 = t_27;
         let _e102 = cost_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
+        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
     }
     pub(crate) fn node_extent(
         &self,
         cell_14: impl rt::Into<rt::Scalar<i32>>,
-        image_7: impl rt::Into<rt::Vec2<i32>>,
+        image_10: impl rt::Into<rt::Vec2<i32>>,
         n_6: impl rt::Into<rt::Scalar<i32>>,
         level_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_14), rt::into(image_7), rt::into(n_6), rt::into(level_18)))
+        rt::into(self.v_node_extent(rt::into(cell_14), rt::into(image_10), rt::into(n_6), rt::into(level_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
         &self,
         cell_14: rt::Scalar<i32>,
-        image_7: rt::Vec2<i32>,
+        image_10: rt::Vec2<i32>,
         n_6: rt::Scalar<i32>,
         level_18: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_64: rt::Scalar<bool>;
+        let mut local_66: rt::Scalar<bool>;
 
-        let first_14 = ((image_7.x() >> level_18) << level_18);
+        let first_14 = ((image_10.x() >> level_18) << level_18);
         let side_6 = (rt::Scalar(1i32) << level_18);
-        if rt::Scalar::into_branch_condition(image_7.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low_4 = (cell_14 - (image_7.x() - first_14));
+        if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(0i32))) {
+            let low_4 = (cell_14 - (image_10.x() - first_14));
             return <rt::Vec2<i32>>::from_scalars(low_4, (low_4 + side_6.min((n_6 - first_14))));
         }
-        if rt::Scalar::into_branch_condition(image_7.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high_1 = ((cell_14 + (image_7.x() - first_14)) + rt::Scalar(1i32));
+        if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(1i32))) {
+            let high_1 = ((cell_14 + (image_10.x() - first_14)) + rt::Scalar(1i32));
             return <rt::Vec2<i32>>::from_scalars((high_1 - side_6.min(((n_6 - rt::Scalar(1i32)) - first_14))), high_1);
         }
         if rt::Scalar::into_branch_condition(level_18.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_64 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_66 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_64 = rt::Scalar(false);
+            local_66 = rt::Scalar(false);
         }
-        let _e43 = local_64;
+        let _e43 = local_66;
         if rt::Scalar::into_branch_condition(_e43) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_6, cell_14.elementwise_ge(n_6)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_14.elementwise_ge(n_6)));
         }
@@ -9871,31 +10040,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid(
         &self,
-        path_60: Path,
+        path_62: Path,
         params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_60, rt::into(params_62)))
+        rt::into(self.v_search_pyramid(path_62, rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
-        path_60: Path,
+        path_62: Path,
         params_62: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut level_19: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_15: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
-        let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_65: rt::Scalar<bool>;
-        let mut local_66: rt::Scalar<bool>;
         let mut local_67: rt::Scalar<bool>;
         let mut local_68: rt::Scalar<bool>;
+        let mut local_69: rt::Scalar<bool>;
+        let mut local_70: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_60);
-        let _e4 = self.v_height_texels(rt::Scalar(path_60.level));
-        let long_5 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_60.exit));
+        let _e2 = self.v_grid_of(path_62);
+        let _e4 = self.v_height_texels(rt::Scalar(path_62.level));
+        let long_5 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_62.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = top;
@@ -9940,24 +10109,24 @@ impl<'g> Resources<'g> {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_2.x()))) {
                             let _e89 = parent.y();
-                            local_66 = _e89.elementwise_ne(over_2.y());
+                            local_68 = _e89.elementwise_ne(over_2.y());
                         } else {
-                            local_66 = rt::Scalar(true);
+                            local_68 = rt::Scalar(true);
                         }
-                        let _e93 = local_66;
-                        local_65 = _e93;
-                    } else {
-                        local_65 = rt::Scalar(false);
-                    }
-                    let left_5 = local_65;
-                    if rt::Scalar::into_branch_condition(left_5) {
-                        let _e98 = level_19;
-                        let _e99 = top;
-                        local_67 = _e98.elementwise_lt(_e99);
+                        let _e93 = local_68;
+                        local_67 = _e93;
                     } else {
                         local_67 = rt::Scalar(false);
                     }
-                    let _e102 = local_67;
+                    let left_5 = local_67;
+                    if rt::Scalar::into_branch_condition(left_5) {
+                        let _e98 = level_19;
+                        let _e99 = top;
+                        local_69 = _e98.elementwise_lt(_e99);
+                    } else {
+                        local_69 = rt::Scalar(false);
+                    }
+                    let _e102 = local_69;
                     if rt::Scalar::into_branch_condition(_e102) {
                         level_19 = above_level;
                     }
@@ -9969,8 +10138,8 @@ impl<'g> Resources<'g> {
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
-                    let end_9 = _e117.min(_e122).min(rt::Scalar(path_60.exit));
-                    let _e126 = t_27;
+                    let end_9 = _e117.min(_e122).min(rt::Scalar(path_62.exit));
+                    let _e126 = t_28;
                     let span_10 = (end_9 - _e126).max(rt::Scalar(0f32));
                     let low_5 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_6 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
@@ -9980,11 +10149,11 @@ impl<'g> Resources<'g> {
                         cost_14 = (_e143 + HEIGHTS_READ);
                         let _e146 = cell_15;
                         let _e148 = cell_15;
-                        let _e150 = self.v_grid_cell(_e148, rt::Scalar(path_60.level));
-                        let _e151 = t_27;
-                        let _e152 = self.v_gap_to(path_60, _e2, _e146.to_f32(), _e150, _e151);
-                        let _e153 = t_27;
-                        let _e154 = t_27;
+                        let _e150 = self.v_grid_cell(_e148, rt::Scalar(path_62.level));
+                        let _e151 = t_28;
+                        let _e152 = self.v_gap_to(path_62, _e2, _e146.to_f32(), _e150, _e151);
+                        let _e153 = t_28;
+                        let _e154 = t_28;
                         let _e157 = cost_14;
                         let _e158 = self.v_found_in_cell(_e152, _e153, span_10, _e154.elementwise_eq(rt::Scalar(0f32)), _e157);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e158.status).elementwise_ne(FOUND_ABOVE)) {
@@ -9992,37 +10161,37 @@ impl<'g> Resources<'g> {
                         }
                     } else {
                         let _e162 = cost_14;
-                        let _e164 = self.v_map_read(path_60, rt::Scalar(1u32));
+                        let _e164 = self.v_map_read(path_62, rt::Scalar(1u32));
                         cost_14 = (_e162 + _e164);
                         let _e167 = level_19;
                         let _e170 = level_19;
                         let node = <rt::Vec2<i32>>::from_scalars((place_24.x() >> _e167), (place_24.y() >> _e170));
                         let _e174 = level_19;
-                        let _e180 = self.v_search_texel(path_60, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_60.level)).to_i32() - rt::Scalar(1i32)));
+                        let _e180 = self.v_search_texel(path_62, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_62.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
-                        let _e182 = t_27;
+                        let _e182 = t_28;
                         let furthest = (_e182 + span_10);
-                        let rounded = (path_60.h.x().abs() + (furthest * (path_60.h.y().abs() + (furthest * path_60.h.z().abs()))));
-                        let _e197 = t_27;
-                        let _e198 = self.v_path_height(path_60, _e197);
-                        let _e203 = t_27;
-                        let _e204 = self.v_path_slope(path_60, _e203);
-                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_60.h.z());
+                        let rounded = (path_62.h.x().abs() + (furthest * (path_62.h.y().abs() + (furthest * path_62.h.z().abs()))));
+                        let _e197 = t_28;
+                        let _e198 = self.v_path_height(path_62, _e197);
+                        let _e203 = t_28;
+                        let _e204 = self.v_path_slope(path_62, _e203);
+                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_62.h.z());
                         if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e214 = self.v_least_at(gap_4, span_10);
                             let _e215 = self.v_quadratic(gap_4, _e214);
-                            local_68 = _e215.elementwise_le(rt::Scalar(0f32));
+                            local_70 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_68 = rt::Scalar(true);
+                            local_70 = rt::Scalar(true);
                         }
-                        let _e219 = local_68;
+                        let _e219 = local_70;
                         if rt::Scalar::into_branch_condition(_e219) {
                             if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e223 = t_27;
+                                let _e223 = t_28;
                                 let _e224 = self.v_first_root(gap_4, span_10);
-                                t_27 = (_e223 + _e224.min(span_10));
+                                t_28 = (_e223 + _e224.min(span_10));
                             }
-                            let _e229 = t_27;
+                            let _e229 = t_28;
                             let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
                             cell_15 = _e232.to_i32().clamp(low_5, last_6);
                             let _e235 = level_19;
@@ -10031,10 +10200,10 @@ impl<'g> Resources<'g> {
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_9.elementwise_ge(rt::Scalar(path_60.exit))) {
-                        let _e244 = t_27;
+                    if rt::Scalar::into_branch_condition(end_9.elementwise_ge(rt::Scalar(path_62.exit))) {
+                        let _e244 = t_28;
                         let _e246 = cost_14;
-                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_60.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
+                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
                     }
                     let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_9)));
                     cell_15 = _e254.to_i32().clamp(low_5, last_6);
@@ -10047,14 +10216,14 @@ impl<'g> Resources<'g> {
                     let _e280 = level_19;
                     let _e285 = level_19;
                     parent = <rt::Vec2<i32>>::from_scalars((place_24.x() >> (_e280 + rt::Scalar(1u32))), (place_24.y() >> (_e285 + rt::Scalar(1u32))));
-                    let _e290 = t_27;
-                    t_27 = _e290.max(end_9);
+                    let _e290 = t_28;
+                    t_28 = _e290.max(end_9);
                 }
             }
         }
-        let _e293 = t_27;
+        let _e293 = t_28;
         let _e295 = cost_14;
-        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_60.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
+        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
     }
     pub(crate) fn texel_extent(
         &self,
@@ -10071,18 +10240,18 @@ impl<'g> Resources<'g> {
         n_7: rt::Scalar<i32>,
         level_20: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_69: rt::Scalar<bool>;
+        let mut local_71: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_7);
         let first_15 = ((_e3 >> level_20) << level_20);
         let last_7 = (first_15 + (rt::Scalar(1i32) << level_20)).min(n_7);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_69 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_71 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_69 = rt::Scalar(true);
+            local_71 = rt::Scalar(true);
         }
-        let _e20 = local_69;
+        let _e20 = local_71;
         if rt::Scalar::into_branch_condition(_e20) {
             return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_15), ((texel_2 - _e3) + last_7));
         }
@@ -10099,30 +10268,30 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid_texels(
         &self,
-        path_61: Path,
+        path_63: Path,
         params_63: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_61, rt::into(params_63)))
+        rt::into(self.v_search_pyramid_texels(path_63, rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
-        path_61: Path,
+        path_63: Path,
         params_63: rt::Vec4<f32>,
     ) -> Found {
         let mut level_21: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
-        let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_15: rt::Vec3<u32> = NO_COST;
         let mut finest_1: rt::Scalar<u32>;
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e3 = self.v_height_texels(rt::Scalar(path_61.level));
-        let _e6 = self.v_height_size(rt::Scalar(path_61.level));
-        let origin_6 = (path_61.uv * _e6);
-        let _e10 = self.v_height_size(rt::Scalar(path_61.level));
-        let step_7 = (path_61.duv * _e10);
+        let _e3 = self.v_height_texels(rt::Scalar(path_63.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_63.level));
+        let origin_7 = (path_63.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_63.level));
+        let step_7 = (path_63.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = level_21;
@@ -10136,12 +10305,12 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e24 = self.v_cell_of(origin_6);
+        let _e24 = self.v_cell_of(origin_7);
         texel_3 = _e24.to_i32();
         let limit_5 = params_63.x().to_u32();
         let _e35 = level_21;
         finest_1 = params_63.y().to_u32().min(_e35);
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_61.ray).elementwise_eq(RAY_SHADOW)) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_63.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
         'naga_break: loop {
@@ -10171,10 +10340,10 @@ impl<'g> Resources<'g> {
                         let _e73 = level_21;
                         let node_1 = <rt::Vec2<i32>>::from_scalars((place_25.x() >> _e70), (place_25.y() >> _e73));
                         let _e76 = cost_15;
-                        let _e78 = self.v_map_read(path_61, rt::Scalar(1u32));
+                        let _e78 = self.v_map_read(path_63, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
                         let _e81 = level_21;
-                        let _e85 = self.v_search_texel(path_61, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
+                        let _e85 = self.v_search_texel(path_63, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
@@ -10183,20 +10352,20 @@ impl<'g> Resources<'g> {
                     let _e93 = texel_3.y();
                     let _e95 = level_21;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
-                    let _e99 = self.v_leaves_extent(origin_6.x(), step_7.x(), _e91);
-                    let _e102 = self.v_leaves_extent(origin_6.y(), step_7.y(), _e96);
+                    let _e99 = self.v_leaves_extent(origin_7.x(), step_7.x(), _e91);
+                    let _e102 = self.v_leaves_extent(origin_7.y(), step_7.y(), _e96);
                     let leave_7 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
-                    let _e109 = t_28;
-                    let end_10 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_61.exit)).max(_e109);
-                    let _e111 = t_28;
-                    let _e112 = self.v_path_height(path_61, _e111);
+                    let _e109 = t_29;
+                    let end_10 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_63.exit)).max(_e109);
+                    let _e111 = t_29;
+                    let _e112 = self.v_path_height(path_63, _e111);
                     let _e113 = highest;
-                    let _e115 = t_28;
-                    let _e116 = self.v_path_slope(path_61, _e115);
-                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_61.h.z());
+                    let _e115 = t_29;
+                    let _e116 = self.v_path_slope(path_63, _e115);
+                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_63.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
-                        let _e125 = t_28;
+                        let _e125 = t_29;
                         let _e127 = self.v_first_root(gap_5, (end_10 - _e125));
                         sinks = _e127;
                     }
@@ -10204,28 +10373,28 @@ impl<'g> Resources<'g> {
                     let last_8 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e141 = t_28;
+                        let _e141 = t_29;
                         let _e142 = sinks;
-                        t_28 = (_e141 + _e142);
+                        t_29 = (_e141 + _e142);
                         let _e144 = level_21;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
-                            let _e148 = t_28;
+                            let _e148 = t_29;
                             let _e149 = cost_15;
                             return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
                         let _e154 = level_21;
                         level_21 = (_e154 - rt::Scalar(1u32));
-                        let _e157 = t_28;
-                        let _e160 = self.v_cell_of((origin_6 + (step_7 * _e157)));
+                        let _e157 = t_29;
+                        let _e160 = self.v_cell_of((origin_7 + (step_7 * _e157)));
                         texel_3 = _e160.to_i32().clamp(low_6, last_8);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_61.exit))) {
-                            let _e166 = t_28;
+                        if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_63.exit))) {
+                            let _e166 = t_29;
                             let _e168 = cost_15;
-                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
+                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
-                        let _e174 = self.v_cell_of((origin_6 + (step_7 * end_10)));
+                        let _e174 = self.v_cell_of((origin_7 + (step_7 * end_10)));
                         texel_3 = _e174.to_i32().clamp(low_6, last_8);
                         if rt::Scalar::into_branch_condition(leave_7.x().elementwise_le(end_10)) {
                             texel_3.set_x((low_6.x() - rt::Scalar(1i32)).select(_e91.y(), step_7.x().elementwise_gt(rt::Scalar(0f32))));
@@ -10233,14 +10402,14 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(leave_7.y().elementwise_le(end_10)) {
                             texel_3.set_y((low_6.y() - rt::Scalar(1i32)).select(_e96.y(), step_7.y().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        t_28 = end_10;
+                        t_29 = end_10;
                     }
                 }
             }
         }
-        let _e200 = t_28;
+        let _e200 = t_29;
         let _e202 = cost_15;
-        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
+        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
     }
     pub(crate) fn leaves_window(
         &self,
@@ -10266,30 +10435,30 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_dilation_erosion(
         &self,
-        path_62: Path,
+        path_64: Path,
         params_64: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_62, rt::into(params_64)))
+        rt::into(self.v_search_dilation_erosion(path_64, rt::into(params_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
-        path_62: Path,
+        path_64: Path,
         params_64: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_17: rt::Vec2<f32>;
-        let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_70: rt::Scalar<bool>;
-        let mut local_71: rt::Scalar<bool>;
         let mut local_72: rt::Scalar<bool>;
         let mut local_73: rt::Scalar<bool>;
+        let mut local_74: rt::Scalar<bool>;
+        let mut local_75: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_62);
-        let _e4 = self.v_height_texels(rt::Scalar(path_62.level));
+        let _e2 = self.v_grid_of(path_64);
+        let _e4 = self.v_height_texels(rt::Scalar(path_64.level));
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_17 = _e11;
@@ -10306,10 +10475,10 @@ impl<'g> Resources<'g> {
                     cost_16 = (_e24 + STEP);
                     let _e27 = cell_17;
                     let _e28 = self.v_cell_leave(_e2, _e27);
-                    let end_11 = _e28.x().min(_e28.y()).min(rt::Scalar(path_62.exit));
-                    let _e34 = t_29;
+                    let end_11 = _e28.x().min(_e28.y()).min(rt::Scalar(path_64.exit));
+                    let _e34 = t_30;
                     let span_11 = (end_11 - _e34).max(rt::Scalar(0f32));
-                    let _e38 = t_29;
+                    let _e38 = t_30;
                     next_3 = _e38;
                     looks = params_64.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e45 = cell_17.x();
@@ -10317,39 +10486,39 @@ impl<'g> Resources<'g> {
                     let _e50 = cell_17.y();
                     let _e53 = self.v_image_of(_e50.to_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_70 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_72 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_70 = rt::Scalar(true);
+                        local_72 = rt::Scalar(true);
                     }
-                    let _e64 = local_70;
+                    let _e64 = local_72;
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e72 = self.v_search_texel(path_62, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_62.level).to_i32());
+                        let _e72 = self.v_search_texel(path_64, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_64.level).to_i32());
                         let _e73 = cost_16;
-                        let _e75 = self.v_map_read(path_62, rt::Scalar(1u32));
+                        let _e75 = self.v_map_read(path_64, rt::Scalar(1u32));
                         cost_16 = (_e73 + _e75);
                         let _e77 = cell_17;
                         let _e79 = self.v_leaves_window(_e2, _e77, params_64.z());
-                        let _e82 = t_29;
-                        let reach = (_e79.min(rt::Scalar(path_62.exit)) - _e82).max(rt::Scalar(0f32));
-                        let _e86 = t_29;
+                        let _e82 = t_30;
+                        let reach = (_e79.min(rt::Scalar(path_64.exit)) - _e82).max(rt::Scalar(0f32));
+                        let _e86 = t_30;
                         let furthest_1 = (_e86 + reach);
-                        let rounded_1 = (path_62.h.x().abs() + (furthest_1 * (path_62.h.y().abs() + (furthest_1 * path_62.h.z().abs()))));
-                        let _e101 = t_29;
-                        let _e102 = self.v_path_height(path_62, _e101);
-                        let _e108 = t_29;
-                        let _e109 = self.v_path_slope(path_62, _e108);
-                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_62.h.z());
+                        let rounded_1 = (path_64.h.x().abs() + (furthest_1 * (path_64.h.y().abs() + (furthest_1 * path_64.h.z().abs()))));
+                        let _e101 = t_30;
+                        let _e102 = self.v_path_height(path_64, _e101);
+                        let _e108 = t_30;
+                        let _e109 = self.v_path_slope(path_64, _e108);
+                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_64.h.z());
                         if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
-                            let _e116 = t_29;
+                            let _e116 = t_30;
                             safe_ = _e116;
-                            let _e117 = t_29;
+                            let _e117 = t_30;
                             next_3 = (_e117 + reach);
                             let _e119 = self.v_least_at(gap_6, reach);
                             let _e120 = self.v_quadratic(gap_6, _e119);
                             if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
-                                let _e123 = t_29;
+                                let _e123 = t_30;
                                 let _e124 = self.v_first_root(gap_6, reach);
                                 next_3 = (_e123 + _e124.min(reach));
                             }
@@ -10357,101 +10526,101 @@ impl<'g> Resources<'g> {
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_71 = _e131.elementwise_lt(end_11);
+                            local_73 = _e131.elementwise_lt(end_11);
                         } else {
-                            local_71 = rt::Scalar(false);
+                            local_73 = rt::Scalar(false);
                         }
-                        let _e134 = local_71;
+                        let _e134 = local_73;
                         if rt::Scalar::into_branch_condition(_e134) {
-                            let _e137 = self.v_path_height(path_62, end_11);
-                            local_72 = _e137.elementwise_lt(_e72.x());
+                            let _e137 = self.v_path_height(path_64, end_11);
+                            local_74 = _e137.elementwise_lt(_e72.x());
                         } else {
-                            local_72 = rt::Scalar(false);
+                            local_74 = rt::Scalar(false);
                         }
-                        let _e141 = local_72;
+                        let _e141 = local_74;
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
-                            let _e144 = self.v_bracket_between(path_62, _e142, end_11, _e143);
+                            let _e144 = self.v_bracket_between(path_64, _e142, end_11, _e143);
                             return _e144;
                         }
                     }
                     let _e145 = next_3;
                     if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_11))) {
-                        let _e150 = t_29;
-                        local_73 = (!end_11.elementwise_gt(_e150));
+                        let _e150 = t_30;
+                        local_75 = (!end_11.elementwise_gt(_e150));
                     } else {
-                        local_73 = rt::Scalar(true);
+                        local_75 = rt::Scalar(true);
                     }
-                    let _e154 = local_73;
+                    let _e154 = local_75;
                     if rt::Scalar::into_branch_condition(_e154) {
                         let _e155 = looks;
                         if rt::Scalar::into_branch_condition(_e155) {
                             let _e156 = cost_16;
                             cost_16 = (_e156 + HEIGHTS_READ);
                             let _e159 = cell_17;
-                            let _e162 = self.v_height_cell(_e159.to_i32(), rt::Scalar(path_62.level));
+                            let _e162 = self.v_height_cell(_e159.to_i32(), rt::Scalar(path_64.level));
                             let _e163 = cell_17;
-                            let _e164 = t_29;
-                            let _e165 = self.v_gap_to(path_62, _e2, _e163, _e162, _e164);
-                            let _e166 = t_29;
-                            let _e167 = t_29;
+                            let _e164 = t_30;
+                            let _e165 = self.v_gap_to(path_64, _e2, _e163, _e162, _e164);
+                            let _e166 = t_30;
+                            let _e167 = t_30;
                             let _e170 = cost_16;
                             let _e171 = self.v_found_in_cell(_e165, _e166, span_11, _e167.elementwise_eq(rt::Scalar(0f32)), _e170);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e171.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e171;
                             }
                         }
-                        let _e175 = t_29;
+                        let _e175 = t_30;
                         next_3 = _e175.max(end_11);
                     }
                     let _e177 = next_3;
-                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_62.exit))) {
-                        let _e181 = t_29;
+                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_64.exit))) {
+                        let _e181 = t_30;
                         let _e183 = cost_16;
-                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
+                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
                     }
                     let _e187 = cell_17;
                     let _e188 = next_3;
                     let _e189 = self.v_cell_after(_e2, _e187, _e28, forward_5, _e188);
                     cell_17 = _e189;
                     let _e190 = next_3;
-                    t_29 = _e190;
+                    t_30 = _e190;
                 }
             }
         }
-        let _e192 = t_29;
+        let _e192 = t_30;
         let _e194 = cost_16;
-        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
+        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
     }
     pub(crate) fn search_sphere(
         &self,
-        path_63: Path,
+        path_65: Path,
         params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_63, rt::into(params_65)))
+        rt::into(self.v_search_sphere(path_65, rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
-        path_63: Path,
+        path_65: Path,
         params_65: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_18: rt::Vec2<f32>;
-        let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_74: rt::Scalar<bool>;
+        let mut local_76: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_63);
+        let _e2 = self.v_grid_of(path_65);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_63, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_63, rt::Scalar(path_63.exit));
+        let _e9 = self.v_path_slope(path_65, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_65, rt::Scalar(path_65.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let fastest = <rt::Vec3<f32>>::new_21(path_63.duv, climb_1).length();
+        let fastest = <rt::Vec3<f32>>::new_21(path_65.duv, climb_1).length();
         let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_11 = (path_63.uv.abs() + (path_63.duv.abs() * rt::Scalar(path_63.exit)));
-        let height_terms = (path_63.h.x().abs() + (rt::Scalar(path_63.exit) * (path_63.h.y().abs() + (rt::Scalar(path_63.exit) * path_63.h.z().abs()))));
+        let far_11 = (path_65.uv.abs() + (path_65.duv.abs() * rt::Scalar(path_65.exit)));
+        let height_terms = (path_65.h.x().abs() + (rt::Scalar(path_65.exit) * (path_65.h.y().abs() + (rt::Scalar(path_65.exit) * path_65.h.z().abs()))));
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_11.x() + far_11.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_18 = _e52;
@@ -10468,101 +10637,101 @@ impl<'g> Resources<'g> {
                     cost_17 = (_e63 + STEP);
                     let _e66 = cell_18;
                     let _e67 = self.v_cell_leave(_e2, _e66);
-                    let end_12 = _e67.x().min(_e67.y()).min(rt::Scalar(path_63.exit));
-                    let _e73 = t_30;
+                    let end_12 = _e67.x().min(_e67.y()).min(rt::Scalar(path_65.exit));
+                    let _e73 = t_31;
                     let span_12 = (end_12 - _e73).max(rt::Scalar(0f32));
-                    let _e77 = t_30;
-                    let _e78 = self.v_path_uv(path_63, _e77);
-                    let _e79 = t_30;
-                    let _e80 = self.v_path_height(path_63, _e79);
-                    let _e82 = self.v_distance_at(path_63, _e78, _e80, params_65.z());
+                    let _e77 = t_31;
+                    let _e78 = self.v_path_uv(path_65, _e77);
+                    let _e79 = t_31;
+                    let _e80 = self.v_path_height(path_65, _e79);
+                    let _e82 = self.v_distance_at(path_65, _e78, _e80, params_65.z());
                     let free_1 = (_e82 - lost_3);
                     let _e84 = cost_17;
-                    let _e86 = self.v_map_read(path_63, rt::Scalar(4u32));
-                    let _e89 = self.v_map_read(path_63, rt::Scalar(4u32));
+                    let _e86 = self.v_map_read(path_65, rt::Scalar(4u32));
+                    let _e89 = self.v_map_read(path_65, rt::Scalar(4u32));
                     cost_17 = ((_e84 + _e86) + _e89);
-                    let _e91 = t_30;
+                    let _e91 = t_31;
                     next_4 = _e91;
                     if rt::Scalar::into_branch_condition(free_1.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e95 = t_30;
+                        let _e95 = t_31;
                         next_4 = (_e95 + (free_1 / speed_2));
                     }
                     if rt::Scalar::into_branch_condition(params_65.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_4;
-                        let _e102 = t_30;
-                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_63.exit))))) {
-                            let _e110 = t_30;
+                        let _e102 = t_31;
+                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_65.exit))))) {
+                            let _e110 = t_31;
                             let _e112 = cost_17;
-                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
+                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
                         }
                     } else {
                         let _e116 = next_4;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_12))) {
-                            let _e121 = t_30;
-                            local_74 = (!end_12.elementwise_gt(_e121));
+                            let _e121 = t_31;
+                            local_76 = (!end_12.elementwise_gt(_e121));
                         } else {
-                            local_74 = rt::Scalar(true);
+                            local_76 = rt::Scalar(true);
                         }
-                        let _e125 = local_74;
+                        let _e125 = local_76;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
                             let _e129 = cell_18;
                             let _e130 = cell_18;
-                            let _e133 = self.v_height_cell(_e130.to_i32(), rt::Scalar(path_63.level));
-                            let _e134 = t_30;
-                            let _e135 = self.v_gap_to(path_63, _e2, _e129, _e133, _e134);
-                            let _e136 = t_30;
-                            let _e137 = t_30;
+                            let _e133 = self.v_height_cell(_e130.to_i32(), rt::Scalar(path_65.level));
+                            let _e134 = t_31;
+                            let _e135 = self.v_gap_to(path_65, _e2, _e129, _e133, _e134);
+                            let _e136 = t_31;
+                            let _e137 = t_31;
                             let _e140 = cost_17;
                             let _e141 = self.v_found_in_cell(_e135, _e136, span_12, _e137.elementwise_eq(rt::Scalar(0f32)), _e140);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e141.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e141;
                             }
-                            let _e145 = t_30;
+                            let _e145 = t_31;
                             next_4 = _e145.max(end_12);
                         }
                     }
                     let _e147 = next_4;
-                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_63.exit))) {
-                        let _e151 = t_30;
+                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_65.exit))) {
+                        let _e151 = t_31;
                         let _e153 = cost_17;
-                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
+                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
                     }
                     let _e157 = cell_18;
                     let _e158 = next_4;
                     let _e159 = self.v_cell_after(_e2, _e157, _e67, forward_6, _e158);
                     cell_18 = _e159;
                     let _e160 = next_4;
-                    t_30 = _e160;
+                    t_31 = _e160;
                 }
             }
         }
-        let _e162 = t_30;
+        let _e162 = t_31;
         let _e164 = cost_17;
-        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
+        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
     }
     pub(crate) fn search_cone_moved(
         &self,
-        path_64: Path,
+        path_66: Path,
         params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_64, rt::into(params_66)))
+        rt::into(self.v_search_cone_moved(path_66, rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
-        path_64: Path,
+        path_66: Path,
         params_66: rt::Vec4<f32>,
     ) -> Found {
-        let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_32: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
         let mut k_24: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_75: rt::Scalar<bool>;
+        let mut local_77: rt::Scalar<bool>;
 
-        let aside_6 = path_64.duv.length();
+        let aside_6 = path_66.duv.length();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_24;
@@ -10573,106 +10742,106 @@ impl<'g> Resources<'g> {
                 {
                     let _e17 = cost_18;
                     cost_18 = (_e17 + STEP);
-                    let _e20 = t_31;
-                    let _e21 = self.v_path_gap(path_64, _e20);
+                    let _e20 = t_32;
+                    let _e21 = self.v_path_gap(path_66, _e20);
                     let _e22 = cost_18;
                     cost_18 = (_e22 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
-                        let _e27 = t_31;
+                        let _e27 = t_32;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_75 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_77 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_75 = rt::Scalar(false);
+                            local_77 = rt::Scalar(false);
                         }
-                        let _e35 = local_75;
+                        let _e35 = local_77;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
                         }
                         let _e42 = near_5;
-                        let _e43 = t_31;
+                        let _e43 = t_32;
                         let _e44 = near_gap_3;
                         let _e45 = cost_18;
                         return <Found>::new(FOUND_BRACKET, _e42, _e43, _e44, _e21, _e45);
                     }
-                    let _e47 = t_31;
+                    let _e47 = t_32;
                     near_5 = _e47;
                     near_gap_3 = _e21;
-                    let _e48 = t_31;
-                    let _e49 = self.v_path_uv(path_64, _e48);
-                    let _e51 = self.v_search_texel_between(path_64, _e49, rt::Scalar(0i32));
+                    let _e48 = t_32;
+                    let _e49 = self.v_path_uv(path_66, _e48);
+                    let _e51 = self.v_search_texel_between(path_66, _e49, rt::Scalar(0i32));
                     let _e53 = self.v_slope_of(_e51.x());
                     let _e54 = cost_18;
-                    let _e56 = self.v_map_read(path_64, rt::Scalar(4u32));
+                    let _e56 = self.v_map_read(path_66, rt::Scalar(4u32));
                     cost_18 = (_e54 + _e56);
                     if rt::Scalar::into_branch_condition(_e53.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e61 = t_31;
-                    let rest_8 = (rt::Scalar(path_64.exit) - _e61);
-                    let _e63 = t_31;
-                    let _e64 = self.v_path_slope(path_64, _e63);
-                    let rise_5 = (_e64 + (path_64.h.z().min(rt::Scalar(0f32)) * rest_8));
-                    let terms_1 = (path_64.h.x().abs() + (rt::Scalar(path_64.exit) * (path_64.h.y().abs() + (rt::Scalar(path_64.exit) * path_64.h.z().abs()))));
-                    let far_12 = (((path_64.uv.abs() + (path_64.duv.abs() * rt::Scalar(path_64.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
+                    let _e61 = t_32;
+                    let rest_8 = (rt::Scalar(path_66.exit) - _e61);
+                    let _e63 = t_32;
+                    let _e64 = self.v_path_slope(path_66, _e63);
+                    let rise_5 = (_e64 + (path_66.h.z().min(rt::Scalar(0f32)) * rest_8));
+                    let terms_1 = (path_66.h.x().abs() + (rt::Scalar(path_66.exit) * (path_66.h.y().abs() + (rt::Scalar(path_66.exit) * path_66.h.z().abs()))));
+                    let far_12 = (((path_66.uv.abs() + (path_66.duv.abs() * rt::Scalar(path_66.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
                     let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_12.x()) + far_12.y()));
                     let nearing = ((_e53 * aside_6) - rise_5);
                     let closing_3 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
-                        let _e112 = t_31;
+                        let _e112 = t_32;
                         let _e114 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
+                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_66.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                     }
-                    let _e118 = t_31;
-                    t_31 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
-                    let _e124 = t_31;
-                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_64.exit))) {
+                    let _e118 = t_32;
+                    t_32 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
+                    let _e124 = t_32;
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_66.exit))) {
                         let _e128 = near_5;
                         let _e130 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_66.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
                     let _e134 = k_24;
                     k_24 = (_e134 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e138 = t_31;
-        let _e140 = t_31;
-        let _e141 = self.v_path_height(path_64, _e140);
+        let _e138 = t_32;
+        let _e140 = t_32;
+        let _e141 = self.v_path_height(path_66, _e140);
         let _e142 = cost_18;
-        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_64.exit), _e141, rt::Scalar(0f32), _e142);
+        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_66.exit), _e141, rt::Scalar(0f32), _e142);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
-        path_65: Path,
+        path_67: Path,
         params_67: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_65, rt::into(params_67)))
+        rt::into(self.v_search_relaxed_cone(path_67, rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
-        path_65: Path,
+        path_67: Path,
         params_67: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_19: rt::Vec2<f32>;
-        let mut t_32: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_76: rt::Scalar<bool>;
+        let mut local_78: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_77: rt::Scalar<bool>;
+        let mut local_79: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_65);
+        let _e2 = self.v_grid_of(path_67);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_7 = path_65.duv.length();
-        let _e11 = self.v_path_slope(path_65, rt::Scalar(0f32));
-        let terms_2 = (path_65.h.x().abs() + (rt::Scalar(path_65.exit) * path_65.h.y().abs()));
-        let _e33 = self.v_height_size(rt::Scalar(path_65.level));
-        let far_13 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_65.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let aside_7 = path_67.duv.length();
+        let _e11 = self.v_path_slope(path_67, rt::Scalar(0f32));
+        let terms_2 = (path_67.h.x().abs() + (rt::Scalar(path_67.exit) * path_67.h.y().abs()));
+        let _e33 = self.v_height_size(rt::Scalar(path_67.level));
+        let far_13 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_67.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_19 = _e36;
         let limit_8 = params_67.x().to_u32();
@@ -10688,60 +10857,60 @@ impl<'g> Resources<'g> {
                     cost_19 = (_e51 + STEP);
                     let _e54 = cell_19;
                     let _e55 = self.v_cell_leave(_e2, _e54);
-                    let end_13 = _e55.x().min(_e55.y()).min(rt::Scalar(path_65.exit));
-                    let _e61 = t_32;
+                    let end_13 = _e55.x().min(_e55.y()).min(rt::Scalar(path_67.exit));
+                    let _e61 = t_33;
                     let span_13 = (end_13 - _e61).max(rt::Scalar(0f32));
                     let _e65 = cell_19;
                     let _e66 = cell_19;
-                    let _e69 = self.v_height_cell(_e66.to_i32(), rt::Scalar(path_65.level));
-                    let _e70 = t_32;
-                    let _e71 = self.v_gap_to(path_65, _e2, _e65, _e69, _e70);
+                    let _e69 = self.v_height_cell(_e66.to_i32(), rt::Scalar(path_67.level));
+                    let _e70 = t_33;
+                    let _e71 = self.v_gap_to(path_67, _e2, _e65, _e69, _e70);
                     let _e72 = cost_19;
                     cost_19 = (_e72 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e71.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e78 = near_6;
-                        let _e79 = t_32;
+                        let _e79 = t_33;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_76 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_78 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_76 = rt::Scalar(false);
+                            local_78 = rt::Scalar(false);
                         }
-                        let _e87 = local_76;
+                        let _e87 = local_78;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
-                            let _e89 = t_32;
+                            let _e89 = t_33;
                             let _e90 = near_gap_4;
                             let _e92 = cost_19;
-                            let _e93 = self.v_entered_once(path_65, _e2, _e88, _e89, _e90, _e71.x(), _e92);
+                            let _e93 = self.v_entered_once(path_67, _e2, _e88, _e89, _e90, _e71.x(), _e92);
                             return _e93;
                         }
-                        let _e94 = t_32;
-                        let _e95 = t_32;
+                        let _e94 = t_33;
+                        let _e95 = t_33;
                         let _e98 = cost_19;
                         let _e99 = self.v_found_in_cell(_e71, _e94, span_13, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
                         return _e99;
                     }
-                    let _e100 = t_32;
+                    let _e100 = t_33;
                     start_1 = _e100;
                     gap = _e71.x();
                     if rt::Scalar::into_branch_condition(params_67.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e107 = t_32;
-                        let _e108 = t_32;
+                        let _e107 = t_33;
+                        let _e108 = t_33;
                         let _e111 = cost_19;
                         let _e112 = self.v_found_in_cell(_e71, _e107, span_13, _e108.elementwise_eq(rt::Scalar(0f32)), _e111);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e112.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e112;
                         }
-                        let _e116 = t_32;
+                        let _e116 = t_33;
                         start_1 = _e116.max(end_13);
                         gap = rt::Scalar(_e112.far_gap);
                     }
                     let _e119 = start_1;
-                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_65.exit))) {
-                        let _e123 = t_32;
+                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_67.exit))) {
+                        let _e123 = t_33;
                         let _e125 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
+                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
                     }
                     let _e129 = start_1;
                     near_6 = _e129;
@@ -10751,9 +10920,9 @@ impl<'g> Resources<'g> {
                     let _e133 = cell_19;
                     let _e136 = start_1;
                     let _e139 = self.v_nearest_corner(((_e2.origin - _e133) + (_e2.step * _e136)));
-                    let _e141 = self.v_cone_slope(path_65, (_e131 + _e139));
+                    let _e141 = self.v_cone_slope(path_67, (_e131 + _e139));
                     let _e142 = cost_19;
-                    let _e144 = self.v_map_read(path_65, rt::Scalar(1u32));
+                    let _e144 = self.v_map_read(path_67, rt::Scalar(1u32));
                     cost_19 = (_e142 + _e144);
                     let _e146 = start_1;
                     next_5 = _e146;
@@ -10770,69 +10939,69 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(params_67.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
-                        let _e178 = t_32;
-                        local_77 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_65.exit))));
+                        let _e178 = t_33;
+                        local_79 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_67.exit))));
                     } else {
-                        local_77 = rt::Scalar(false);
+                        local_79 = rt::Scalar(false);
                     }
-                    let _e186 = local_77;
+                    let _e186 = local_79;
                     if rt::Scalar::into_branch_condition(_e186) {
-                        let _e188 = t_32;
+                        let _e188 = t_33;
                         let _e190 = gap;
                         let _e191 = cost_19;
-                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_65.exit), _e190, rt::Scalar(0f32), _e191);
+                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_67.exit), _e190, rt::Scalar(0f32), _e191);
                     }
                     let _e194 = next_5;
-                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_65.exit))) {
-                        let _e198 = self.v_path_gap(path_65, rt::Scalar(path_65.exit));
+                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_67.exit))) {
+                        let _e198 = self.v_path_gap(path_67, rt::Scalar(path_67.exit));
                         let _e199 = cost_19;
                         cost_19 = (_e199 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e198.elementwise_le(rt::Scalar(0f32))) {
                             let _e204 = start_1;
                             let _e206 = gap;
                             let _e207 = cost_19;
-                            let _e208 = self.v_entered_once(path_65, _e2, _e204, rt::Scalar(path_65.exit), _e206, _e198, _e207);
+                            let _e208 = self.v_entered_once(path_67, _e2, _e204, rt::Scalar(path_67.exit), _e206, _e198, _e207);
                             return _e208;
                         }
                         let _e210 = start_1;
                         let _e212 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
+                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
                     }
                     let _e216 = cell_19;
                     let _e217 = next_5;
                     let _e218 = self.v_cell_after(_e2, _e216, _e55, forward_7, _e217);
                     cell_19 = _e218;
                     let _e219 = next_5;
-                    t_32 = _e219;
+                    t_33 = _e219;
                 }
             }
         }
-        let _e221 = t_32;
+        let _e221 = t_33;
         let _e223 = cost_19;
-        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
+        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
-        path_66: Path,
+        path_68: Path,
         params_68: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_66, rt::into(params_68)))
+        rt::into(self.v_search_relaxed_cone_resting(path_68, rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
-        path_66: Path,
+        path_68: Path,
         params_68: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_20: rt::Vec2<f32>;
-        let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_78: rt::Scalar<bool>;
+        let mut local_80: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_66);
+        let _e2 = self.v_grid_of(path_68);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_20 = _e9;
@@ -10848,54 +11017,54 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_20;
                     cost_20 = (_e24 + STEP);
                     let _e27 = cell_20;
-                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_66.level));
+                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_68.level));
                     let _e31 = cost_20;
                     cost_20 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_20;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_14 = _e35.x().min(_e35.y()).min(rt::Scalar(path_66.exit));
-                    let _e41 = t_33;
+                    let end_14 = _e35.x().min(_e35.y()).min(rt::Scalar(path_68.exit));
+                    let _e41 = t_34;
                     let span_14 = (end_14 - _e41).max(rt::Scalar(0f32));
                     let _e45 = cell_20;
-                    let _e46 = t_33;
-                    let _e47 = self.v_gap_to(path_66, _e2, _e45, _e30, _e46);
+                    let _e46 = t_34;
+                    let _e47 = self.v_gap_to(path_68, _e2, _e45, _e30, _e46);
                     if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_7;
-                        let _e52 = t_33;
+                        let _e52 = t_34;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_78 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_80 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_78 = rt::Scalar(false);
+                            local_80 = rt::Scalar(false);
                         }
-                        let _e60 = local_78;
+                        let _e60 = local_80;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
-                            let _e62 = t_33;
+                            let _e62 = t_34;
                             let _e63 = near_gap_5;
                             let _e65 = cost_20;
-                            let _e66 = self.v_entered_once(path_66, _e2, _e61, _e62, _e63, _e47.x(), _e65);
+                            let _e66 = self.v_entered_once(path_68, _e2, _e61, _e62, _e63, _e47.x(), _e65);
                             return _e66;
                         }
-                        let _e67 = t_33;
-                        let _e68 = t_33;
+                        let _e67 = t_34;
+                        let _e68 = t_34;
                         let _e71 = cost_20;
                         let _e72 = self.v_found_in_cell(_e47, _e67, span_14, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
                         return _e72;
                     }
-                    let _e73 = t_33;
-                    let _e74 = t_33;
+                    let _e73 = t_34;
+                    let _e74 = t_34;
                     let _e77 = cost_20;
                     let _e78 = self.v_found_in_cell(_e47, _e73, span_14, _e74.elementwise_eq(rt::Scalar(0f32)), _e77);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e78.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e78;
                     }
-                    let _e82 = t_33;
+                    let _e82 = t_34;
                     let start_4 = _e82.max(end_14);
-                    if rt::Scalar::into_branch_condition(start_4.elementwise_ge(rt::Scalar(path_66.exit))) {
-                        let _e87 = t_33;
+                    if rt::Scalar::into_branch_condition(start_4.elementwise_ge(rt::Scalar(path_68.exit))) {
+                        let _e87 = t_34;
                         let _e89 = cost_20;
-                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_66.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
                     near_7 = start_4;
                     near_gap_5 = rt::Scalar(_e78.far_gap);
@@ -10903,123 +11072,123 @@ impl<'g> Resources<'g> {
                     let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_4)));
                     let _e101 = self.v_corner_height(_e30, _e100);
                     next_6 = start_4;
-                    let _e103 = self.v_path_height(path_66, start_4);
+                    let _e103 = self.v_path_height(path_68, start_4);
                     if rt::Scalar::into_branch_condition(_e103.elementwise_gt(_e101)) {
                         let _e105 = cell_20;
                         let texel_9 = (_e105 + _e100);
-                        let _e107 = self.v_cone_slope(path_66, texel_9);
+                        let _e107 = self.v_cone_slope(path_68, texel_9);
                         let _e108 = cost_20;
-                        let _e110 = self.v_map_read(path_66, rt::Scalar(1u32));
+                        let _e110 = self.v_map_read(path_68, rt::Scalar(1u32));
                         cost_20 = (_e108 + _e110);
                         if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e114 = self.v_stays_inside(path_66, _e2, texel_9, _e101, _e107, start_4);
+                            let _e114 = self.v_stays_inside(path_68, _e2, texel_9, _e101, _e107, start_4);
                             next_6 = (start_4 + _e114);
                         }
                     }
                     let _e116 = next_6;
-                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_66.exit))) {
-                        let _e120 = self.v_path_gap(path_66, rt::Scalar(path_66.exit));
+                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_68.exit))) {
+                        let _e120 = self.v_path_gap(path_68, rt::Scalar(path_68.exit));
                         let _e121 = cost_20;
                         cost_20 = (_e121 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
                             let _e127 = near_gap_5;
                             let _e128 = cost_20;
-                            let _e129 = self.v_entered_once(path_66, _e2, start_4, rt::Scalar(path_66.exit), _e127, _e120, _e128);
+                            let _e129 = self.v_entered_once(path_68, _e2, start_4, rt::Scalar(path_68.exit), _e127, _e120, _e128);
                             return _e129;
                         }
                         let _e132 = cost_20;
-                        return <Found>::new(FOUND_MISS, start_4, rt::Scalar(path_66.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
+                        return <Found>::new(FOUND_MISS, start_4, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
                     }
                     let _e136 = cell_20;
                     let _e137 = next_6;
                     let _e138 = self.v_cell_after(_e2, _e136, _e35, forward_8, _e137);
                     cell_20 = _e138;
                     let _e139 = next_6;
-                    t_33 = _e139;
+                    t_34 = _e139;
                 }
             }
         }
-        let _e141 = t_33;
+        let _e141 = t_34;
         let _e143 = cost_20;
-        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_66.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
+        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
     }
-    pub(crate) fn search_stage(&self, path_67: Path) -> Found {
-        rt::into(self.v_search_stage(path_67))
+    pub(crate) fn search_stage(&self, path_69: Path) -> Found {
+        rt::into(self.v_search_stage(path_69))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_67: Path) -> Found {
+    fn v_search_stage(&self, path_69: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[5usize].params;
-                let _e11 = self.v_search_none(path_67, _e10);
+                let _e11 = self.v_search_none(path_69, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[5usize].params;
-                let _e17 = self.v_search_linear(path_67, _e16);
+                let _e17 = self.v_search_linear(path_69, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[5usize].params;
-                let _e23 = self.v_search_cells(path_67, _e22);
+                let _e23 = self.v_search_cells(path_69, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[5usize].params;
-                let _e29 = self.v_search_frustum(path_67, _e28);
+                let _e29 = self.v_search_frustum(path_69, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[5usize].params;
-                let _e35 = self.v_search_cone(path_67, _e34);
+                let _e35 = self.v_search_cone(path_69, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[5usize].params;
-                let _e41 = self.v_search_pyramid(path_67, _e40);
+                let _e41 = self.v_search_pyramid(path_69, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[5usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_67, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_69, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[5usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_67, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_69, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[5usize].params;
-                let _e59 = self.v_search_sphere(path_67, _e58);
+                let _e59 = self.v_search_sphere(path_69, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[5usize].params;
-                let _e65 = self.v_search_cone_moved(path_67, _e64);
+                let _e65 = self.v_search_cone_moved(path_69, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[5usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_67, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_69, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[5usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_67, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_69, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn trace(&self, path_68: Path) -> Hit {
-        rt::into(self.v_trace(path_68))
+    pub(crate) fn trace(&self, path_70: Path) -> Hit {
+        rt::into(self.v_trace(path_70))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_trace(&self, path_68: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_68);
-        let _e2 = self.v_refine_stage(path_68, _e1);
+    fn v_trace(&self, path_70: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_70);
+        let _e2 = self.v_refine_stage(path_70, _e1);
         return _e2;
     }
     pub(crate) fn object_none(
@@ -11040,7 +11209,7 @@ impl<'g> Resources<'g> {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
         let mut first_3: FirstHit;
         let mut k_25: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_79: rt::Scalar<bool>;
+        let mut local_81: rt::Scalar<bool>;
 
         let _e5 = cost_21;
         let _e6 = self.v_miss(_e5);
@@ -11065,11 +11234,11 @@ impl<'g> Resources<'g> {
                             let _e34 = rt::Scalar(first_3.hit.found);
                             if rt::Scalar::into_branch_condition((!_e34.elementwise_eq(rt::Scalar(0u32)))) {
                                 let _e42 = rt::Scalar(first_3.key);
-                                local_79 = rt::Scalar(_e23.key).elementwise_gt(_e42);
+                                local_81 = rt::Scalar(_e23.key).elementwise_gt(_e42);
                             } else {
-                                local_79 = rt::Scalar(true);
+                                local_81 = rt::Scalar(true);
                             }
-                            let _e45 = local_79;
+                            let _e45 = local_81;
                             if rt::Scalar::into_branch_condition(_e45) {
                                 first_3 = _e23;
                             }
@@ -11099,8 +11268,9 @@ impl<'g> Resources<'g> {
         let mut agreed: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut k_26: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut turns: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_80: rt::Scalar<bool>;
-        let mut local_81: rt::Scalar<bool>;
+        let mut local_82: rt::Scalar<bool>;
+        let mut local_83: rt::Scalar<bool>;
+        let mut local_84: rt::Scalar<bool>;
 
         let _e4 = cost_22;
         let _e5 = self.v_miss(_e4);
@@ -11111,11 +11281,11 @@ impl<'g> Resources<'g> {
                 let _e21 = agreed;
                 if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_71.segments))) {
                     let _e26 = turns;
-                    local_80 = _e26.elementwise_lt(most_14);
+                    local_82 = _e26.elementwise_lt(most_14);
                 } else {
-                    local_80 = rt::Scalar(false);
+                    local_82 = rt::Scalar(false);
                 }
-                let _e29 = local_80;
+                let _e29 = local_82;
                 if rt::Scalar::into_branch_condition(_e29) {
                 } else {
                     break 'naga_break;
@@ -11124,61 +11294,71 @@ impl<'g> Resources<'g> {
                     let _e30 = k_26;
                     let _e31 = self.v_segment_of(pixel_77, at_71, _e30);
                     let _e32 = reached_1;
-                    let passed = (_e32 - rt::Scalar(_e31.start)).max(rt::Scalar(0f32));
-                    if rt::Scalar::into_branch_condition((!passed.elementwise_lt(rt::Scalar(_e31.exit)))) {
-                        let _e41 = cost_22;
-                        let _e42 = self.v_miss(_e41);
-                        first_4.hit = _e42;
-                        let _e43 = first_4;
-                        return _e43;
-                    }
-                    let _e44 = self.v_beginning_at(_e31, passed);
-                    let _e45 = self.v_trace(_e44);
-                    let _e46 = cost_22;
-                    cost_22 = (_e46 + _e45.cost);
-                    if rt::Scalar::into_branch_condition(rt::Scalar(_e45.found).elementwise_eq(rt::Scalar(0u32))) {
-                        let _e53 = cost_22;
-                        let _e54 = self.v_miss(_e53);
-                        first_4.hit = _e54;
-                        let _e55 = first_4;
-                        return _e55;
-                    }
-                    let t_39 = (passed + rt::Scalar(_e45.t));
-                    let _e60 = rt::Scalar(first_4.hit.found);
-                    if rt::Scalar::into_branch_condition((!_e60.elementwise_eq(rt::Scalar(0u32)))) {
-                        let _e68 = reached_1;
-                        let _e69 = reached_1;
-                        local_81 = (rt::Scalar(_e31.start) + t_39).elementwise_gt((_e68 + (_e69 * rt::Scalar(0.000002f32))));
+                    let passed_m = (_e32 - rt::Scalar(_e31.start)).max(rt::Scalar(0f32));
+                    let ahead_1 = (rt::Scalar(1f32) + (rt::Scalar(_e31.bend) * passed_m));
+                    let passed = (passed_m / ahead_1);
+                    if rt::Scalar::into_branch_condition(ahead_1.elementwise_gt(rt::Scalar(0f32))) {
+                        local_83 = passed.elementwise_lt(rt::Scalar(_e31.exit));
                     } else {
-                        local_81 = rt::Scalar(true);
+                        local_83 = rt::Scalar(false);
                     }
-                    let _e75 = local_81;
-                    if rt::Scalar::into_branch_condition(_e75) {
-                        reached_1 = (rt::Scalar(_e31.start) + t_39);
+                    let _e49 = local_83;
+                    if rt::Scalar::into_branch_condition((!_e49)) {
+                        let _e52 = cost_22;
+                        let _e53 = self.v_miss(_e52);
+                        first_4.hit = _e53;
+                        let _e54 = first_4;
+                        return _e54;
+                    }
+                    let _e55 = self.v_beginning_at(_e31, passed);
+                    let _e56 = self.v_trace(_e55);
+                    let _e57 = cost_22;
+                    cost_22 = (_e57 + _e56.cost);
+                    if rt::Scalar::into_branch_condition(rt::Scalar(_e56.found).elementwise_eq(rt::Scalar(0u32))) {
+                        let _e64 = cost_22;
+                        let _e65 = self.v_miss(_e64);
+                        first_4.hit = _e65;
+                        let _e66 = first_4;
+                        return _e66;
+                    }
+                    let t_40 = (passed + rt::Scalar(_e56.t));
+                    let _e70 = self.v_metres_on(_e31, t_40);
+                    let at_m = (rt::Scalar(_e31.start) + _e70);
+                    let _e74 = rt::Scalar(first_4.hit.found);
+                    if rt::Scalar::into_branch_condition((!_e74.elementwise_eq(rt::Scalar(0u32)))) {
+                        let _e80 = reached_1;
+                        let _e81 = reached_1;
+                        local_84 = at_m.elementwise_gt((_e80 + (_e81 * rt::Scalar(0.000002f32))));
+                    } else {
+                        local_84 = rt::Scalar(true);
+                    }
+                    let _e87 = local_84;
+                    if rt::Scalar::into_branch_condition(_e87) {
+                        reached_1 = at_m;
                         agreed = rt::Scalar(0u32);
-                        let _e83 = cost_22;
-                        let _e85 = k_26;
-                        let _e86 = self.v_hit_on_segment(pixel_77, at_71, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e45.uv, rt::Scalar(_e45.height), t_39, _e83), _e85);
-                        first_4 = _e86;
-                        let _e89 = first_4.hit.cost;
-                        cost_22 = _e89;
+                        let _e93 = cost_22;
+                        let _e95 = k_26;
+                        let _e96 = self.v_hit_on_segment(pixel_77, at_71, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_40, _e93), _e95);
+                        first_4 = _e96;
+                        let _e99 = first_4.hit.cost;
+                        cost_22 = _e99;
                     }
-                    let _e90 = agreed;
-                    agreed = (_e90 + rt::Scalar(1u32));
-                    let _e93 = k_26;
-                    let _e97 = k_26;
-                    k_26 = (_e93 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e97 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_71.segments)));
-                    let _e103 = turns;
-                    turns = (_e103 + rt::Scalar(1u32));
+                    let _e100 = agreed;
+                    agreed = (_e100 + rt::Scalar(1u32));
+                    let _e103 = k_26;
+                    let _e107 = k_26;
+                    k_26 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_71.segments)));
+                    let _e113 = turns;
+                    turns = (_e113 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e110 = agreed;
-        rt::Scalar(first_4.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e110.elementwise_lt(rt::Scalar(at_71.segments)));
-        let _e116 = cost_22;
-        first_4.hit.cost = _e116;
-        let _e117 = first_4;
-        return _e117;
+        let _e120 = agreed;
+        rt::Scalar(first_4.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_71.segments)));
+        let _e126 = cost_22;
+        first_4.hit.cost = _e126;
+        let _e127 = first_4;
+        return _e127;
     }
     pub(crate) fn object_depth(
         &self,
@@ -11240,27 +11420,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn look_along(
         &self,
-        path_69: Path,
-        image_8: Image,
+        path_71: Path,
+        image_11: Image,
         steps_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_look_along(path_69, image_8, rt::into(steps_1)))
+        rt::into(self.v_look_along(path_71, image_11, rt::into(steps_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_look_along(
         &self,
-        path_69: Path,
-        image_8: Image,
+        path_71: Path,
+        image_11: Image,
         steps_1: rt::Scalar<u32>,
     ) -> rt::Vec2<f32> {
-        let mut height_7: rt::Scalar<f32> = rt::Scalar(0.5f32);
+        let mut height_8: rt::Scalar<f32> = rt::Scalar(0.5f32);
         let mut cover: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut step_4: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e7 = self.v_height_size(rt::Scalar(0u32));
         let beyond_7 = (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / _e7);
-        let low_7 = (image_8.corner - beyond_7);
-        let high_2 = ((image_8.corner + image_8.extent) + beyond_7);
+        let low_7 = (image_11.corner - beyond_7);
+        let high_2 = ((image_11.corner + image_11.extent) + beyond_7);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = step_4;
@@ -11269,20 +11449,20 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e23 = height_7;
-                    let _e30 = self.v_path_uv(path_69, ((_e23 - path_69.h.x()) / path_69.h.y()));
+                    let _e23 = height_8;
+                    let _e30 = self.v_path_uv(path_71, ((_e23 - path_71.h.x()) / path_71.h.y()));
                     let _e32 = self.v_look_into_frame(_e30.clamp(low_7, high_2));
                     cover = _e32.x();
-                    let _e34 = height_7;
+                    let _e34 = height_8;
                     let _e36 = cover;
-                    height_7 = _e34.select(_e32.y(), _e36.elementwise_gt(rt::Scalar(0f32)));
+                    height_8 = _e34.select(_e32.y(), _e36.elementwise_gt(rt::Scalar(0f32)));
                     let _e40 = step_4;
                     step_4 = (_e40 + rt::Scalar(1u32));
                 }
             }
         }
         let _e43 = cover;
-        let _e44 = height_7;
+        let _e44 = height_8;
         return <rt::Vec2<f32>>::from_scalars(_e43, _e44);
     }
     pub(crate) fn object_blend(
@@ -11307,10 +11487,10 @@ impl<'g> Resources<'g> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_27: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut first_5: FirstHit;
-        let mut local_82: rt::Scalar<bool>;
+        let mut local_85: rt::Scalar<bool>;
 
-        let toward_7 = (-pixel_80.direction.normalize());
-        let _e6 = self.v_frames_around(toward_7);
+        let toward_6 = (-pixel_80.direction.normalize());
+        let _e6 = self.v_frames_around(toward_6);
         'naga_break: loop {
             'naga_continue: {
                 let _e19 = k_27;
@@ -11324,7 +11504,7 @@ impl<'g> Resources<'g> {
                     let _e24 = self.v_image_of_object(_e23);
                     let _e25 = k_27;
                     let _e26 = self.v_frame_weight(_e6, _e25);
-                    if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_7).elementwise_ge(rt::Scalar(0.05f32))) {
+                    if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_6).elementwise_ge(rt::Scalar(0.05f32))) {
                         let _e31 = k_27;
                         let _e32 = self.v_segment_of(pixel_80, at_74, _e31);
                         let _e35 = self.v_look_along(_e32, _e24, params_72.w().to_u32());
@@ -11353,11 +11533,11 @@ impl<'g> Resources<'g> {
         let _e72 = cover_1;
         if rt::Scalar::into_branch_condition((!_e72.elementwise_lt(rt::Scalar(0.5f32)))) {
             let _e78 = along_18;
-            local_82 = _e78.elementwise_lt(rt::Scalar(0f32));
+            local_85 = _e78.elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_82 = rt::Scalar(true);
+            local_85 = rt::Scalar(true);
         }
-        let _e82 = local_82;
+        let _e82 = local_85;
         if rt::Scalar::into_branch_condition(_e82) {
             let _e83 = first_5;
             return _e83;
@@ -11366,13 +11546,13 @@ impl<'g> Resources<'g> {
         let _e85 = self.v_segment_of(pixel_80, at_74, _e84);
         let _e86 = along_18;
         let _e87 = cover_1;
-        let t_40 = ((_e86 / _e87) - rt::Scalar(_e85.start));
-        let _e93 = self.v_path_uv(_e85, t_40);
-        let _e94 = self.v_path_height(_e85, t_40);
+        let t_41 = ((_e86 / _e87) - rt::Scalar(_e85.start));
+        let _e93 = self.v_path_uv(_e85, t_41);
+        let _e94 = self.v_path_height(_e85, t_41);
         let _e95 = cost_23;
-        let hit_58 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_40, _e95);
+        let hit_59 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_41, _e95);
         let _e97 = heaviest;
-        let _e98 = self.v_hit_on_segment(pixel_80, at_74, _e85, hit_58, _e97);
+        let _e98 = self.v_hit_on_segment(pixel_80, at_74, _e85, hit_59, _e97);
         return _e98;
     }
     pub(crate) fn object_stage(&self, pixel_81: PixelIn, at_75: Entered) -> FirstHit {
@@ -11438,34 +11618,34 @@ impl<'g> Resources<'g> {
         }
         return uv_19;
     }
-    pub(crate) fn from_hit(&self, at_78: Entered, hit_20: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_78, hit_20, light_1))
+    pub(crate) fn from_hit(&self, at_78: Entered, hit_21: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_78, hit_21, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_from_hit(&self, at_78: Entered, hit_20: Hit, light_1: Toward) -> Path {
+    fn v_from_hit(&self, at_78: Entered, hit_21: Hit, light_1: Toward) -> Path {
         let _e4 = self.v_climb(at_78, light_1.direction);
-        let _e6 = self.v_near_uv(hit_20.uv);
+        let _e6 = self.v_near_uv(hit_21.uv);
         let _e8 = self.v_height_at(_e6, rt::Scalar(at_78.level));
         let h_8 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_8, rt::Scalar(0f32), rt::Scalar(0f32), at_78.metric, RAY_SHADOW, rt::Scalar(at_78.level), rt::Scalar(0f32), rt::Scalar(1f32));
+        return <Path>::new(_e6, _e4.xy(), h_8, rt::Scalar(0f32), rt::Scalar(0f32), at_78.metric, RAY_SHADOW, rt::Scalar(at_78.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
     }
-    pub(crate) fn way_out(&self, path_70: Path, light_2: Toward) -> f32 {
-        rt::into(self.v_way_out(path_70, light_2))
+    pub(crate) fn way_out(&self, path_72: Path, light_2: Toward) -> f32 {
+        rt::into(self.v_way_out(path_72, light_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_way_out(&self, path_70: Path, light_2: Toward) -> rt::Scalar<f32> {
+    fn v_way_out(&self, path_72: Path, light_2: Toward) -> rt::Scalar<f32> {
         let mut way_6: rt::Scalar<f32>;
         let mut interval_7: rt::Vec2<f32>;
 
-        way_6 = ((rt::Scalar(1f32) - path_70.h.x()) / path_70.h.y()).min(rt::Scalar(light_2.distance));
+        way_6 = ((rt::Scalar(1f32) - path_72.h.x()) / path_72.h.y()).min(rt::Scalar(light_2.distance));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
             let _e21 = way_6;
-            let _e24 = self.v_inside_unit(path_70.uv.x(), path_70.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
+            let _e24 = self.v_inside_unit(path_72.uv.x(), path_72.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
             interval_7 = _e24;
             let _e30 = interval_7;
-            let _e31 = self.v_inside_unit(path_70.uv.y(), path_70.duv.y(), _e30);
+            let _e31 = self.v_inside_unit(path_72.uv.y(), path_72.duv.y(), _e30);
             interval_7 = _e31;
             let _e33 = interval_7.y();
             way_6 = _e33;
@@ -11473,14 +11653,14 @@ impl<'g> Resources<'g> {
         let _e34 = way_6;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_79: Entered, hit_21: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_79, hit_21, light_3))
+    pub(crate) fn light_ray(&self, at_79: Entered, hit_22: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_79, hit_22, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_79: Entered, hit_21: Hit, light_3: Toward) -> LightRay {
-        let mut local_83: rt::Scalar<bool>;
+    fn v_light_ray(&self, at_79: Entered, hit_22: Hit, light_3: Toward) -> LightRay {
+        let mut local_86: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_79, hit_21, light_3);
+        let _e3 = self.v_from_hit(at_79, hit_22, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -11495,11 +11675,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.to_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_83 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
+            local_86 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_83 = rt::Scalar(true);
+            local_86 = rt::Scalar(true);
         }
-        let _e45 = local_83;
+        let _e45 = local_86;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -11510,85 +11690,85 @@ impl<'g> Resources<'g> {
         let gap_7 = (end_15 * (_e31.y() + (_e31.z() * end_15)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
         let h_9 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_86 = <Path>::new(_e51, _e3.duv, h_9, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_86);
+        let path_87 = <Path>::new(_e51, _e3.duv, h_9, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32), rt::Scalar(0f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_87);
     }
-    pub(crate) fn shadow_search_stage(&self, path_71: Path) -> Found {
-        rt::into(self.v_shadow_search_stage(path_71))
+    pub(crate) fn shadow_search_stage(&self, path_73: Path) -> Found {
+        rt::into(self.v_shadow_search_stage(path_73))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_search_stage(&self, path_71: Path) -> Found {
+    fn v_shadow_search_stage(&self, path_73: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[9usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[9usize].params;
-                let _e11 = self.v_search_none(path_71, _e10);
+                let _e11 = self.v_search_none(path_73, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[9usize].params;
-                let _e17 = self.v_search_linear(path_71, _e16);
+                let _e17 = self.v_search_linear(path_73, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[9usize].params;
-                let _e23 = self.v_search_cells(path_71, _e22);
+                let _e23 = self.v_search_cells(path_73, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[9usize].params;
-                let _e29 = self.v_search_frustum(path_71, _e28);
+                let _e29 = self.v_search_frustum(path_73, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[9usize].params;
-                let _e35 = self.v_search_cone(path_71, _e34);
+                let _e35 = self.v_search_cone(path_73, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[9usize].params;
-                let _e41 = self.v_search_pyramid(path_71, _e40);
+                let _e41 = self.v_search_pyramid(path_73, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[9usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_71, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_73, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[9usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_71, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_73, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[9usize].params;
-                let _e59 = self.v_search_sphere(path_71, _e58);
+                let _e59 = self.v_search_sphere(path_73, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[9usize].params;
-                let _e65 = self.v_search_cone_moved(path_71, _e64);
+                let _e65 = self.v_search_cone_moved(path_73, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[9usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_71, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_73, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[9usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_71, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_73, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn free_way(&self, at_80: Entered, hit_22: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_80, hit_22, light_4))
+    pub(crate) fn free_way(&self, at_80: Entered, hit_23: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_80, hit_23, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_free_way(&self, at_80: Entered, hit_22: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_80, hit_22, light_4);
+    fn v_free_way(&self, at_80: Entered, hit_23: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_80, hit_23, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -11621,23 +11801,23 @@ impl<'g> Resources<'g> {
         place_15: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_84: rt::Scalar<bool>;
-        let mut local_85: rt::Scalar<bool>;
+        let mut local_87: rt::Scalar<bool>;
+        let mut local_88: rt::Scalar<bool>;
 
         let least_6 = (place_15.x().min(place_15.y()) - half);
         let most_15 = (place_15.x().max(place_15.y()) + half);
         if rt::Scalar::into_branch_condition(place_15.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_84 = least_6.elementwise_ge(rt::Scalar(0f32));
+            local_87 = least_6.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_84 = rt::Scalar(false);
+            local_87 = rt::Scalar(false);
         }
-        let _e19 = local_84;
+        let _e19 = local_87;
         if rt::Scalar::into_branch_condition(_e19) {
-            local_85 = most_15.elementwise_le(rt::Scalar(view_8.size).to_f32());
+            local_88 = most_15.elementwise_le(rt::Scalar(view_8.size).to_f32());
         } else {
-            local_85 = rt::Scalar(false);
+            local_88 = rt::Scalar(false);
         }
-        let _e26 = local_85;
+        let _e26 = local_88;
         return _e26;
     }
     pub(crate) fn is_before(
@@ -11660,16 +11840,16 @@ impl<'g> Resources<'g> {
         low_m: rt::Scalar<f32>,
         high_m: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_86: rt::Scalar<bool>;
+        let mut local_89: rt::Scalar<bool>;
 
         let low_8 = (plane.xyz().dot((position + (direction_5 * low_m))) + plane.w());
         let high_3 = (plane.xyz().dot((position + (direction_5 * high_m))) + plane.w());
         if rt::Scalar::into_branch_condition(low_8.elementwise_gt(rt::Scalar(0f32))) {
-            local_86 = high_3.elementwise_gt(rt::Scalar(0f32));
+            local_89 = high_3.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_86 = rt::Scalar(false);
+            local_89 = rt::Scalar(false);
         }
-        let _e24 = local_86;
+        let _e24 = local_89;
         return _e24;
     }
     pub(crate) fn is_left_out(
@@ -11694,8 +11874,8 @@ impl<'g> Resources<'g> {
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
         let mut k_28: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_87: rt::Scalar<bool>;
-        let mut local_88: rt::Scalar<bool>;
+        let mut local_90: rt::Scalar<bool>;
+        let mut local_91: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
@@ -11712,18 +11892,18 @@ impl<'g> Resources<'g> {
                     let _e19 = self.v_is_before(plane_1, a_11.position, a_11.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
                         let _e24 = self.v_is_before(plane_1, b_11.position, b_11.direction, low_m_1, high_m_1);
-                        local_87 = _e24;
+                        local_90 = _e24;
                     } else {
-                        local_87 = rt::Scalar(false);
+                        local_90 = rt::Scalar(false);
                     }
-                    let _e26 = local_87;
+                    let _e26 = local_90;
                     if rt::Scalar::into_branch_condition(_e26) {
                         let _e31 = self.v_is_before(plane_1, c_8.position, c_8.direction, low_m_1, high_m_1);
-                        local_88 = _e31;
+                        local_91 = _e31;
                     } else {
-                        local_88 = rt::Scalar(false);
+                        local_91 = rt::Scalar(false);
                     }
-                    let _e33 = local_88;
+                    let _e33 = local_91;
                     if rt::Scalar::into_branch_condition(_e33) {
                         return rt::Scalar(true);
                     }
@@ -11735,21 +11915,21 @@ impl<'g> Resources<'g> {
     pub(crate) fn light_place(
         &self,
         view_9: LightView,
-        point_12: impl rt::Into<rt::Vec3<f32>>,
+        point_15: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_light_place(view_9, rt::into(point_12)))
+        rt::into(self.v_light_place(view_9, rt::into(point_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_light_place(
         &self,
         view_9: LightView,
-        point_12: rt::Vec3<f32>,
+        point_15: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_137 = <rt::Vec4<f32>>::new_31(point_12, rt::Scalar(1f32));
-        let depth_7 = view_9.depth.dot(at_137);
-        let over_3 = rt::Scalar(1f32).select(depth_7, rt::Scalar(view_9.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_9.column.dot(at_137), view_9.row.dot(at_137)) / rt::Vec2::splat_from_scalar(over_3)), depth_7);
+        let at_137 = <rt::Vec4<f32>>::new_31(point_15, rt::Scalar(1f32));
+        let depth_9 = view_9.depth.dot(at_137);
+        let over_3 = rt::Scalar(1f32).select(depth_9, rt::Scalar(view_9.from_point).elementwise_eq(rt::Scalar(1u32)));
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_9.column.dot(at_137), view_9.row.dot(at_137)) / rt::Vec2::splat_from_scalar(over_3)), depth_9);
     }
     pub(crate) fn patch_normal(
         &self,
@@ -11775,32 +11955,32 @@ impl<'g> Resources<'g> {
         let along_u_2 = (at_81.tangent + (at_81.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
         let along_v_2 = (at_81.bitangent + (at_81.normal * (_e18.z() * _e33)));
-        let across_7 = along_v_2.cross(along_u_2).normalize();
-        return (across_7 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_7.dot(at_81.normal).elementwise_ge(rt::Scalar(0f32))));
+        let across_8 = along_v_2.cross(along_u_2).normalize();
+        return (across_8 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_8.dot(at_81.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
         view_10: LightView,
-        point_13: impl rt::Into<rt::Vec3<f32>>,
+        point_16: impl rt::Into<rt::Vec3<f32>>,
         normal_15: impl rt::Into<rt::Vec3<f32>>,
         texel_4: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_plane_depth(view_10, rt::into(point_13), rt::into(normal_15), rt::into(texel_4)))
+        rt::into(self.v_plane_depth(view_10, rt::into(point_16), rt::into(normal_15), rt::into(texel_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_depth(
         &self,
         view_10: LightView,
-        point_13: rt::Vec3<f32>,
+        point_16: rt::Vec3<f32>,
         normal_15: rt::Vec3<f32>,
         texel_4: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let corner_7 = ((view_10.corner.xyz() + (view_10.across.xyz() * texel_4.x())) + (view_10.along.xyz() * texel_4.y()));
         if rt::Scalar::into_branch_condition(rt::Scalar(view_10.from_point).elementwise_eq(rt::Scalar(1u32))) {
-            return (normal_15.dot((point_13 - view_10.eye.xyz())) / normal_15.dot(corner_7));
+            return (normal_15.dot((point_16 - view_10.eye.xyz())) / normal_15.dot(corner_7));
         }
-        return (normal_15.dot((point_13 - corner_7)) / normal_15.dot(view_10.depth.xyz()));
+        return (normal_15.dot((point_16 - corner_7)) / normal_15.dot(view_10.depth.xyz()));
     }
     pub(crate) fn light_texel(
         &self,
@@ -11853,8 +12033,8 @@ impl<'g> Resources<'g> {
                     let _e27 = column;
                     let place_26 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
                     let _e35 = self.v_plane_depth(view_20, at_82.point, at_82.normal, (place_26 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_8 = _e35.clamp(rt::Scalar(at_82.least_depth), rt::Scalar(at_82.most_depth));
-                    let key = (rt::Scalar(view_20.near) / (rt::Scalar(view_20.near) + depth_8.max(rt::Scalar(0f32))));
+                    let depth_10 = _e35.clamp(rt::Scalar(at_82.least_depth), rt::Scalar(at_82.most_depth));
+                    let key = (rt::Scalar(view_20.near) / (rt::Scalar(view_20.near) + depth_10.max(rt::Scalar(0f32))));
                     let _e48 = self.v_light_texel(place_26.to_i32(), rt::Scalar(at_82.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
@@ -11895,12 +12075,12 @@ impl<'g> Resources<'g> {
         let view_21 = self.frame.light_views[rt::Scalar::into_array_index(number_11)];
         let texel_m = (rt::Scalar(view_21.texel_m) * rt::Scalar(1f32).select(place_17.z(), rt::Scalar(view_21.from_point).elementwise_eq(rt::Scalar(1u32))));
         let _e19 = self.v_footprint_m(at_83);
-        let point_25 = (at_83.point + (normal_16 * (bias * texel_m.max(_e19))));
+        let point_28 = (at_83.point + (normal_16 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
         let low_9 = (place_17.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_4 = (low_9 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
         let last_9 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_21.size).to_f32(), rt::Scalar(view_21.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_11, point_25, normal_16, low_9, high_4, (place_17.z() - reach_1), (place_17.z() + reach_1));
+        let in_view = <InView>::new(number_11, point_28, normal_16, low_9, high_4, (place_17.z() - reach_1), (place_17.z() + reach_1));
         row_7 = low_9.y().floor();
         'naga_break: loop {
             'naga_continue: {
@@ -12123,9 +12303,9 @@ impl<'g> Resources<'g> {
         let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_16.x())) - (first_16.xyz() * slope_12.x()));
         let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_16.y())) - (first_16.xyz() * slope_12.y()));
         let most_16 = ((a_28 * a_28) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_37 = (with_x / rt::Vec3::splat_from_scalar(a_28.max((with_x.length() / most_16))));
-        let rest_9 = (with_y - (along_37 * b_28));
-        let across_8 = (rest_9 / rt::Vec3::splat_from_scalar(d_2.max((rest_9.length() / most_16))));
+        let along_38 = (with_x / rt::Vec3::splat_from_scalar(a_28.max((with_x.length() / most_16))));
+        let rest_9 = (with_y - (along_38 * b_28));
+        let across_9 = (rest_9 / rt::Vec3::splat_from_scalar(d_2.max((rest_9.length() / most_16))));
         let _e77 = self.v_to_tangent_space(at_87, view_12);
         let middle_15 = (_e77.z() - _e77.xy().dot(slope_12));
         let _e91 = self.v_facing_four(middle_15, (-((_e77.x() * a_28) + (_e77.y() * b_28))), (-(_e77.y() * d_2)));
@@ -12133,10 +12313,10 @@ impl<'g> Resources<'g> {
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one, _e94);
         let all_1 = _e95.max(rt::Scalar(0.001f32));
-        let aside_8 = ((along_37 * ((_e91.x() - _e91.y()) / all_1)) + (across_8 * ((_e91.z() - _e91.w()) / all_1)));
+        let aside_8 = ((along_38 * ((_e91.x() - _e91.y()) / all_1)) + (across_9 * ((_e91.z() - _e91.w()) / all_1)));
         let _e113 = self.v_from_tangent_space(at_87, (first_16.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_16.xyz(), along_37, across_8, slope_12, <rt::Vec2<f32>>::from_scalars(a_28, b_28), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_16.xyz(), along_38, across_9, slope_12, <rt::Vec2<f32>>::from_scalars(a_28, b_28), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
     }
     pub(crate) fn table_part(&self, at_88: Entered) -> f32 {
         rt::into(self.v_table_part(at_88))
@@ -12268,22 +12448,22 @@ impl<'g> Resources<'g> {
         let _e4 = self.v_climb(at_90, view_13);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
-        let toward_8 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
-        let up_4 = (toward_8.z() / toward_8.length());
+        let toward_7 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
+        let up_4 = (toward_7.z() / toward_7.length());
         let elevation_3 = ((up_4 * rt::Scalar(4f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(3f32));
-        let _e29 = self.v_turn_of(toward_8.xy());
+        let _e29 = self.v_turn_of(toward_7.xy());
         let azimuth_3 = (_e29 * rt::Scalar(8f32));
         let a0_ = (azimuth_3.floor().to_i32() % rt::Scalar(8i32));
         let a1_ = ((a0_ + rt::Scalar(1i32)) % rt::Scalar(8i32));
         let e0_ = elevation_3.floor().to_i32();
         let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
-        let across_9 = (azimuth_3 - azimuth_3.floor());
+        let across_10 = (azimuth_3 - azimuth_3.floor());
         let _e48 = self.v_seen_in_levels(uv_25, a0_, e0_, levels_2);
         let _e49 = self.v_seen_in_levels(uv_25, a1_, e0_, levels_2);
-        let _e50 = self.v_seen_between(_e48, _e49, across_9);
+        let _e50 = self.v_seen_between(_e48, _e49, across_10);
         let _e51 = self.v_seen_in_levels(uv_25, a0_, e1_1, levels_2);
         let _e52 = self.v_seen_in_levels(uv_25, a1_, e1_1, levels_2);
-        let _e53 = self.v_seen_between(_e51, _e52, across_9);
+        let _e53 = self.v_seen_between(_e51, _e52, across_10);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
         let x_9 = ((tile_1.x() * at_90.tangent.normalize().dot(at_90.tangent)) / at_90.tangent.dot(at_90.tangent));
         let y_7 = ((tile_1.y() * at_90.bitangent.normalize().dot(at_90.bitangent)) / at_90.bitangent.dot(at_90.bitangent));
@@ -12308,7 +12488,7 @@ impl<'g> Resources<'g> {
         uv_26: rt::Vec2<f32>,
         view_14: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_89: rt::Scalar<bool>;
+        let mut local_92: rt::Scalar<bool>;
         let mut first_6: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
@@ -12325,11 +12505,11 @@ impl<'g> Resources<'g> {
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_6, _e27);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_89 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
+            local_92 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_89 = rt::Scalar(false);
+            local_92 = rt::Scalar(false);
         }
-        let _e39 = local_89;
+        let _e39 = local_92;
         if rt::Scalar::into_branch_condition(_e39) {
             let _e40 = self.v_finest_normal(at_91, uv_26);
             let _e41 = self.v_one_seen(_e40);
@@ -12366,39 +12546,39 @@ impl<'g> Resources<'g> {
     pub(crate) fn shadow_ray(
         &self,
         at_92: Entered,
-        hit_23: Hit,
+        hit_24: Hit,
         light_5: Toward,
         params_73: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_92, hit_23, light_5, rt::into(params_73)))
+        rt::into(self.v_shadow_ray(at_92, hit_24, light_5, rt::into(params_73)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_ray(
         &self,
         at_92: Entered,
-        hit_23: Hit,
+        hit_24: Hit,
         light_5: Toward,
         params_73: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_92, hit_23, light_5);
+        let _e4 = self.v_free_way(at_92, hit_24, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
         at_93: Entered,
-        hit_24: Hit,
+        hit_25: Hit,
         light_6: Toward,
         params_74: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_93, hit_24, light_6, rt::into(params_74)))
+        rt::into(self.v_shadow_none(at_93, hit_25, light_6, rt::into(params_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_none(
         &self,
         at_93: Entered,
-        hit_24: Hit,
+        hit_25: Hit,
         light_6: Toward,
         params_74: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
@@ -12407,21 +12587,21 @@ impl<'g> Resources<'g> {
     pub(crate) fn shadow_entry(
         &self,
         at_94: Entered,
-        hit_25: Hit,
+        hit_26: Hit,
         light_7: Toward,
         params_75: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_94, hit_25, light_7, rt::into(params_75)))
+        rt::into(self.v_shadow_entry(at_94, hit_26, light_7, rt::into(params_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
         at_94: Entered,
-        hit_25: Hit,
+        hit_26: Hit,
         light_7: Toward,
         params_75: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_94, hit_25, light_7);
+        let _e4 = self.v_from_hit(at_94, hit_26, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -12432,14 +12612,14 @@ impl<'g> Resources<'g> {
         let _e16 = self.v_path_height(_e4, _e11);
         let _e17 = self.v_path_uv(_e4, _e11);
         let _e29 = self.v_base_height();
-        let down_1 = <Path>::new(_e17, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e4.duv), <rt::Vec3<f32>>::from_scalars(_e16, (rt::Scalar(0f32) - _e4.h.y()), rt::Scalar(0f32)), _e11, ((_e16 - _e29) / _e4.h.y()), _e4.metric, RAY_VIEW, rt::Scalar(_e4.level), rt::Scalar(0f32), rt::Scalar(1f32));
-        let _e40 = self.v_search_stage(down_1);
-        let _e41 = self.v_refine_stage(down_1, _e40);
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e41.found).elementwise_eq(rt::Scalar(0u32))) {
+        let down_1 = <Path>::new(_e17, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e4.duv), <rt::Vec3<f32>>::from_scalars(_e16, (rt::Scalar(0f32) - _e4.h.y()), rt::Scalar(0f32)), _e11, ((_e16 - _e29) / _e4.h.y()), _e4.metric, RAY_VIEW, rt::Scalar(_e4.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        let _e41 = self.v_search_stage(down_1);
+        let _e42 = self.v_refine_stage(down_1, _e41);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e42.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e51 = self.v_height_size(rt::Scalar(_e4.level));
-        let apart_4 = ((_e41.uv - _e4.uv).abs() * _e51);
+        let _e52 = self.v_height_size(rt::Scalar(_e4.level));
+        let apart_4 = ((_e42.uv - _e4.uv).abs() * _e52);
         return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_75.x()));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
@@ -12462,13 +12642,13 @@ impl<'g> Resources<'g> {
         let _e17 = x_2;
         return (_e16 ^ (_e17 >> rt::Scalar(16u32)));
     }
-    pub(crate) fn seed_of(&self, hit_26: Hit) -> u32 {
-        rt::into(self.v_seed_of(hit_26))
+    pub(crate) fn seed_of(&self, hit_27: Hit) -> u32 {
+        rt::into(self.v_seed_of(hit_27))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_seed_of(&self, hit_26: Hit) -> rt::Scalar<u32> {
-        let place_27 = ((hit_26.uv - hit_26.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+    fn v_seed_of(&self, hit_27: Hit) -> rt::Scalar<u32> {
+        let place_27 = ((hit_27.uv - hit_27.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
         let _e10 = self.v_mixed(place_27.y());
         let _e12 = self.v_mixed((place_27.x() ^ _e10));
         return _e12;
@@ -12539,24 +12719,24 @@ impl<'g> Resources<'g> {
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_4 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
         let up_5 = light_8.direction.cross(right_4);
-        let toward_9 = ((light_8.direction + (right_4 * place_28.x())) + (up_5 * place_28.y()));
-        let along_38 = toward_9.length();
-        return <Toward>::new((toward_9 / rt::Vec3::splat_from_scalar(along_38)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_38), rt::Scalar(0f32), rt::Scalar(light_8.number));
+        let toward_8 = ((light_8.direction + (right_4 * place_28.x())) + (up_5 * place_28.y()));
+        let along_39 = toward_8.length();
+        return <Toward>::new((toward_8 / rt::Vec3::splat_from_scalar(along_39)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_39), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
     pub(crate) fn shadow_soft(
         &self,
         at_95: Entered,
-        hit_27: Hit,
+        hit_28: Hit,
         light_9: Toward,
         params_76: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_95, hit_27, light_9, rt::into(params_76)))
+        rt::into(self.v_shadow_soft(at_95, hit_28, light_9, rt::into(params_76)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
         at_95: Entered,
-        hit_27: Hit,
+        hit_28: Hit,
         light_9: Toward,
         params_76: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
@@ -12564,7 +12744,7 @@ impl<'g> Resources<'g> {
         let mut k_31: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let count_7 = params_76.x().to_u32();
-        let _e6 = self.v_seed_of(hit_27);
+        let _e6 = self.v_seed_of(hit_28);
         'naga_break: loop {
             'naga_continue: {
                 let _e11 = k_31;
@@ -12576,7 +12756,7 @@ impl<'g> Resources<'g> {
                     let _e13 = free;
                     let _e14 = k_31;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_7);
-                    let _e16 = self.v_free_way(at_95, hit_27, _e15);
+                    let _e16 = self.v_free_way(at_95, hit_28, _e15);
                     free = (_e13 + _e16);
                     let _e18 = k_31;
                     k_31 = (_e18 + rt::Scalar(1u32));
@@ -12589,24 +12769,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn shadow_heuristic(
         &self,
         at_96: Entered,
-        hit_28: Hit,
+        hit_29: Hit,
         light_10: Toward,
         params_77: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_96, hit_28, light_10, rt::into(params_77)))
+        rt::into(self.v_shadow_heuristic(at_96, hit_29, light_10, rt::into(params_77)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
         at_96: Entered,
-        hit_28: Hit,
+        hit_29: Hit,
         light_10: Toward,
         params_77: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_32: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_96, hit_28, light_10);
+        let _e4 = self.v_from_hit(at_96, hit_29, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -12699,49 +12879,49 @@ impl<'g> Resources<'g> {
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_16))));
     }
-    pub(crate) fn part_above(&self, height_8: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_part_above(rt::into(height_8)))
+    pub(crate) fn part_above(&self, height_9: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_part_above(rt::into(height_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_part_above(&self, height_8: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_11 = height_8.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
+    fn v_part_above(&self, height_9: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let x_11 = height_9.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
         let s_3 = (x_11 * x_11);
         return (rt::Scalar(0.5f32) + (x_11 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
     }
     pub(crate) fn shadow_horizon(
         &self,
         at_97: Entered,
-        hit_29: Hit,
+        hit_30: Hit,
         light_11: Toward,
         params_78: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_97, hit_29, light_11, rt::into(params_78)))
+        rt::into(self.v_shadow_horizon(at_97, hit_30, light_11, rt::into(params_78)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
         at_97: Entered,
-        hit_29: Hit,
+        hit_30: Hit,
         light_11: Toward,
         params_78: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e5 = self.v_climb(at_97, light_11.direction);
         let map_6 = self.surface_settings.maps[3usize];
-        let along_39 = (_e5.xy() * map_6.tile_m);
-        let _e13 = self.v_turn_of(along_39);
+        let along_40 = (_e5.xy() * map_6.tile_m);
+        let _e13 = self.v_turn_of(along_40);
         let azimuth_4 = (_e13 * params_78.x());
         let first_17 = azimuth_4.floor();
         let count_8 = params_78.x().to_i32();
         let before_5 = (first_17.to_i32() % count_8);
         let part_22 = (azimuth_4 - first_17);
-        let _e24 = self.v_shadow_texel_between(hit_29.uv, before_5, rt::Scalar(at_97.level));
+        let _e24 = self.v_shadow_texel_between(hit_30.uv, before_5, rt::Scalar(at_97.level));
         let low_10 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_29.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_97.level));
+        let _e31 = self.v_shadow_texel_between(hit_30.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_97.level));
         let sine_1 = (low_10 + ((_e31.x() - low_10) * part_22));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
-        let far_14 = (squared_4 * along_39.dot(along_39)).sqrt();
-        let _e48 = self.v_from_hit(at_97, hit_29, light_11);
+        let far_14 = (squared_4 * along_40.dot(along_40)).sqrt();
+        let _e48 = self.v_from_hit(at_97, hit_30, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_9 = (_e49 * _e52);
@@ -12761,40 +12941,40 @@ impl<'g> Resources<'g> {
     pub(crate) fn open_part(
         &self,
         at_98: Entered,
-        hit_30: Hit,
+        hit_31: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_98, hit_30, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_98, hit_31, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_open_part(
         &self,
         at_98: Entered,
-        hit_30: Hit,
+        hit_31: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_30.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_98.level));
+        let _e9 = self.v_shadow_texel_between(hit_31.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_98.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
         at_99: Entered,
-        hit_31: Hit,
+        hit_32: Hit,
         light_12: Toward,
         params_79: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_99, hit_31, light_12, rt::into(params_79)))
+        rt::into(self.v_shadow_visibility(at_99, hit_32, light_12, rt::into(params_79)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
         at_99: Entered,
-        hit_31: Hit,
+        hit_32: Hit,
         light_12: Toward,
         params_79: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
@@ -12803,18 +12983,18 @@ impl<'g> Resources<'g> {
             return rt::Scalar(0f32);
         }
         let map_7 = self.surface_settings.maps[3usize];
-        let along_40 = (_e5.xy() * map_7.tile_m);
+        let along_41 = (_e5.xy() * map_7.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
-        let height_18 = (_e5.z() * _e21);
-        let squared_5 = ((height_18 * height_18) / (along_40.dot(along_40) + (height_18 * height_18)));
+        let height_19 = (_e5.z() * _e21);
+        let squared_5 = ((height_19 * height_19) / (along_41.dot(along_41) + (height_19 * height_19)));
         let azimuths = params_79.x().to_i32();
         let elevations_1 = params_79.y().to_i32();
-        let _e32 = self.v_turn_of(along_40);
+        let _e32 = self.v_turn_of(along_41);
         let azimuth_5 = (_e32 * params_79.x());
         let elevation_4 = ((squared_5 * params_79.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_79.y() - rt::Scalar(1f32)));
         if rt::Scalar::into_branch_condition(params_79.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_29 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_99, hit_31, a_29, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+            let _e56 = self.v_open_part(at_99, hit_32, a_29, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().to_i32() % azimuths);
@@ -12823,122 +13003,122 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_99, hit_31, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_99, hit_31, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_99, hit_32, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_99, hit_32, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_99, hit_31, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_99, hit_32, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_99, hit_31, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_99, hit_32, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
         at_100: Entered,
-        hit_32: Hit,
+        hit_33: Hit,
         light_13: Toward,
         params_80: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_100, hit_32, light_13, rt::into(params_80)))
+        rt::into(self.v_shadow_map(at_100, hit_33, light_13, rt::into(params_80)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_map(
         &self,
         at_100: Entered,
-        hit_32: Hit,
+        hit_33: Hit,
         light_13: Toward,
         params_80: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_100, hit_32.uv, rt::Scalar(light_13.number), light_13.direction, params_80.z(), params_80.w());
+        let _e9 = self.v_light_seen(at_100, hit_33.uv, rt::Scalar(light_13.number), light_13.direction, params_80.z(), params_80.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
         at_101: Entered,
-        hit_33: Hit,
+        hit_34: Hit,
         light_14: Toward,
         params_81: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_101, hit_33, light_14, rt::into(params_81)))
+        rt::into(self.v_shadow_scene(at_101, hit_34, light_14, rt::into(params_81)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_scene(
         &self,
         at_101: Entered,
-        hit_33: Hit,
+        hit_34: Hit,
         light_14: Toward,
         params_81: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_102: Entered, hit_34: Hit, light_15: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_102, hit_34, light_15))
+    pub(crate) fn shadow_stage(&self, at_102: Entered, hit_35: Hit, light_15: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_102, hit_35, light_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_102: Entered, hit_34: Hit, light_15: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_102: Entered, hit_35: Hit, light_15: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[8usize].params;
-                let _e13 = self.v_shadow_ray(at_102, hit_34, light_15, _e12);
+                let _e13 = self.v_shadow_ray(at_102, hit_35, light_15, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[8usize].params;
-                let _e19 = self.v_shadow_none(at_102, hit_34, light_15, _e18);
+                let _e19 = self.v_shadow_none(at_102, hit_35, light_15, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[8usize].params;
-                let _e25 = self.v_shadow_entry(at_102, hit_34, light_15, _e24);
+                let _e25 = self.v_shadow_entry(at_102, hit_35, light_15, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[8usize].params;
-                let _e31 = self.v_shadow_soft(at_102, hit_34, light_15, _e30);
+                let _e31 = self.v_shadow_soft(at_102, hit_35, light_15, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[8usize].params;
-                let _e37 = self.v_shadow_heuristic(at_102, hit_34, light_15, _e36);
+                let _e37 = self.v_shadow_heuristic(at_102, hit_35, light_15, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[8usize].params;
-                let _e43 = self.v_shadow_horizon(at_102, hit_34, light_15, _e42);
+                let _e43 = self.v_shadow_horizon(at_102, hit_35, light_15, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[8usize].params;
-                let _e49 = self.v_shadow_visibility(at_102, hit_34, light_15, _e48);
+                let _e49 = self.v_shadow_visibility(at_102, hit_35, light_15, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[8usize].params;
-                let _e55 = self.v_shadow_map(at_102, hit_34, light_15, _e54);
+                let _e55 = self.v_shadow_map(at_102, hit_35, light_15, _e54);
                 return _e55;
             }
             _ => {
                 let _e60 = self.surface_settings.choices[8usize].params;
-                let _e61 = self.v_shadow_scene(at_102, hit_34, light_15, _e60);
+                let _e61 = self.v_shadow_scene(at_102, hit_35, light_15, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_83: PixelIn, at_103: Entered, hit_35: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_83, at_103, hit_35))
+    pub(crate) fn mirrored_light(&self, pixel_83: PixelIn, at_103: Entered, hit_36: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_83, at_103, hit_36))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mirrored_light(&self, pixel_83: PixelIn, at_103: Entered, hit_35: Hit) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_35.found).elementwise_eq(rt::Scalar(0u32))) {
+    fn v_mirrored_light(&self, pixel_83: PixelIn, at_103: Entered, hit_36: Hit) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_36.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
         let down_2 = pixel_83.direction.normalize();
         let up_7 = (down_2 - (at_103.normal * (rt::Scalar(2f32) * down_2.dot(at_103.normal))));
-        let _e24 = self.v_shadow_stage(at_103, hit_35, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
+        let _e24 = self.v_shadow_stage(at_103, hit_36, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
         return _e24;
     }
     pub(crate) fn normal_of_frames(&self, at_104: Entered, frames_2: Frames) -> rt::Vec3<f32> {
@@ -12989,25 +13169,27 @@ impl<'g> Resources<'g> {
         }
         return at_104.normal;
     }
-    pub(crate) fn normal_of_mask(&self, image_9: Image, path_72: Path, hit_36: Hit) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_mask(image_9, path_72, hit_36))
+    pub(crate) fn normal_of_mask(&self, image_12: Image, hit_37: Hit) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_mask(image_12, hit_37))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_normal_of_mask(&self, image_9: Image, path_72: Path, hit_36: Hit) -> rt::Vec3<f32> {
-        let _e3 = self.v_grid_of(path_72);
-        let at_138 = (_e3.origin + (_e3.step * rt::Scalar(hit_36.t)));
-        let _e9 = self.v_cell_of(at_138);
-        let _e12 = self.v_grid_cell(_e9.to_i32(), rt::Scalar(0u32));
-        let part_23 = (at_138 - _e9);
-        let rise_u_2 = (((_e12.y() - _e12.x()) * (rt::Scalar(1f32) - part_23.y())) + ((_e12.w() - _e12.z()) * part_23.y()));
-        let rise_v_2 = (((_e12.z() - _e12.x()) * (rt::Scalar(1f32) - part_23.x())) + ((_e12.w() - _e12.y()) * part_23.x()));
-        let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (image_9.u.xyz().normalize() * rise_u_2)) - (image_9.v.xyz().normalize() * rise_v_2));
+    fn v_normal_of_mask(&self, image_12: Image, hit_37: Hit) -> rt::Vec3<f32> {
+        let _e4 = self.v_height_size(rt::Scalar(0u32));
+        let at_138 = ((hit_37.uv * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e10 = self.v_cell_of(at_138);
+        let _e13 = self.v_grid_cell(_e10.to_i32(), rt::Scalar(0u32));
+        let part_23 = (at_138 - _e10);
+        let rise_u_2 = (((_e13.y() - _e13.x()) * (rt::Scalar(1f32) - part_23.y())) + ((_e13.w() - _e13.z()) * part_23.y()));
+        let rise_v_2 = (((_e13.z() - _e13.x()) * (rt::Scalar(1f32) - part_23.x())) + ((_e13.w() - _e13.y()) * part_23.x()));
+        let place_29 = ((hit_37.uv - image_12.corner) / image_12.extent);
+        let along_u_4 = (image_12.u.xyz() - (image_12.depth.xyz() * place_29.x())).normalize();
+        let along_v_4 = (image_12.v.xyz() - (image_12.depth.xyz() * place_29.y())).normalize();
+        let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (along_u_4 * rise_u_2)) - (along_v_4 * rise_v_2));
         let square_5 = outward.dot(outward);
         if rt::Scalar::into_branch_condition(square_5.elementwise_gt(rt::Scalar(0f32))) {
             return (outward / rt::Vec3::splat_from_scalar(square_5.sqrt()));
         }
-        return image_9.toward;
+        return image_12.toward;
     }
     pub(crate) fn object_color(
         &self,
@@ -13193,9 +13375,9 @@ impl<'g> Resources<'g> {
         c_9: Corner,
         shell_4: Shell,
         side_3: impl rt::Into<rt::Scalar<f32>>,
-        point_14: impl rt::Into<rt::Vec2<f32>>,
+        point_17: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_14, b_14, c_9, shell_4, rt::into(side_3), rt::into(point_14)))
+        rt::into(self.v_pixel_of(a_14, b_14, c_9, shell_4, rt::into(side_3), rt::into(point_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13206,10 +13388,10 @@ impl<'g> Resources<'g> {
         c_9: Corner,
         shell_4: Shell,
         side_3: rt::Scalar<f32>,
-        point_14: rt::Vec2<f32>,
+        point_17: rt::Vec2<f32>,
     ) -> PixelIn {
-        let _e6 = self.v_pixel_eye(point_14);
-        let _e7 = self.v_pixel_direction(point_14);
+        let _e6 = self.v_pixel_eye(point_17);
+        let _e7 = self.v_pixel_direction(point_17);
         return <PixelIn>::new(_e6, _e7, side_3, a_14, b_14, c_9, shell_4);
     }
     pub(crate) fn placed_over(
@@ -13232,9 +13414,9 @@ impl<'g> Resources<'g> {
         let _e6 = rt::Scalar(self.surface_settings.bias_m);
         let _e9 = rt::Scalar(self.surface_settings.scale_m);
         let _e11 = self.v_height_at(uv_28, rt::Scalar(at_106.level));
-        let height_19 = (_e6 + (_e9 * _e11));
+        let height_20 = (_e6 + (_e9 * _e11));
         placed = at_106;
-        placed.point = (((at_106.point + (at_106.tangent * aside_9.x())) + (at_106.bitangent * aside_9.y())) + (at_106.normal * height_19));
+        placed.point = (((at_106.point + (at_106.tangent * aside_9.x())) + (at_106.bitangent * aside_9.y())) + (at_106.normal * height_20));
         placed.uv = uv_28;
         let _e29 = placed;
         return _e29;
@@ -13243,11 +13425,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_86: PixelIn,
         at_107: Entered,
-        path_73: Path,
-        hit_37: Hit,
+        path_74: Path,
+        hit_38: Hit,
         params_82: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_86, at_107, path_73, hit_37, rt::into(params_82)))
+        rt::into(self.v_surface_plane_place(pixel_86, at_107, path_74, hit_38, rt::into(params_82)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13255,11 +13437,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_86: PixelIn,
         at_107: Entered,
-        path_73: Path,
-        hit_37: Hit,
+        path_74: Path,
+        hit_38: Hit,
         params_82: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_107, hit_37.uv);
+        let _e6 = self.v_placed_over(at_107, hit_38.uv);
         return _e6;
     }
     pub(crate) fn placed_at(
@@ -13267,10 +13449,10 @@ impl<'g> Resources<'g> {
         pixel_87: PixelIn,
         at_108: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
-        point_15: impl rt::Into<rt::Vec3<f32>>,
+        point_18: impl rt::Into<rt::Vec3<f32>>,
         uv_29: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_87, at_108, rt::into(weights_4), rt::into(point_15), rt::into(uv_29)))
+        rt::into(self.v_placed_at(pixel_87, at_108, rt::into(weights_4), rt::into(point_18), rt::into(uv_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13279,12 +13461,12 @@ impl<'g> Resources<'g> {
         pixel_87: PixelIn,
         at_108: Entered,
         weights_4: rt::Vec3<f32>,
-        point_15: rt::Vec3<f32>,
+        point_18: rt::Vec3<f32>,
         uv_29: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_87, weights_4, point_15, uv_29, at_108.facing);
+        let _e6 = self.v_frame_at(pixel_87, weights_4, point_18, uv_29, at_108.facing);
         placed_1 = _e6;
         rt::Scalar(placed_1.level) = rt::Scalar(at_108.level);
         rt::Scalar(placed_1.footprint) = rt::Scalar(at_108.footprint);
@@ -13296,11 +13478,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_88: PixelIn,
         at_109: Entered,
-        path_74: Path,
-        hit_38: Hit,
+        path_75: Path,
+        hit_39: Hit,
         params_83: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_88, at_109, path_74, hit_38, rt::into(params_83)))
+        rt::into(self.v_surface_prism_place(pixel_88, at_109, path_75, hit_39, rt::into(params_83)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13308,17 +13490,17 @@ impl<'g> Resources<'g> {
         &self,
         pixel_88: PixelIn,
         at_109: Entered,
-        path_74: Path,
-        hit_38: Hit,
+        path_75: Path,
+        hit_39: Hit,
         params_83: rt::Vec4<f32>,
     ) -> Entered {
-        let along_41 = pixel_88.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_88, along_41);
-        let _e8 = self.v_prism_of(pixel_88, along_41, _e7, params_83);
-        let s_4 = ((rt::Scalar(path_74.start) + rt::Scalar(hit_38.t)) - _e7);
-        let _e15 = self.v_point_of_way(pixel_88, _e8, (along_41 * s_4), rt::Scalar(hit_38.height));
+        let along_42 = pixel_88.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_88, along_42);
+        let _e8 = self.v_prism_of(pixel_88, along_42, _e7, params_83);
+        let s_4 = ((rt::Scalar(path_75.start) + rt::Scalar(hit_39.t)) - _e7);
+        let _e15 = self.v_point_of_way(pixel_88, _e8, (along_42 * s_4), rt::Scalar(hit_39.height));
         let weights_7 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_88, at_109, weights_7, (pixel_88.origin + (along_41 * (rt::Scalar(path_74.start) + rt::Scalar(hit_38.t)))), hit_38.uv);
+        let _e24 = self.v_placed_at(pixel_88, at_109, weights_7, (pixel_88.origin + (along_42 * (rt::Scalar(path_75.start) + rt::Scalar(hit_39.t)))), hit_39.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
@@ -13335,16 +13517,16 @@ impl<'g> Resources<'g> {
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_90: rt::Scalar<bool>;
+        let mut local_93: rt::Scalar<bool>;
 
         placed_2 = at_110;
         let _e5 = self.v_quadric_slope(at_110.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_90 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_93 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_90 = rt::Scalar(false);
+            local_93 = rt::Scalar(false);
         }
-        let _e15 = local_90;
+        let _e15 = local_93;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
@@ -13373,11 +13555,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_89: PixelIn,
         at_111: Entered,
-        path_75: Path,
-        hit_39: Hit,
+        path_76: Path,
+        hit_40: Hit,
         params_84: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_111, path_75, hit_39, rt::into(params_84)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_111, path_76, hit_40, rt::into(params_84)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13385,16 +13567,16 @@ impl<'g> Resources<'g> {
         &self,
         pixel_89: PixelIn,
         at_111: Entered,
-        path_75: Path,
-        hit_39: Hit,
+        path_76: Path,
+        hit_40: Hit,
         params_84: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_111, (hit_39.uv - at_111.uv));
+        let _e8 = self.v_quadric_frame(at_111, (hit_40.uv - at_111.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_75.start) + rt::Scalar(hit_39.t))));
-        placed_3.uv = hit_39.uv;
+        placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_76.start) + rt::Scalar(hit_40.t))));
+        placed_3.uv = hit_40.uv;
         let _e21 = placed_3;
         return _e21;
     }
@@ -13402,36 +13584,36 @@ impl<'g> Resources<'g> {
         &self,
         pixel_90: PixelIn,
         at_112: Entered,
-        path_76: Path,
-        hit_40: Hit,
+        path_77: Path,
+        hit_41: Hit,
         params_85: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_112, path_76, hit_40, rt::into(params_85)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_112, path_77, hit_41, rt::into(params_85)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
         pixel_90: PixelIn,
         at_112: Entered,
-        path_76: Path,
-        hit_40: Hit,
+        path_77: Path,
+        hit_41: Hit,
         params_85: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_10 = (hit_40.uv - at_112.uv);
+        let aside_10 = (hit_41.uv - at_112.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_40.uv, rt::Scalar(at_112.level));
-        let height_20 = (_e10 + (_e13 * _e16));
+        let _e16 = self.v_height_at(hit_41.uv, rt::Scalar(at_112.level));
+        let height_21 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
         let _e27 = self.v_quadric_at(at_112.of_surface.xyz(), aside_10);
         let lifted_2 = (((_e19 - at_112.of_surface.w()) * _e23) + _e27);
         let _e29 = self.v_quadric_frame(at_112, aside_10);
         placed_4 = _e29;
-        placed_4.point = (((at_112.point + (at_112.tangent * aside_10.x())) + (at_112.bitangent * aside_10.y())) + (at_112.normal * (height_20 + lifted_2)));
-        placed_4.uv = hit_40.uv;
+        placed_4.point = (((at_112.point + (at_112.tangent * aside_10.x())) + (at_112.bitangent * aside_10.y())) + (at_112.normal * (height_21 + lifted_2)));
+        placed_4.uv = hit_41.uv;
         let _e47 = placed_4;
         return _e47;
     }
@@ -13439,33 +13621,33 @@ impl<'g> Resources<'g> {
         &self,
         pixel_91: PixelIn,
         at_113: Entered,
-        path_77: Path,
-        hit_41: Hit,
+        path_78: Path,
+        hit_42: Hit,
         params_86: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_113, path_77, hit_41, rt::into(params_86)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_113, path_78, hit_42, rt::into(params_86)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
         pixel_91: PixelIn,
         at_113: Entered,
-        path_77: Path,
-        hit_41: Hit,
+        path_78: Path,
+        hit_42: Hit,
         params_86: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
         let mut number_13: rt::Scalar<u32> = rt::Scalar(1u32);
 
-        let along_42 = pixel_91.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_91, along_42);
-        let t_41 = ((rt::Scalar(path_77.start) + rt::Scalar(hit_41.t)) - _e7);
-        let _e13 = self.v_tetrahedron(pixel_91, along_42, _e7, rt::Scalar(0u32));
+        let along_43 = pixel_91.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_91, along_43);
+        let t_42 = ((rt::Scalar(path_78.start) + rt::Scalar(hit_42.t)) - _e7);
+        let _e13 = self.v_tetrahedron(pixel_91, along_43, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
-        beside_1 = (_e17 - t_41).max((t_41 - _e21));
+        beside_1 = (_e17 - t_42).max((t_42 - _e21));
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = number_13;
@@ -13475,8 +13657,8 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e30 = number_13;
-                    let _e31 = self.v_tetrahedron(pixel_91, along_42, _e7, _e30);
-                    let aside_11 = (_e31.inside.x() - t_41).max((t_41 - _e31.inside.y()));
+                    let _e31 = self.v_tetrahedron(pixel_91, along_43, _e7, _e30);
+                    let aside_11 = (_e31.inside.x() - t_42).max((t_42 - _e31.inside.y()));
                     let _e39 = beside_1;
                     if rt::Scalar::into_branch_condition(aside_11.elementwise_lt(_e39)) {
                         nearest = _e31;
@@ -13489,20 +13671,20 @@ impl<'g> Resources<'g> {
         }
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
-        let weights_8 = (_e45 + (_e47 * t_41));
-        let point_26 = (pixel_91.origin + (along_42 * (rt::Scalar(path_77.start) + rt::Scalar(hit_41.t))));
-        let _e58 = self.v_placed_at(pixel_91, at_113, weights_8.xyz(), point_26, hit_41.uv);
+        let weights_8 = (_e45 + (_e47 * t_42));
+        let point_29 = (pixel_91.origin + (along_43 * (rt::Scalar(path_78.start) + rt::Scalar(hit_42.t))));
+        let _e58 = self.v_placed_at(pixel_91, at_113, weights_8.xyz(), point_29, hit_42.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
         pixel_92: PixelIn,
         at_114: Entered,
-        path_78: Path,
-        hit_42: Hit,
+        path_79: Path,
+        hit_43: Hit,
         params_87: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_92, at_114, path_78, hit_42, rt::into(params_87)))
+        rt::into(self.v_surface_facets_place(pixel_92, at_114, path_79, hit_43, rt::into(params_87)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13510,8 +13692,8 @@ impl<'g> Resources<'g> {
         &self,
         pixel_92: PixelIn,
         at_114: Entered,
-        path_78: Path,
-        hit_42: Hit,
+        path_79: Path,
+        hit_43: Hit,
         params_87: rt::Vec4<f32>,
     ) -> Entered {
         return at_114;
@@ -13520,11 +13702,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_93: PixelIn,
         at_115: Entered,
-        path_79: Path,
-        hit_43: Hit,
+        path_80: Path,
+        hit_44: Hit,
         params_88: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_93, at_115, path_79, hit_43, rt::into(params_88)))
+        rt::into(self.v_surface_slices_place(pixel_93, at_115, path_80, hit_44, rt::into(params_88)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13532,48 +13714,60 @@ impl<'g> Resources<'g> {
         &self,
         pixel_93: PixelIn,
         at_115: Entered,
-        path_79: Path,
-        hit_43: Hit,
+        path_80: Path,
+        hit_44: Hit,
         params_88: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_115, hit_43.uv);
+        let _e6 = self.v_placed_over(at_115, hit_44.uv);
         return _e6;
     }
-    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_116: Entered, path_80: Path, hit_44: Hit) -> Entered {
-        rt::into(self.v_placed_in_image(pixel_94, at_116, path_80, hit_44))
+    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_116: Entered, path_81: Path, hit_45: Hit) -> Entered {
+        rt::into(self.v_placed_in_image(pixel_94, at_116, path_81, hit_45))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_placed_in_image(&self, pixel_94: PixelIn, at_116: Entered, path_80: Path, hit_44: Hit) -> Entered {
+    fn v_placed_in_image(&self, pixel_94: PixelIn, at_116: Entered, path_81: Path, hit_45: Hit) -> Entered {
         let mut placed_5: Entered;
 
-        let _e6 = self.v_image_of_object(rt::Scalar(path_80.base).to_u32());
+        let _e6 = self.v_image_of_object(rt::Scalar(path_81.base).to_u32());
         placed_5 = at_116;
-        placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_80.start) + rt::Scalar(hit_44.t))));
-        placed_5.uv = hit_44.uv;
-        let _e20 = self.v_tangent_of_image(_e6);
-        placed_5.tangent = _e20;
-        let _e22 = self.v_bitangent_of_image(_e6);
-        placed_5.bitangent = _e22;
-        placed_5.normal = _e6.toward;
-        let _e27 = rt::Scalar(self.surface_settings.cells);
-        if rt::Scalar::into_branch_condition(_e27.elementwise_eq(CELLS_MASK)) {
-            let _e31 = self.v_normal_of_mask(_e6, path_80, hit_44);
-            placed_5.normal = _e31;
+        placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_81.start) + rt::Scalar(hit_45.t))));
+        placed_5.uv = hit_45.uv;
+        let _e20 = placed_5.point;
+        let _e21 = self.v_depth_in_image(_e6, _e20);
+        let _e23 = placed_5.point;
+        let _e25 = self.v_stretch_in_image(_e6, _e23, rt::Scalar(hit_45.height));
+        let _e27 = self.v_tangent_of_image(_e6);
+        placed_5.tangent = ((_e27 * _e21) / rt::Vec3::splat_from_scalar(_e25));
+        let _e32 = self.v_bitangent_of_image(_e6);
+        placed_5.bitangent = ((_e32 * _e21) / rt::Vec3::splat_from_scalar(_e25));
+        let _e38 = placed_5.point;
+        let _e39 = self.v_toward_image(_e6, _e38);
+        placed_5.normal = _e39;
+        let _e42 = rt::Scalar(self.surface_settings.has_normal);
+        if rt::Scalar::into_branch_condition(_e42.elementwise_eq(rt::Scalar(1u32))) {
+            placed_5.normal = _e6.toward;
         }
-        placed_5.metric = path_80.metric;
+        placed_5.metric = path_81.metric;
         placed_5.facing = _e6.toward;
-        let _e36 = placed_5;
-        return _e36;
+        let _e53 = rt::Scalar(self.surface_settings.cells);
+        if rt::Scalar::into_branch_condition(_e53.elementwise_eq(CELLS_MASK)) {
+            let _e57 = self.v_normal_of_mask(_e6, hit_45);
+            placed_5.normal = _e57;
+            let _e60 = placed_5.normal;
+            placed_5.facing = _e60;
+        }
+        let _e61 = placed_5;
+        return _e61;
     }
     pub(crate) fn surface_object_place(
         &self,
         pixel_95: PixelIn,
         at_117: Entered,
-        path_81: Path,
-        hit_45: Hit,
+        path_82: Path,
+        hit_46: Hit,
         params_89: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_place(pixel_95, at_117, path_81, hit_45, rt::into(params_89)))
+        rt::into(self.v_surface_object_place(pixel_95, at_117, path_82, hit_46, rt::into(params_89)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13581,45 +13775,45 @@ impl<'g> Resources<'g> {
         &self,
         pixel_95: PixelIn,
         at_117: Entered,
-        path_81: Path,
-        hit_45: Hit,
+        path_82: Path,
+        hit_46: Hit,
         params_89: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_in_image(pixel_95, at_117, path_81, hit_45);
+        let _e5 = self.v_placed_in_image(pixel_95, at_117, path_82, hit_46);
         return _e5;
     }
     pub(crate) fn surface_frames_place(
         &self,
         pixel_96: PixelIn,
         at_118: Entered,
-        path_82: Path,
-        hit_46: Hit,
+        path_83: Path,
+        hit_47: Hit,
         params_90: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_place(pixel_96, at_118, path_82, hit_46, rt::into(params_90)))
+        rt::into(self.v_surface_frames_place(pixel_96, at_118, path_83, hit_47, rt::into(params_90)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_frames_place(
         &self,
         pixel_96: PixelIn,
         at_118: Entered,
-        path_82: Path,
-        hit_46: Hit,
+        path_83: Path,
+        hit_47: Hit,
         params_90: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_6: Entered;
-        let mut local_91: rt::Scalar<bool>;
+        let mut local_94: rt::Scalar<bool>;
 
-        let _e5 = self.v_placed_in_image(pixel_96, at_118, path_82, hit_46);
+        let _e5 = self.v_placed_in_image(pixel_96, at_118, path_83, hit_47);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
             let _e16 = rt::Scalar(self.surface_settings.cells);
-            local_91 = _e16.elementwise_ne(CELLS_MASK);
+            local_94 = _e16.elementwise_ne(CELLS_MASK);
         } else {
-            local_91 = rt::Scalar(false);
+            local_94 = rt::Scalar(false);
         }
-        let _e20 = local_91;
+        let _e20 = local_94;
         if rt::Scalar::into_branch_condition(_e20) {
             let _e22 = placed_6;
             let _e26 = self.v_frames_around((-pixel_96.direction.normalize()));
@@ -13633,11 +13827,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_97: PixelIn,
         at_119: Entered,
-        path_83: Path,
-        hit_47: Hit,
+        path_84: Path,
+        hit_48: Hit,
         params_91: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_place(pixel_97, at_119, path_83, hit_47, rt::into(params_91)))
+        rt::into(self.v_surface_object_slices_place(pixel_97, at_119, path_84, hit_48, rt::into(params_91)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13645,89 +13839,89 @@ impl<'g> Resources<'g> {
         &self,
         pixel_97: PixelIn,
         at_119: Entered,
-        path_83: Path,
-        hit_47: Hit,
+        path_84: Path,
+        hit_48: Hit,
         params_91: rt::Vec4<f32>,
     ) -> Entered {
         let mut of_image: Path;
 
-        of_image = path_83;
+        of_image = path_84;
         let _e8 = self.v_slice_at(at_119.point);
         rt::Scalar(of_image.base) = rt::Scalar(_e8.number).to_f32();
         let _e11 = of_image;
-        let _e12 = self.v_placed_in_image(pixel_97, at_119, _e11, hit_47);
+        let _e12 = self.v_placed_in_image(pixel_97, at_119, _e11, hit_48);
         return _e12;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_120: Entered, path_84: Path, hit_48: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_98, at_120, path_84, hit_48))
+    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_120: Entered, path_85: Path, hit_49: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_98, at_120, path_85, hit_49))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_98: PixelIn, at_120: Entered, path_84: Path, hit_48: Hit) -> Entered {
+    fn v_surface_place_stage(&self, pixel_98: PixelIn, at_120: Entered, path_85: Path, hit_49: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_98, at_120, path_84, hit_48, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_98, at_120, path_85, hit_49, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_98, at_120, path_84, hit_48, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_98, at_120, path_85, hit_49, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_120, path_84, hit_48, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_120, path_85, hit_49, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_120, path_84, hit_48, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_120, path_85, hit_49, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_120, path_84, hit_48, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_120, path_85, hit_49, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_98, at_120, path_84, hit_48, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_98, at_120, path_85, hit_49, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_98, at_120, path_84, hit_48, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_98, at_120, path_85, hit_49, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_place(pixel_98, at_120, path_84, hit_48, _e55);
+                let _e56 = self.v_surface_object_place(pixel_98, at_120, path_85, hit_49, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_place(pixel_98, at_120, path_84, hit_48, _e61);
+                let _e62 = self.v_surface_frames_place(pixel_98, at_120, path_85, hit_49, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_place(pixel_98, at_120, path_84, hit_48, _e67);
+                let _e68 = self.v_surface_object_slices_place(pixel_98, at_120, path_85, hit_49, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_121: Entered, path_85: Path, hit_49: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_99, at_121, path_85, hit_49))
+    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_121: Entered, path_86: Path, hit_50: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_99, at_121, path_86, hit_50))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_place_on_segment(&self, pixel_99: PixelIn, at_121: Entered, path_85: Path, hit_49: Hit) -> Entered {
+    fn v_place_on_segment(&self, pixel_99: PixelIn, at_121: Entered, path_86: Path, hit_50: Hit) -> Entered {
         let mut placed_7: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_99, at_121, path_85, hit_49);
+        let _e4 = self.v_surface_place_stage(pixel_99, at_121, path_86, hit_50);
         placed_7 = _e4;
-        let _e7 = self.v_depth_on_ray(pixel_99, path_85, hit_49);
+        let _e7 = self.v_depth_on_ray(pixel_99, path_86, hit_50);
         rt::Scalar(placed_7.depth) = _e7;
         let _e8 = placed_7;
         return _e8;
@@ -13737,9 +13931,9 @@ impl<'g> Resources<'g> {
         pixel_100: PixelIn,
         at_122: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
-        hit_50: Hit,
+        hit_51: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_100, at_122, rt::into(segment), hit_50))
+        rt::into(self.v_place_hit(pixel_100, at_122, rt::into(segment), hit_51))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13748,10 +13942,10 @@ impl<'g> Resources<'g> {
         pixel_100: PixelIn,
         at_122: Entered,
         segment: rt::Scalar<u32>,
-        hit_50: Hit,
+        hit_51: Hit,
     ) -> Entered {
         let _e4 = self.v_segment_of(pixel_100, at_122, segment);
-        let _e5 = self.v_place_on_segment(pixel_100, at_122, _e4, hit_50);
+        let _e5 = self.v_place_on_segment(pixel_100, at_122, _e4, hit_51);
         return _e5;
     }
     pub(crate) fn toward_light(
@@ -13770,37 +13964,37 @@ impl<'g> Resources<'g> {
     ) -> Toward {
         let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_14)];
         if rt::Scalar::into_branch_condition(light_18.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_10 = (light_18.place.xyz() - position_1);
-            let squared_6 = toward_10.dot(toward_10);
+            let toward_9 = (light_18.place.xyz() - position_1);
+            let squared_6 = toward_9.dot(toward_9);
             let distance_3 = squared_6.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_6.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_10.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_14);
+            return <Toward>::new(toward_9.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_14);
         }
         return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_14);
     }
     pub(crate) fn point_of_light(
         &self,
         at_123: Entered,
-        hit_51: Hit,
+        hit_52: Hit,
         number_15: impl rt::Into<rt::Scalar<u32>>,
         k_35: impl rt::Into<rt::Scalar<u32>>,
         count_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_123, hit_51, rt::into(number_15), rt::into(k_35), rt::into(count_5)))
+        rt::into(self.v_point_of_light(at_123, hit_52, rt::into(number_15), rt::into(k_35), rt::into(count_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_light(
         &self,
         at_123: Entered,
-        hit_51: Hit,
+        hit_52: Hit,
         number_15: rt::Scalar<u32>,
         k_35: rt::Scalar<u32>,
         count_5: rt::Scalar<u32>,
     ) -> Toward {
         let _e6 = self.v_toward_light(number_15, at_123.point);
         if rt::Scalar::into_branch_condition(count_5.elementwise_gt(rt::Scalar(0u32))) {
-            let _e9 = self.v_seed_of(hit_51);
+            let _e9 = self.v_seed_of(hit_52);
             let _e10 = self.v_point_of_disc(_e6, _e9, k_35, count_5);
             return _e10;
         }
@@ -13809,25 +14003,25 @@ impl<'g> Resources<'g> {
     pub(crate) fn ray_to_light(
         &self,
         at_124: Entered,
-        hit_52: Hit,
+        hit_53: Hit,
         number_16: impl rt::Into<rt::Scalar<u32>>,
         k_36: impl rt::Into<rt::Scalar<u32>>,
         count_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_124, hit_52, rt::into(number_16), rt::into(k_36), rt::into(count_6)))
+        rt::into(self.v_ray_to_light(at_124, hit_53, rt::into(number_16), rt::into(k_36), rt::into(count_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ray_to_light(
         &self,
         at_124: Entered,
-        hit_52: Hit,
+        hit_53: Hit,
         number_16: rt::Scalar<u32>,
         k_36: rt::Scalar<u32>,
         count_6: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_124, hit_52, number_16, k_36, count_6);
-        let _e6 = self.v_light_ray(at_124, hit_52, _e5);
+        let _e5 = self.v_point_of_light(at_124, hit_53, number_16, k_36, count_6);
+        let _e6 = self.v_light_ray(at_124, hit_53, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
@@ -14024,19 +14218,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn reflected_light(
         &self,
         at_126: Entered,
-        hit_53: Hit,
+        hit_54: Hit,
         seen_4: SeenNormals,
         view_18: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_126, hit_53, seen_4, rt::into(view_18), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_126, hit_54, seen_4, rt::into(view_18), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
         at_126: Entered,
-        hit_53: Hit,
+        hit_54: Hit,
         seen_4: SeenNormals,
         view_18: rt::Vec3<f32>,
         color_9: rt::Vec3<f32>,
@@ -14048,7 +14242,7 @@ impl<'g> Resources<'g> {
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_126, hit_53, (seen_4.normal * rt::Scalar(seen_4.length)), view_18, diffuse);
+        let _e20 = self.v_ambient_stage(at_126, hit_54, (seen_4.normal * rt::Scalar(seen_4.length)), view_18, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
@@ -14079,30 +14273,30 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_color(
         &self,
         at_127: Entered,
-        hit_54: Hit,
+        hit_55: Hit,
         view_19: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_surface_color(at_127, hit_54, rt::into(view_19)))
+        rt::into(self.v_surface_color(at_127, hit_55, rt::into(view_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_color(
         &self,
         at_127: Entered,
-        hit_54: Hit,
+        hit_55: Hit,
         view_19: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let mut local_92: rt::Scalar<bool>;
+        let mut local_95: rt::Scalar<bool>;
 
         let _e5 = rt::Scalar(self.surface_settings.images);
         if rt::Scalar::into_branch_condition((!_e5.elementwise_eq(rt::Scalar(0u32)))) {
             let _e13 = rt::Scalar(self.surface_settings.has_color);
-            local_92 = _e13.elementwise_ne(rt::Scalar(1u32));
+            local_95 = _e13.elementwise_ne(rt::Scalar(1u32));
         } else {
-            local_92 = rt::Scalar(true);
+            local_95 = rt::Scalar(true);
         }
-        let _e17 = local_92;
+        let _e17 = local_95;
         if rt::Scalar::into_branch_condition(_e17) {
-            let _e20 = self.v_color_or_white(hit_54.uv, rt::Scalar(at_127.footprint));
+            let _e20 = self.v_color_or_white(hit_55.uv, rt::Scalar(at_127.footprint));
             return _e20;
         }
         let how = self.surface_settings.choices[3usize].params.z();
@@ -14116,84 +14310,84 @@ impl<'g> Resources<'g> {
         let _e38 = self.v_object_color(at_127, view_19, how.elementwise_eq(rt::Scalar(1f32)));
         return _e38;
     }
-    pub(crate) fn z_of(&self, depth_6: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_z_of(rt::into(depth_6)))
+    pub(crate) fn z_of(&self, depth_8: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_z_of(rt::into(depth_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_z_of(&self, depth_6: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    fn v_z_of(&self, depth_8: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let _e4 = self.frame.clip.y();
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0f32))) {
             let _e10 = self.frame.clip.x();
             let _e14 = self.frame.clip.z();
-            return (_e10 + (_e14 * depth_6)).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+            return (_e10 + (_e14 * depth_8)).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         }
         let _e23 = self.frame.clip.x();
         let _e27 = self.frame.clip.y();
-        return (_e23 + (_e27 / depth_6.max(rt::Scalar(0f32)))).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        return (_e23 + (_e27 / depth_8.max(rt::Scalar(0f32)))).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
     }
     pub(crate) fn shade_hit(
         &self,
         origin_2: impl rt::Into<rt::Vec3<f32>>,
         at_128: Entered,
-        hit_55: Hit,
+        hit_56: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_2), at_128, hit_55, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_2), at_128, hit_56, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(
         &self,
         origin_2: rt::Vec3<f32>,
         at_128: Entered,
-        hit_55: Hit,
+        hit_56: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_55.found).elementwise_eq(rt::Scalar(0u32))) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_55.cost.x(), hit_55.cost.y(), hit_55.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_56.found).elementwise_eq(rt::Scalar(0u32))) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_56.cost.x(), hit_56.cost.y(), hit_56.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_55.uv, rt::Scalar(at_128.level));
+        let _e44 = self.v_height_at(hit_56.uv, rt::Scalar(at_128.level));
         let view_22 = (origin_2 - at_128.point).normalize();
-        let _e49 = self.v_mesostructure_normals(at_128, hit_55.uv, view_22);
-        let _e50 = self.v_surface_color(at_128, hit_55, view_22);
-        let _e51 = self.v_reflected_light(at_128, hit_55, _e49, view_22, _e50, visible_1);
+        let _e49 = self.v_mesostructure_normals(at_128, hit_56.uv, view_22);
+        let _e50 = self.v_surface_color(at_128, hit_56, view_22);
+        let _e51 = self.v_reflected_light(at_128, hit_56, _e49, view_22, _e50, visible_1);
         let _e56 = self.frame.forward;
-        let depth_9 = (at_128.point - origin_2).dot(_e56.xyz());
+        let depth_11 = (at_128.point - origin_2).dot(_e56.xyz());
         let _e61 = self.v_height_size(rt::Scalar(0u32));
-        let _e67 = self.v_cell_of(((hit_55.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e67 = self.v_cell_of(((hit_56.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
         let _e87 = self.v_z_of(rt::Scalar(at_128.depth));
         let _e90 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_55.exhausted), hit_55.uv, _e44, at_128.point, _e49.normal, depth_9, rt::Scalar(hit_55.t), _e67.to_i32(), hit_55.cost.x(), hit_55.cost.y(), hit_55.cost.z(), visible_1[0usize].x(), rt::Scalar(at_128.level), _e87, _e90);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_56.exhausted), hit_56.uv, _e44, at_128.point, _e49.normal, depth_11, rt::Scalar(hit_56.t), _e67.to_i32(), hit_56.cost.x(), hit_56.cost.y(), hit_56.cost.z(), visible_1[0usize].x(), rt::Scalar(at_128.level), _e87, _e90);
     }
     pub(crate) fn visible_light(
         &self,
         at_129: Entered,
-        hit_56: Hit,
+        hit_57: Hit,
         number_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_129, hit_56, rt::into(number_17)))
+        rt::into(self.v_visible_light(at_129, hit_57, rt::into(number_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_visible_light(
         &self,
         at_129: Entered,
-        hit_56: Hit,
+        hit_57: Hit,
         number_17: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
         let _e4 = self.v_toward_light(number_17, at_129.point);
-        let _e5 = self.v_shadow_stage(at_129, hit_56, _e4);
+        let _e5 = self.v_shadow_stage(at_129, hit_57, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_130: Entered, hit_57: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_130, hit_57))
+    pub(crate) fn visible_lights(&self, at_130: Entered, hit_58: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_130, hit_58))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_130: Entered, hit_57: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_130: Entered, hit_58: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut k_38: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_57.found).elementwise_eq(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_58.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
             return _e7;
         }
@@ -14208,7 +14402,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e15 = k_38;
                     let _e17 = k_38;
-                    let _e18 = self.v_visible_light(at_130, hit_57, _e17);
+                    let _e18 = self.v_visible_light(at_130, hit_58, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e23 = k_38;
                     k_38 = (_e23 + rt::Scalar(1u32));
@@ -14327,9 +14521,9 @@ impl<'g> Resources<'g> {
         let mut away: rt::Scalar<f32>;
 
         let from_eye = (position_2 - grid_11.eye.xyz());
-        let depth_10 = grid_11.forward.xyz().dot(from_eye);
-        let seen_7 = depth_10.max(rt::Scalar(grid_11.near_m));
-        away = (depth_10 * rt::Scalar(grid_11.per_m));
+        let depth_12 = grid_11.forward.xyz().dot(from_eye);
+        let seen_7 = depth_12.max(rt::Scalar(grid_11.near_m));
+        away = (depth_12 * rt::Scalar(grid_11.per_m));
         if rt::Scalar::into_branch_condition(rt::Scalar(grid_11.is_parallel).elementwise_eq(rt::Scalar(0u32))) {
             share = (rt::Scalar(1f32) / seen_7);
             let _e22 = self.v_log2_of((seen_7 / rt::Scalar(grid_11.near_m)));

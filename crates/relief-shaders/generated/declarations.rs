@@ -3642,7 +3642,7 @@ fn from_hit(at: Entered, hit: Hit, light: Toward) -> Path {
     let change = climb(at, light.direction);
     let uv = near_uv(hit.uv);
     let h = vec3f(height_at(uv, at.level), change.z, 0.0);
-    return Path(uv, change.xy, h, 0.0, 0.0, at.metric, RAY_SHADOW, at.level, 0.0, 1.0);
+    return Path(uv, change.xy, h, 0.0, 0.0, at.metric, RAY_SHADOW, at.level, 0.0, 1.0, 0.0);
 }"#,
     },
     Declaration {
@@ -3693,7 +3693,7 @@ fn light_ray(at: Entered, hit: Hit, light: Toward) -> LightRay {
     let start = path_uv(way, end);
     let gap = end * (c.y + c.z * end);
     let h = vec3f(height_at(start, way.level) + gap + ROUNDING, way.h.y, 0.0);
-    let path = Path(start, way.duv, h, exit - end, 0.0, way.metric, way.ray, way.level, end, 1.0);
+    let path = Path(start, way.duv, h, exit - end, 0.0, way.metric, way.ray, way.level, end, 1.0, 0.0);
     return LightRay(LIGHT_RAY_OPEN, path);
 }"#,
     },
@@ -4087,16 +4087,21 @@ fn numbered_pixel(triangle: u32, side: f32, point: vec2f) -> PixelIn {
         name: "Image",
         sampling: None,
         uses: &[],
-        text: r#"// An image: what a point's texture coordinates and its height in it are, by a product with (x, y, z, 1);
-// where it lies among the others (its first corner and its extent, in texture coordinates of all); the unit
-// direction toward its viewer.
+        text: r#"// An image: what a point's texture coordinates and its height in it are, each times its depth, and that
+// depth, by products with (x, y, z, 1), the depth being 1 by parallel rays; where it lies among the others (its
+// first corner and its extent, in texture coordinates of all); the unit direction against which it looks;
+// and whether it looks from an eye, where that is, and at which depth it begins to see.
 struct Image {
     u: vec4f,
     v: vec4f,
     height: vec4f,
+    depth: vec4f,
     corner: vec2f,
     extent: vec2f,
     toward: vec3f,
+    has_eye: bool,
+    eye: vec3f,
+    nearest: f32,
 }"#,
     },
     Declaration {
@@ -4107,14 +4112,49 @@ struct Image {
         text: r#"fn image_of_object(number: u32) -> Image {
     let row = i32(number);
     let place = object_texel(vec2i(3, row));
+    let toward = object_texel(vec2i(4, row));
+    let has_eye = toward.w == 1.0;
+    var depth = vec4f(0.0, 0.0, 0.0, 1.0);
+    var eye = vec4f(0.0, 0.0, 0.0, 0.0);
+    if (has_eye) {
+        depth = object_texel(vec2i(5, row));
+        eye = object_texel(vec2i(6, row));
+    }
     return Image(
         object_texel(vec2i(0, row)),
         object_texel(vec2i(1, row)),
         object_texel(vec2i(2, row)),
+        depth,
         place.xy,
         vec2f(place.z, place.w),
-        object_texel(vec2i(4, row)).xyz,
+        toward.xyz,
+        has_eye,
+        eye.xyz,
+        eye.w,
     );
+}"#,
+    },
+    Declaration {
+        module: "shared/object",
+        name: "depth_in_image",
+        sampling: None,
+        uses: &["Image"],
+        text: r#"// How far before an image's eye a point is.
+fn depth_in_image(image: Image, point: vec3f) -> f32 {
+    return dot(image.depth.xyz, point) + image.depth.w;
+}"#,
+    },
+    Declaration {
+        module: "shared/object",
+        name: "toward_image",
+        sampling: None,
+        uses: &["Image"],
+        text: r#"// The unit direction from a point toward an image's viewer.
+fn toward_image(image: Image, point: vec3f) -> vec3f {
+    if (image.has_eye) {
+        return normalize(image.eye - point);
+    }
+    return image.toward;
 }"#,
     },
     Declaration {
@@ -4122,9 +4162,11 @@ struct Image {
         name: "tangent_of_image",
         sampling: None,
         uses: &["Image"],
-        text: r#"// What one of an image's tiles, which are as large as all images together, is long in the world.
+        text: r#"// What one of an image's tiles, which are as large as all images together, is long in the world at depth 1.
+// An eye looks at the middle of its image.
 fn tangent_of_image(image: Image) -> vec3f {
-    return image.u.xyz / (dot(image.u.xyz, image.u.xyz) * image.extent.x);
+    let across = image.u.xyz - 0.5 * image.depth.xyz;
+    return across / (dot(across, across) * image.extent.x);
 }"#,
     },
     Declaration {
@@ -4133,7 +4175,24 @@ fn tangent_of_image(image: Image) -> vec3f {
         sampling: None,
         uses: &["Image"],
         text: r#"fn bitangent_of_image(image: Image) -> vec3f {
-    return image.v.xyz / (dot(image.v.xyz, image.v.xyz) * image.extent.y);
+    let along = image.v.xyz - 0.5 * image.depth.xyz;
+    return along / (dot(along, along) * image.extent.y);
+}"#,
+    },
+    Declaration {
+        module: "shared/object",
+        name: "stretch_in_image",
+        sampling: None,
+        uses: &["Image", "depth_in_image", "surface_settings", "toward_image"],
+        text: r#"// Of a point the metres toward the viewer over which the height in an image changes by 1, as a part of those
+// by parallel rays.
+fn stretch_in_image(image: Image, point: vec3f, height: f32) -> f32 {
+    if (!image.has_eye) {
+        return 1.0;
+    }
+    let toward = toward_image(image, point);
+    let change = dot(image.height.xyz, toward) - height * dot(image.depth.xyz, toward);
+    return depth_in_image(image, point) / (change * surface_settings.scale_m);
 }"#,
     },
     Declaration {
@@ -4157,12 +4216,13 @@ const UNSEEN = 2.0;"#,
         module: "shared/object",
         name: "place_in_image",
         sampling: None,
-        uses: &["Image"],
+        uses: &["Image", "depth_in_image"],
         text: r#"// Where a point is in an image: texture coordinates in all of them, and a height.
 fn place_in_image(image: Image, point: vec3f) -> vec3f {
-    let u = clamp(dot(image.u.xyz, point) + image.u.w, 0.0, 1.0);
-    let v = clamp(dot(image.v.xyz, point) + image.v.w, 0.0, 1.0);
-    let h = dot(image.height.xyz, point) + image.height.w;
+    let depth = depth_in_image(image, point);
+    let u = clamp((dot(image.u.xyz, point) + image.u.w) / depth, 0.0, 1.0);
+    let v = clamp((dot(image.v.xyz, point) + image.v.w) / depth, 0.0, 1.0);
+    let h = (dot(image.height.xyz, point) + image.height.w) / depth;
     return vec3f(image.corner + image.extent * vec2f(u, v), h);
 }"#,
     },
@@ -4170,20 +4230,23 @@ fn place_in_image(image: Image, point: vec3f) -> vec3f {
         module: "shared/object",
         name: "angle_to_image",
         sampling: None,
-        uses: &["Image", "SEEN_TEXELS", "UNSEEN", "height_at", "place_in_image", "surface_settings", "turn_of"],
+        uses: &["Image", "SEEN_TEXELS", "UNSEEN", "depth_in_image", "height_at", "place_in_image", "stretch_in_image", "surface_settings", "tangent_of_image", "toward_image", "turn_of"],
         text: r#"// The angle, in turns, between the view and that of an image, which is larger than any where the image is
 // asked whether it sees the place and does not.
 fn angle_to_image(image: Image, point: vec3f, view: vec3f, asked: bool) -> f32 {
-    let toward = image.toward;
+    let toward = toward_image(image, point);
     let beside = cross(toward, view);
     let angle = turn_of(vec2f(dot(toward, view), sqrt(dot(beside, beside))));
     if (!asked) {
         return angle;
     }
     let place = place_in_image(image, point);
+    // Over what a texel is wide there.
     let width = image.extent.x * f32(surface_settings.height_size.x);
+    let wider = length(tangent_of_image(image)) * image.extent.x * depth_in_image(image, point);
+    let deeper = stretch_in_image(image, point, place.z) * surface_settings.scale_m;
     let off = abs(place.z - height_at(place.xy, 0u));
-    return angle + select(UNSEEN, 0.0, off * width <= SEEN_TEXELS);
+    return angle + select(UNSEEN, 0.0, off * width * (deeper / wider) <= SEEN_TEXELS);
 }"#,
     },
     Declaration {
@@ -4270,7 +4333,7 @@ const MOST_ROUNDS = 256u;"#,
         module: "shared/object",
         name: "first_in_all",
         sampling: None,
-        uses: &["AGREED", "Entered", "FirstHit", "Hit", "MOST_ROUNDS", "NO_COST", "PixelIn", "beginning_at", "hit_on_segment", "miss", "reached", "segment_of", "trace"],
+        uses: &["AGREED", "Entered", "FirstHit", "Hit", "MOST_ROUNDS", "NO_COST", "PixelIn", "beginning_at", "hit_on_segment", "metres_on", "miss", "reached", "segment_of", "trace"],
         text: r#"// The first point of a ray that all images say may be there.
 fn first_in_all(pixel: PixelIn, at: Entered) -> FirstHit {
     var cost = NO_COST;
@@ -4282,8 +4345,10 @@ fn first_in_all(pixel: PixelIn, at: Entered) -> FirstHit {
     let most = at.segments * MOST_ROUNDS;
     while (agreed < at.segments && turns < most) {
         let path = segment_of(pixel, at, k);
-        let passed = max(reached - path.start, 0.0);
-        if (!(passed < path.exit)) {
+        let passed_m = max(reached - path.start, 0.0);
+        let ahead = 1.0 + path.bend * passed_m;
+        let passed = passed_m / ahead;
+        if (!(ahead > 0.0 && passed < path.exit)) {
             first.hit = miss(cost);
             return first;
         }
@@ -4294,8 +4359,9 @@ fn first_in_all(pixel: PixelIn, at: Entered) -> FirstHit {
             return first;
         }
         let t = passed + hit.t;
-        if (first.hit.found == 0u || path.start + t > reached + reached * AGREED) {
-            reached = path.start + t;
+        let at_m = path.start + metres_on(path, t);
+        if (first.hit.found == 0u || at_m > reached + reached * AGREED) {
+            reached = at_m;
             agreed = 0u;
             first = hit_on_segment(pixel, at, path, Hit(1u, 0u, hit.uv, hit.height, t, cost), k);
             cost = first.hit.cost;
@@ -4343,10 +4409,10 @@ fn beyond_image(image: Image) -> vec2f {
         name: "metric_of_image",
         sampling: None,
         uses: &["Image", "bitangent_of_image", "surface_settings", "tangent_of_image"],
-        text: r#"// As in `Path`.
-fn metric_of_image(image: Image) -> vec4f {
-    let tangent = tangent_of_image(image);
-    let bitangent = bitangent_of_image(image);
+        text: r#"// As in `Path`, at that depth.
+fn metric_of_image(image: Image, depth: f32) -> vec4f {
+    let tangent = tangent_of_image(image) * depth;
+    let bitangent = bitangent_of_image(image) * depth;
     return vec4f(
         dot(tangent, tangent),
         dot(tangent, bitangent),
@@ -4373,11 +4439,12 @@ struct OnImage {
         module: "shared/object_path",
         name: "on_image",
         sampling: None,
-        uses: &["CELLS_MASK", "EMPTY_HEIGHT", "Image", "OnImage", "beyond_image", "cell_of", "cell_parts", "grid_cell", "height_size", "is_inside", "surface_settings"],
+        uses: &["CELLS_MASK", "EMPTY_HEIGHT", "Image", "OnImage", "beyond_image", "cell_of", "cell_parts", "depth_in_image", "grid_cell", "height_size", "is_inside", "surface_settings"],
         text: r#"fn on_image(image: Image, point: vec3f) -> OnImage {
-    let u = dot(image.u.xyz, point) + image.u.w;
-    let v = dot(image.v.xyz, point) + image.v.w;
-    let h = dot(image.height.xyz, point) + image.height.w;
+    let depth = depth_in_image(image, point);
+    let u = (dot(image.u.xyz, point) + image.u.w) / depth;
+    let v = (dot(image.v.xyz, point) + image.v.w) / depth;
+    let h = (dot(image.height.xyz, point) + image.height.w) / depth;
     let beyond = beyond_image(image);
     let beside = max(abs(u - 0.5) - beyond.x, abs(v - 0.5) - beyond.y);
     let uv = image.corner + image.extent * vec2f(u, v);
@@ -4388,47 +4455,73 @@ struct OnImage {
     let top = heights.x + (heights.y - heights.x) * part.x;
     let bottom = heights.z + (heights.w - heights.z) * part.x;
     let map = top + (bottom - top) * part.y;
-    let is_inside = beside <= 0.5 && h > EMPTY_HEIGHT && h <= 1.0;
+    let is_inside = depth > 0.0 && beside <= 0.5 && h > EMPTY_HEIGHT && h <= 1.0;
     return OnImage(uv, select(h, 0.5, surface_settings.cells == CELLS_MASK), map, is_inside);
 }"#,
     },
     Declaration {
         module: "shared/object_path",
+        name: "BEFORE_EYE",
+        sampling: None,
+        uses: &[],
+        text: r#"// The part of the way from an eye to the nearest that it sees at which rays begin.
+const BEFORE_EYE = 0.01;"#,
+    },
+    Declaration {
+        module: "shared/object_path",
         name: "path_through_image",
         sampling: None,
-        uses: &["CELLS_MASK", "EMPTY_HEIGHT", "NEVER", "Path", "PixelIn", "RAY_VIEW", "beyond_image", "image_of_object", "metric_of_image", "surface_settings", "within_bounds"],
+        uses: &["BEFORE_EYE", "CELLS_MASK", "EMPTY_HEIGHT", "NEVER", "Path", "PixelIn", "RAY_VIEW", "beyond_image", "depth_in_image", "image_of_object", "metric_of_image", "surface_settings", "within_bounds"],
         text: r#"// A ray's way through the image of that number, which the path has in place of a base.
 fn path_through_image(pixel: PixelIn, k: u32) -> Path {
     let along = normalize(pixel.direction);
     let image = image_of_object(k);
-    let u = dot(image.u.xyz, pixel.origin) + image.u.w;
-    let v = dot(image.v.xyz, pixel.origin) + image.v.w;
-    let h = dot(image.height.xyz, pixel.origin) + image.height.w;
-    let du = dot(image.u.xyz, along);
-    let dv = dot(image.v.xyz, along);
-    let dh = dot(image.height.xyz, along);
+    // What lies behind an eye it does not see.
+    let deepens = dot(image.depth.xyz, along);
+    let before = depth_in_image(image, pixel.origin);
+    var begin = 0.0;
+    if (image.has_eye) {
+        let nearest = BEFORE_EYE * image.nearest;
+        begin = select(0.0, NEVER, before < nearest);
+        if (before < nearest && deepens > 0.0) {
+            begin = (nearest - before) / deepens;
+        }
+    }
+    let origin = pixel.origin + along * begin;
+    let depth = depth_in_image(image, origin);
+    let bend = deepens / depth;
+    let u = (dot(image.u.xyz, origin) + image.u.w) / depth;
+    let v = (dot(image.v.xyz, origin) + image.v.w) / depth;
+    let h = (dot(image.height.xyz, origin) + image.height.w) / depth;
+    let du = (dot(image.u.xyz, along) - u * deepens) / depth;
+    let dv = (dot(image.v.xyz, along) - v * deepens) / depth;
+    let dh = (dot(image.height.xyz, along) - h * deepens) / depth;
     let beyond = beyond_image(image);
     var interval = vec2f(0.0, NEVER);
     interval = within_bounds(u, du, 0.0 - beyond.x, 1.0 + beyond.x, interval);
     interval = within_bounds(v, dv, 0.0 - beyond.y, 1.0 + beyond.y, interval);
     interval = within_bounds(h, dh, EMPTY_HEIGHT, 1.0, interval);
+    // From there on the parameter is again about metres.
     let start = interval.x;
-    var height = vec3f(h + dh * start, dh, 0.0);
+    let nearer = 1.0 - bend * start;
+    let change = nearer * nearer;
+    var height = vec3f(h + dh * start, dh * change, 0.0);
     if (surface_settings.cells == CELLS_MASK) {
         // What is asked is where the mask is a half.
         height = vec3f(0.5, 0.0, 0.0);
     }
     return Path(
         image.corner + image.extent * vec2f(u + du * start, v + dv * start),
-        image.extent * vec2f(du, dv),
+        image.extent * vec2f(du, dv) * change,
         height,
-        interval.y - start,
+        (interval.y - start) / change,
         f32(k),
-        metric_of_image(image),
+        metric_of_image(image, depth / nearer),
         RAY_VIEW,
         0u,
-        start,
+        begin + start / nearer,
         1.0,
+        bend * nearer,
     );
 }"#,
     },
@@ -4436,18 +4529,20 @@ fn path_through_image(pixel: PixelIn, k: u32) -> Path {
         module: "shared/object_path",
         name: "normal_of_mask",
         sampling: None,
-        uses: &["Hit", "Image", "Path", "cell_of", "grid_cell", "grid_of"],
+        uses: &["Hit", "Image", "cell_of", "grid_cell", "height_size"],
         text: r#"// The normal of a silhouette: beside the view, away from where the mask grows; along it where the ray begins
 // inside.
-fn normal_of_mask(image: Image, path: Path, hit: Hit) -> vec3f {
-    let grid = grid_of(path);
-    let at = grid.origin + grid.step * hit.t;
+fn normal_of_mask(image: Image, hit: Hit) -> vec3f {
+    let at = hit.uv * height_size(0u) - vec2f(0.5, 0.5);
     let cell = cell_of(at);
     let h = grid_cell(vec2i(cell), 0u);
     let part = at - cell;
     let rise_u = (h.y - h.x) * (1.0 - part.y) + (h.w - h.z) * part.y;
     let rise_v = (h.z - h.x) * (1.0 - part.x) + (h.w - h.y) * part.x;
-    let outward = vec3f(0.0, 0.0, 0.0) - normalize(image.u.xyz) * rise_u - normalize(image.v.xyz) * rise_v;
+    let place = (hit.uv - image.corner) / image.extent;
+    let along_u = normalize(image.u.xyz - image.depth.xyz * place.x);
+    let along_v = normalize(image.v.xyz - image.depth.xyz * place.y);
+    let outward = vec3f(0.0, 0.0, 0.0) - along_u * rise_u - along_v * rise_v;
     let square = dot(outward, outward);
     if (square > 0.0) {
         return outward / sqrt(square);
@@ -4457,23 +4552,43 @@ fn normal_of_mask(image: Image, path: Path, hit: Hit) -> vec3f {
     },
     Declaration {
         module: "shared/object_path",
+        name: "polished_on_image",
+        sampling: None,
+        uses: &["Hit", "Path", "metres_on"],
+        text: r#"// A hit of such a path, of which t becomes metres.
+fn polished_on_image(path: Path, hit: Hit) -> Hit {
+    var polished = hit;
+    polished.t = metres_on(path, hit.t);
+    return polished;
+}"#,
+    },
+    Declaration {
+        module: "shared/object_path",
         name: "placed_in_image",
         sampling: None,
-        uses: &["CELLS_MASK", "Entered", "Hit", "Path", "PixelIn", "bitangent_of_image", "image_of_object", "normal_of_mask", "surface_settings", "tangent_of_image"],
-        text: r#"// A hit of such a path: on the ray, in the image's own frame.
+        uses: &["CELLS_MASK", "Entered", "Hit", "Path", "PixelIn", "bitangent_of_image", "depth_in_image", "image_of_object", "normal_of_mask", "stretch_in_image", "surface_settings", "tangent_of_image", "toward_image"],
+        text: r#"// The same placed: on the ray, in the image's own frame.
 fn placed_in_image(pixel: PixelIn, at: Entered, path: Path, hit: Hit) -> Entered {
     let image = image_of_object(u32(path.base));
     var placed = at;
     placed.point = pixel.origin + normalize(pixel.direction) * (path.start + hit.t);
     placed.uv = hit.uv;
-    placed.tangent = tangent_of_image(image);
-    placed.bitangent = bitangent_of_image(image);
-    placed.normal = image.toward;
-    if (surface_settings.cells == CELLS_MASK) {
-        placed.normal = normal_of_mask(image, path, hit);
+    let depth = depth_in_image(image, placed.point);
+    let nearer = stretch_in_image(image, placed.point, hit.height);
+    placed.tangent = tangent_of_image(image) * depth / nearer;
+    placed.bitangent = bitangent_of_image(image) * depth / nearer;
+    placed.normal = toward_image(image, placed.point);
+    if (surface_settings.has_normal == 1u) {
+        // Normal maps have the image's own axes.
+        placed.normal = image.toward;
     }
     placed.metric = path.metric;
     placed.facing = image.toward;
+    if (surface_settings.cells == CELLS_MASK) {
+        // Silhouettes run along the view.
+        placed.normal = normal_of_mask(image, hit);
+        placed.facing = placed.normal;
+    }
     return placed;
 }"#,
     },
@@ -4513,6 +4628,16 @@ const BELOW_FLOOR = 1.000001;"#,
         uses: &["Path"],
         text: r#"fn path_height(path: Path, t: f32) -> f32 {
     return path.h.x + t * (path.h.y + t * path.h.z);
+}"#,
+    },
+    Declaration {
+        module: "shared/path",
+        name: "metres_on",
+        sampling: None,
+        uses: &["Path"],
+        text: r#"// Metres along the ray from the entry to t.
+fn metres_on(path: Path, t: f32) -> f32 {
+    return t / (1.0 - path.bend * t);
 }"#,
     },
     Declaration {
@@ -4570,6 +4695,7 @@ fn flattened(path: Path, middle: f32, part: f32) -> Path {
         path.level,
         path.start + start,
         path.share,
+        path.bend,
     );
 }"#,
     },
@@ -4591,6 +4717,7 @@ fn beginning_at(path: Path, t: f32) -> Path {
         path.level,
         path.start + t,
         path.share,
+        path.bend,
     );
 }"#,
     },
@@ -6948,7 +7075,8 @@ fn displaced_site(grid: Tessellation, site: BaseSite) -> Corner {
         sampling: None,
         uses: &[],
         text: r#"// A ray segment in texture space: (u, v) is linear in t, the normalised height is h.x + h.y t + h.z t².
-// t is in metres along the ray, 0 at the entry; `base` is where the ray crosses the base surface.
+// t is in metres along the ray, 0 at the entry, but for `bend`; `base` is where the ray crosses the base
+// surface.
 struct Path {
     uv: vec2f,
     duv: vec2f,
@@ -6967,6 +7095,9 @@ struct Path {
     // The part of the ray's whole way through the relief that this segment is: searches that spread a number
     // of steps over the whole take as many of them.
     share: f32,
+    // Of an image from an eye: metres along the ray are t / (1 - bend t), and not t. In such an image rays
+    // are straight, and what is farther away is smaller.
+    bend: f32,
 }"#,
     },
     Declaration {
@@ -7310,7 +7441,7 @@ fn surface_facets_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) ->
     let start = triangle_distance(pixel, plane_normal(pixel)) * length(pixel.direction);
     let height = height_at(at.uv, at.level);
     let duv = vec2f(0.0, 0.0);
-    return Path(at.uv, duv, vec3f(height, 0.0, 0.0), 1.0, 0.0, at.metric, RAY_VIEW, at.level, start, 1.0);
+    return Path(at.uv, duv, vec3f(height, 0.0, 0.0), 1.0, 0.0, at.metric, RAY_VIEW, at.level, start, 1.0, 0.0);
 }"#,
     },
     Declaration {
@@ -7356,9 +7487,9 @@ fn surface_facets_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) ->
         module: "surface/frames",
         name: "surface_frames_polish",
         sampling: None,
-        uses: &["Entered", "Hit", "Path", "PixelIn"],
+        uses: &["Entered", "Hit", "Path", "PixelIn", "polished_on_image"],
         text: r#"fn surface_frames_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Hit {
-    return hit;
+    return polished_on_image(path, hit);
 }"#,
     },
     Declaration {
@@ -7400,9 +7531,9 @@ fn surface_facets_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) ->
         module: "surface/object",
         name: "surface_object_polish",
         sampling: None,
-        uses: &["Entered", "Hit", "Path", "PixelIn"],
+        uses: &["Entered", "Hit", "Path", "PixelIn", "polished_on_image"],
         text: r#"fn surface_object_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Hit {
-    return hit;
+    return polished_on_image(path, hit);
 }"#,
     },
     Declaration {
@@ -7514,9 +7645,10 @@ fn slice_at(point: vec3f) -> OnSlice {
         module: "surface/object_slices",
         name: "surface_object_slices_segment",
         sampling: None,
-        uses: &["Entered", "Path", "PixelIn", "RAY_VIEW", "SLIVER", "image_of_object", "metric_of_image", "slice_at"],
+        uses: &["Entered", "Path", "PixelIn", "RAY_VIEW", "SLIVER", "depth_in_image", "image_of_object", "metric_of_image", "slice_at"],
         text: r#"fn surface_object_slices_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
     let slice = slice_at(at.point);
+    let image = image_of_object(slice.number);
     let far = length(at.point - pixel.origin);
     let lead = far * SLIVER;
     return Path(
@@ -7525,11 +7657,12 @@ fn slice_at(point: vec3f) -> OnSlice {
         vec3f(slice.nearest.height, 0.0, 0.0),
         select(0.0, lead, slice.passes),
         lead,
-        metric_of_image(image_of_object(slice.number)),
+        metric_of_image(image, depth_in_image(image, at.point)),
         RAY_VIEW,
         0u,
         far - lead,
         1.0,
+        0.0,
     );
 }"#,
     },
@@ -7643,6 +7776,7 @@ fn surface_object_slices_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hi
         at.level,
         distance + enter,
         1.0,
+        0.0,
     );
 }"#,
     },
@@ -7953,6 +8087,7 @@ fn chord_path(
         at.level,
         middle + first,
         1.0 / f32(at.segments),
+        0.0,
     );
     if (!(inside.y > inside.x)) {
         path.exit = 0.0;
@@ -8264,6 +8399,7 @@ fn across_span(at: Entered, ray: Across, eye: f32) -> vec2f {
         at.level,
         distance + first,
         1.0 / params.z,
+        0.0,
     );
     var inside = vec2f(0.0, long);
     if (surface_settings.wrap == WRAP_CLAMP) {
@@ -8375,6 +8511,7 @@ fn surface_quadric_perpendicular_place(
         at.level,
         distance + enter,
         1.0,
+        0.0,
     );
     if (!comes_down || !(path.exit > 0.0)) {
         path.exit = 0.0;
@@ -8576,6 +8713,7 @@ fn surface_slices_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) ->
         at.level,
         far - lead,
         1.0,
+        0.0,
     );
 }"#,
     },
@@ -8787,6 +8925,7 @@ fn is_met(pixel: PixelIn, along: vec3f, middle: f32, number: u32) -> bool {
         at.level,
         middle + inside.x,
         (inside.y - inside.x) / whole,
+        0.0,
     );
     if (path.exit > 0.0) {
         path = path_from(path, out_of_ground(path, 4.0 * slack, 0.0));
@@ -10243,6 +10382,7 @@ const LOBE = 8.0;"#,
         up.level,
         0.0,
         1.0,
+        0.0,
     );
     let end = refine_stage(down, search_stage(down));
     if (end.found == 0u) {

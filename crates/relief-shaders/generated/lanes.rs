@@ -113,6 +113,7 @@ pub struct Path {
     pub level: u32,
     pub start: F,
     pub share: F,
+    pub bend: F,
 }
 lanes! { fn sel_path(m: M, a: &Path, b: &Path) -> Path {
     Path {
@@ -126,6 +127,7 @@ lanes! { fn sel_path(m: M, a: &Path, b: &Path) -> Path {
         level: a.level,
         start: sel(m, a.start, b.start),
         share: sel(m, a.share, b.share),
+        bend: sel(m, a.bend, b.bend),
     }
 } }
 lanes! { fn zero_path() -> Path {
@@ -140,6 +142,7 @@ lanes! { fn zero_path() -> Path {
         level: 0u32,
         start: splat(0f32),
         share: splat(0f32),
+        bend: splat(0f32),
     }
 } }
 

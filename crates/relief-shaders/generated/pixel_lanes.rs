@@ -268,18 +268,26 @@ pub struct Image {
     pub u: Vec4<F>,
     pub v: Vec4<F>,
     pub height: Vec4<F>,
+    pub depth: Vec4<F>,
     pub corner: Vec2<F>,
     pub extent: Vec2<F>,
     pub toward: Vec3<F>,
+    pub has_eye: M,
+    pub eye: Vec3<F>,
+    pub nearest: F,
 }
 lanes! { fn sel_image(m: M, a: &Image, b: &Image) -> Image {
     Image {
         u: Vec4 { x: sel(m, a.u.x, b.u.x), y: sel(m, a.u.y, b.u.y), z: sel(m, a.u.z, b.u.z), w: sel(m, a.u.w, b.u.w) },
         v: Vec4 { x: sel(m, a.v.x, b.v.x), y: sel(m, a.v.y, b.v.y), z: sel(m, a.v.z, b.v.z), w: sel(m, a.v.w, b.v.w) },
         height: Vec4 { x: sel(m, a.height.x, b.height.x), y: sel(m, a.height.y, b.height.y), z: sel(m, a.height.z, b.height.z), w: sel(m, a.height.w, b.height.w) },
+        depth: Vec4 { x: sel(m, a.depth.x, b.depth.x), y: sel(m, a.depth.y, b.depth.y), z: sel(m, a.depth.z, b.depth.z), w: sel(m, a.depth.w, b.depth.w) },
         corner: Vec2 { x: sel(m, a.corner.x, b.corner.x), y: sel(m, a.corner.y, b.corner.y) },
         extent: Vec2 { x: sel(m, a.extent.x, b.extent.x), y: sel(m, a.extent.y, b.extent.y) },
         toward: Vec3 { x: sel(m, a.toward.x, b.toward.x), y: sel(m, a.toward.y, b.toward.y), z: sel(m, a.toward.z, b.toward.z) },
+        has_eye: sel_m(m, a.has_eye, b.has_eye),
+        eye: Vec3 { x: sel(m, a.eye.x, b.eye.x), y: sel(m, a.eye.y, b.eye.y), z: sel(m, a.eye.z, b.eye.z) },
+        nearest: sel(m, a.nearest, b.nearest),
     }
 } }
 lanes! { fn zero_image() -> Image {
@@ -287,9 +295,13 @@ lanes! { fn zero_image() -> Image {
         u: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
         v: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
         height: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        depth: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
         corner: Vec2 { x: splat(0f32), y: splat(0f32) },
         extent: Vec2 { x: splat(0f32), y: splat(0f32) },
         toward: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        has_eye: splat_m(false),
+        eye: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        nearest: splat(0f32),
     }
 } }
 
@@ -323,6 +335,7 @@ pub struct Path {
     pub level: U,
     pub start: F,
     pub share: F,
+    pub bend: F,
 }
 lanes! { fn sel_path(m: M, a: &Path, b: &Path) -> Path {
     Path {
@@ -336,6 +349,7 @@ lanes! { fn sel_path(m: M, a: &Path, b: &Path) -> Path {
         level: sel_u(m, a.level, b.level),
         start: sel(m, a.start, b.start),
         share: sel(m, a.share, b.share),
+        bend: sel(m, a.bend, b.bend),
     }
 } }
 lanes! { fn zero_path() -> Path {
@@ -350,6 +364,7 @@ lanes! { fn zero_path() -> Path {
         level: splat_u(0u32),
         start: splat(0f32),
         share: splat(0f32),
+        bend: splat(0f32),
     }
 } }
 
@@ -773,7 +788,8 @@ lanes! { fn singles_path(value: &Path) -> [single::Path; LANES] {
     let level = row_u(value.level);
     let start = row(value.start);
     let share = row(value.share);
-    std::array::from_fn(|lane| single::Path { uv: uv[lane], duv: duv[lane], h: h[lane], exit: exit[lane], base: base[lane], metric: metric[lane], ray: ray[lane], level: level[lane], start: start[lane], share: share[lane], })
+    let bend = row(value.bend);
+    std::array::from_fn(|lane| single::Path { uv: uv[lane], duv: duv[lane], h: h[lane], exit: exit[lane], base: base[lane], metric: metric[lane], ray: ray[lane], level: level[lane], start: start[lane], share: share[lane], bend: bend[lane], })
 } }
 lanes! { fn lanes_of_path(values: &[single::Path; LANES]) -> Path {
     let uv = std::array::from_fn::<_, LANES, _>(|lane| values[lane].uv);
@@ -796,7 +812,9 @@ lanes! { fn lanes_of_path(values: &[single::Path; LANES]) -> Path {
     let start_of_all = load(&std::array::from_fn(|lane| start[lane]));
     let share = std::array::from_fn::<_, LANES, _>(|lane| values[lane].share);
     let share_of_all = load(&std::array::from_fn(|lane| share[lane]));
-    Path { uv: uv_of_all, duv: duv_of_all, h: h_of_all, exit: exit_of_all, base: base_of_all, metric: metric_of_all, ray: ray_of_all, level: level_of_all, start: start_of_all, share: share_of_all }
+    let bend = std::array::from_fn::<_, LANES, _>(|lane| values[lane].bend);
+    let bend_of_all = load(&std::array::from_fn(|lane| bend[lane]));
+    Path { uv: uv_of_all, duv: duv_of_all, h: h_of_all, exit: exit_of_all, base: base_of_all, metric: metric_of_all, ray: ray_of_all, level: level_of_all, start: start_of_all, share: share_of_all, bend: bend_of_all }
 } }
 
 lanes! { fn singles_shell(value: &Shell) -> [single::Shell; LANES] {
@@ -862,6 +880,7 @@ lanes! { pub fn load_path(block: &PathBlock, part: usize) -> Path {
         level: load_u(&block.level.as_chunks().0[part]),
         start: load(&block.start.as_chunks().0[part]),
         share: load(&block.share.as_chunks().0[part]),
+        bend: load(&block.bend.as_chunks().0[part]),
     }
 } }
 lanes! { pub fn store_path(block: &mut PathBlock, part: usize, which: M, value: &Path) {
@@ -882,6 +901,7 @@ lanes! { pub fn store_path(block: &mut PathBlock, part: usize, which: M, value: 
     store_u(&mut block.level.as_chunks_mut().0[part], which, value.level);
     store(&mut block.start.as_chunks_mut().0[part], which, value.start);
     store(&mut block.share.as_chunks_mut().0[part], which, value.share);
+    store(&mut block.bend.as_chunks_mut().0[part], which, value.bend);
 } }
 
 lanes! { pub fn load_hit(block: &HitBlock, part: usize) -> Hit {
@@ -1550,6 +1570,18 @@ lanes! { fn ambient_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1:
         }
     }
 } }
+lanes! { fn toward_image(r: &Resources<'_>, within: M, image_a0: &Image, point_a1: Vec3<F>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let c1 = image_a0.has_eye;
+    let e_4 = Vec3 { x: sub(image_a0.eye.x, point_a1.x), y: sub(image_a0.eye.y, point_a1.y), z: sub(image_a0.eye.z, point_a1.z) };
+    let length2 = sqrt(add(add(mul(e_4.x, e_4.x), mul(e_4.y, e_4.y)), mul(e_4.z, e_4.z)));
+    let e_5 = Vec3 { x: div(e_4.x, length2), y: div(e_4.y, length2), z: div(e_4.z, length2) };
+    ret = e_5;
+    ex = and_not(ex, c1);
+    let y3 = Vec3 { x: image_a0.toward.x, y: image_a0.toward.y, z: image_a0.toward.z };
+    return Vec3 { x: sel(ex, y3.x, ret.x), y: sel(ex, y3.y, ret.y), z: sel(ex, y3.z, ret.z) };
+} }
 lanes! { fn eighth_turn(r: &Resources<'_>, tangent_a0: F) -> F {
     let s_1 = mul(tangent_a0, tangent_a0);
     let series_14 = add(splat(0.999866f32), mul(s_1, add(splat((-0.3302995f32)), mul(s_1, add(splat(0.180141f32), mul(s_1, add(splat((-0.085133f32)), mul(s_1, splat(0.0208351f32)))))))));
@@ -1580,11 +1612,32 @@ lanes! { fn turn_of(r: &Resources<'_>, within: M, v_a0: Vec2<F>) -> F {
     let e_32 = turn_v0;
     return sel(ex, sel(ge(e_32, splat(1.0f32)), splat(0.0f32), e_31), ret);
 } }
+lanes! { fn depth_in_image(r: &Resources<'_>, image_a0: &Image, point_a1: Vec3<F>) -> F {
+    return add(add(add(add(mul(image_a0.depth.x, point_a1.x), mul(image_a0.depth.y, point_a1.y)), mul(image_a0.depth.z, point_a1.z)), splat(0.0f32)), image_a0.depth.w);
+} }
 lanes! { fn place_in_image(r: &Resources<'_>, image_a0: &Image, point_a1: Vec3<F>) -> Vec3<F> {
-    let u_10 = min_with(max_with(add(add(add(add(mul(image_a0.u.x, point_a1.x), mul(image_a0.u.y, point_a1.y)), mul(image_a0.u.z, point_a1.z)), splat(0.0f32)), image_a0.u.w), splat(0.0f32)), splat(1.0f32));
-    let v_19 = min_with(max_with(add(add(add(add(mul(image_a0.v.x, point_a1.x), mul(image_a0.v.y, point_a1.y)), mul(image_a0.v.z, point_a1.z)), splat(0.0f32)), image_a0.v.w), splat(0.0f32)), splat(1.0f32));
-    let h_25 = add(add(add(add(mul(image_a0.height.x, point_a1.x), mul(image_a0.height.y, point_a1.y)), mul(image_a0.height.z, point_a1.z)), splat(0.0f32)), image_a0.height.w);
-    return Vec3 { x: add(image_a0.corner.x, mul(image_a0.extent.x, u_10)), y: add(image_a0.corner.y, mul(image_a0.extent.y, v_19)), z: h_25 };
+    let depth_2 = depth_in_image(r, image_a0, point_a1);
+    let u_12 = min_with(max_with(div(add(add(add(add(mul(image_a0.u.x, point_a1.x), mul(image_a0.u.y, point_a1.y)), mul(image_a0.u.z, point_a1.z)), splat(0.0f32)), image_a0.u.w), depth_2), splat(0.0f32)), splat(1.0f32));
+    let v_22 = min_with(max_with(div(add(add(add(add(mul(image_a0.v.x, point_a1.x), mul(image_a0.v.y, point_a1.y)), mul(image_a0.v.z, point_a1.z)), splat(0.0f32)), image_a0.v.w), depth_2), splat(0.0f32)), splat(1.0f32));
+    let h_29 = div(add(add(add(add(mul(image_a0.height.x, point_a1.x), mul(image_a0.height.y, point_a1.y)), mul(image_a0.height.z, point_a1.z)), splat(0.0f32)), image_a0.height.w), depth_2);
+    return Vec3 { x: add(image_a0.corner.x, mul(image_a0.extent.x, u_12)), y: add(image_a0.corner.y, mul(image_a0.extent.y, v_22)), z: h_29 };
+} }
+lanes! { fn tangent_of_image(r: &Resources<'_>, image_a0: &Image) -> Vec3<F> {
+    let across_7 = Vec3 { x: sub(image_a0.u.x, mul(splat(0.5f32), image_a0.depth.x)), y: sub(image_a0.u.y, mul(splat(0.5f32), image_a0.depth.y)), z: sub(image_a0.u.z, mul(splat(0.5f32), image_a0.depth.z)) };
+    let e_11 = mul(add(add(add(mul(across_7.x, across_7.x), mul(across_7.y, across_7.y)), mul(across_7.z, across_7.z)), splat(0.0f32)), image_a0.extent.x);
+    return Vec3 { x: div(across_7.x, e_11), y: div(across_7.y, e_11), z: div(across_7.z, e_11) };
+} }
+lanes! { fn stretch_in_image(r: &Resources<'_>, within: M, image_a0: &Image, point_a1: Vec3<F>, height_a2: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let c1 = not(image_a0.has_eye);
+    ret = splat(1.0f32);
+    ex = and_not(ex, c1);
+    if none(ex) { return ret; }
+    let toward_6 = toward_image(r, ex, image_a0, point_a1);
+    let change_14 = sub(add(add(add(mul(image_a0.height.x, toward_6.x), mul(image_a0.height.y, toward_6.y)), mul(image_a0.height.z, toward_6.z)), splat(0.0f32)), mul(height_a2, add(add(add(mul(image_a0.depth.x, toward_6.x), mul(image_a0.depth.y, toward_6.y)), mul(image_a0.depth.z, toward_6.z)), splat(0.0f32))));
+    let e_15 = depth_in_image(r, image_a0, point_a1);
+    return sel(ex, div(e_15, mul(change_14, splat(r.surface_settings.scale_m))), ret);
 } }
 lanes! { fn height_size(r: &Resources<'_>, level_a0: U) -> Vec2<F> {
     let e_1 = height_texels(r, level_a0);
@@ -1647,16 +1700,22 @@ lanes! { fn height_at_ls(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1:
 lanes! { fn angle_to_image(r: &Resources<'_>, within: M, image_a0: &Image, point_a1: Vec3<F>, view_a2: Vec3<F>, asked_a3: bool) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
-    let beside_5 = Vec3 { x: sub(mul(image_a0.toward.y, view_a2.z), mul(image_a0.toward.z, view_a2.y)), y: sub(mul(image_a0.toward.z, view_a2.x), mul(image_a0.toward.x, view_a2.z)), z: sub(mul(image_a0.toward.x, view_a2.y), mul(image_a0.toward.y, view_a2.x)) };
-    let angle_10 = turn_of(r, ex, Vec2 { x: add(add(add(mul(image_a0.toward.x, view_a2.x), mul(image_a0.toward.y, view_a2.y)), mul(image_a0.toward.z, view_a2.z)), splat(0.0f32)), y: sqrt(add(add(add(mul(beside_5.x, beside_5.x), mul(beside_5.y, beside_5.y)), mul(beside_5.z, beside_5.z)), splat(0.0f32))) });
+    let toward_4 = toward_image(r, ex, image_a0, point_a1);
+    let beside_5 = Vec3 { x: sub(mul(toward_4.y, view_a2.z), mul(toward_4.z, view_a2.y)), y: sub(mul(toward_4.z, view_a2.x), mul(toward_4.x, view_a2.z)), z: sub(mul(toward_4.x, view_a2.y), mul(toward_4.y, view_a2.x)) };
+    let angle_10 = turn_of(r, ex, Vec2 { x: add(add(add(mul(toward_4.x, view_a2.x), mul(toward_4.y, view_a2.y)), mul(toward_4.z, view_a2.z)), splat(0.0f32)), y: sqrt(add(add(add(mul(beside_5.x, beside_5.x), mul(beside_5.y, beside_5.y)), mul(beside_5.z, beside_5.z)), splat(0.0f32))) });
     if !asked_a3 {
         return angle_10;
     }
     let place_12 = place_in_image(r, image_a0, point_a1);
     let width_20 = mul(image_a0.extent.x, splat((r.surface_settings.height_size.x as f32)));
-    let e_24 = height_at_ls(r, ex, Vec2 { x: place_12.x, y: place_12.y }, 0u32);
-    let off_26 = abs(sub(place_12.z, e_24));
-    return add(angle_10, sel(le(mul(off_26, width_20), splat(2.0f32)), splat(0.0f32), splat(2.0f32)));
+    let e_21 = tangent_of_image(r, image_a0);
+    let e_26 = depth_in_image(r, image_a0, point_a1);
+    let wider_27 = mul(mul(sqrt(add(add(mul(e_21.x, e_21.x), mul(e_21.y, e_21.y)), mul(e_21.z, e_21.z))), image_a0.extent.x), e_26);
+    let e_29 = stretch_in_image(r, ex, image_a0, point_a1, place_12.z);
+    let deeper_33 = mul(e_29, splat(r.surface_settings.scale_m));
+    let e_37 = height_at_ls(r, ex, Vec2 { x: place_12.x, y: place_12.y }, 0u32);
+    let off_39 = abs(sub(place_12.z, e_37));
+    return add(angle_10, sel(le(mul(mul(off_39, width_20), div(deeper_33, wider_27)), splat(2.0f32)), splat(0.0f32), splat(2.0f32)));
 } }
 lanes! { fn lift_of(r: &Resources<'_>, lift_a0: Vec3<f32>, w_a1: Vec3<F>) -> F {
     return add(add(mul(mul(splat(lift_a0.x), w_a1.y), w_a1.z), mul(mul(splat(lift_a0.y), w_a1.z), w_a1.x)), mul(mul(splat(lift_a0.z), w_a1.x), w_a1.y));
@@ -1720,8 +1779,9 @@ lanes! { fn beyond_image(r: &Resources<'_>, image_a0: &Image) -> Vec2<F> {
     return Vec2 { x: div(splat(0.5f32), mul(image_a0.extent.x, e_6.x)), y: div(splat(0.5f32), mul(image_a0.extent.y, e_6.y)) };
 } }
 lanes! { fn bitangent_of_image(r: &Resources<'_>, image_a0: &Image) -> Vec3<F> {
-    let e_10 = mul(add(add(add(mul(image_a0.v.x, image_a0.v.x), mul(image_a0.v.y, image_a0.v.y)), mul(image_a0.v.z, image_a0.v.z)), splat(0.0f32)), image_a0.extent.y);
-    return Vec3 { x: div(image_a0.v.x, e_10), y: div(image_a0.v.y, e_10), z: div(image_a0.v.z, e_10) };
+    let along_7 = Vec3 { x: sub(image_a0.v.x, mul(splat(0.5f32), image_a0.depth.x)), y: sub(image_a0.v.y, mul(splat(0.5f32), image_a0.depth.y)), z: sub(image_a0.v.z, mul(splat(0.5f32), image_a0.depth.z)) };
+    let e_11 = mul(add(add(add(mul(along_7.x, along_7.x), mul(along_7.y, along_7.y)), mul(along_7.z, along_7.z)), splat(0.0f32)), image_a0.extent.y);
+    return Vec3 { x: div(along_7.x, e_11), y: div(along_7.y, e_11), z: div(along_7.z, e_11) };
 } }
 lanes! { fn path_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F) -> F {
     let mut ex = within;
@@ -1937,23 +1997,61 @@ lanes! { fn frames_around(r: &Resources<'_>, within: M, toward_a0: Vec3<F>) -> F
     let most_125 = max(part_103.x, part_103.y);
     return Frames { numbers: Vec3 { x: first_112, y: beside_119, z: add_u(add_u(first_112, side_106), splat_u(1u32)) }, weights: Vec3 { x: sub(splat(1.0f32), most_125), y: sub(most_125, least_122), z: least_122 }, };
 } }
-lanes! { fn image_of_object_l(r: &Resources<'_>, number_a0: U) -> Image {
+lanes! { fn image_of_object_l(r: &Resources<'_>, within: M, number_a0: U) -> Image {
+    let mut ex = within;
+    let mut ret: Image = zero_image();
+    let mut depth_v0: Vec4<F> = Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(1.0f32) };
+    let mut eye_v1: Vec4<F> = Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) };
     let row_1 = i_of_u(number_a0);
     let place_4 = object_texel_l(r, Vec2 { x: splat_i(3i32), y: row_1 });
-    let e_7 = object_texel_l(r, Vec2 { x: splat_i(0i32), y: row_1 });
-    let e_10 = object_texel_l(r, Vec2 { x: splat_i(1i32), y: row_1 });
-    let e_13 = object_texel_l(r, Vec2 { x: splat_i(2i32), y: row_1 });
-    let e_20 = object_texel_l(r, Vec2 { x: splat_i(4i32), y: row_1 });
-    return Image { u: e_7, v: e_10, height: e_13, corner: Vec2 { x: place_4.x, y: place_4.y }, extent: Vec2 { x: place_4.z, y: place_4.w }, toward: Vec3 { x: e_20.x, y: e_20.y, z: e_20.z }, };
+    let toward_7 = object_texel_l(r, Vec2 { x: splat_i(4i32), y: row_1 });
+    let has_eye_10 = eq(toward_7.w, splat(1.0f32));
+    let (b1, c2) = (ex, has_eye_10);
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_25 = object_texel_l(r, Vec2 { x: splat_i(5i32), y: row_1 });
+        let (m3, y4) = (ex, e_25);
+        depth_v0 = Vec4 { x: sel(m3, y4.x, depth_v0.x), y: sel(m3, y4.y, depth_v0.y), z: sel(m3, y4.z, depth_v0.z), w: sel(m3, y4.w, depth_v0.w) };
+        let e_28 = object_texel_l(r, Vec2 { x: splat_i(6i32), y: row_1 });
+        let (m5, y6) = (ex, e_28);
+        eye_v1 = Vec4 { x: sel(m5, y6.x, eye_v1.x), y: sel(m5, y6.y, eye_v1.y), z: sel(m5, y6.z, eye_v1.z), w: sel(m5, y6.w, eye_v1.w) };
+    }
+    ex = b1;
+    let e_31 = object_texel_l(r, Vec2 { x: splat_i(0i32), y: row_1 });
+    let e_34 = object_texel_l(r, Vec2 { x: splat_i(1i32), y: row_1 });
+    let e_37 = object_texel_l(r, Vec2 { x: splat_i(2i32), y: row_1 });
+    let e_38 = depth_v0;
+    let e_44 = eye_v1;
+    let e_47 = eye_v1.w;
+    return Image { u: e_31, v: e_34, height: e_37, depth: e_38, corner: Vec2 { x: place_4.x, y: place_4.y }, extent: Vec2 { x: place_4.z, y: place_4.w }, toward: Vec3 { x: toward_7.x, y: toward_7.y, z: toward_7.z }, has_eye: has_eye_10, eye: Vec3 { x: e_44.x, y: e_44.y, z: e_44.z }, nearest: e_47, };
 } }
-lanes! { fn image_of_object_s(r: &Resources<'_>, number_a0: u32) -> Image {
+lanes! { fn image_of_object_s(r: &Resources<'_>, within: M, number_a0: u32) -> Image {
+    let mut ex = within;
+    let mut ret: Image = zero_image();
+    let mut depth_v0: Vec4<F> = Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(1.0f32) };
+    let mut eye_v1: Vec4<F> = Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) };
     let row_1 = (number_a0 as i32);
     let place_4 = object_texel_s(r, Vec2 { x: 3i32, y: row_1 });
-    let e_7 = object_texel_s(r, Vec2 { x: 0i32, y: row_1 });
-    let e_10 = object_texel_s(r, Vec2 { x: 1i32, y: row_1 });
-    let e_13 = object_texel_s(r, Vec2 { x: 2i32, y: row_1 });
-    let e_20 = object_texel_s(r, Vec2 { x: 4i32, y: row_1 });
-    return Image { u: e_7, v: e_10, height: e_13, corner: Vec2 { x: place_4.x, y: place_4.y }, extent: Vec2 { x: place_4.z, y: place_4.w }, toward: Vec3 { x: e_20.x, y: e_20.y, z: e_20.z }, };
+    let toward_7 = object_texel_s(r, Vec2 { x: 4i32, y: row_1 });
+    let has_eye_10 = eq(toward_7.w, splat(1.0f32));
+    let (b1, c2) = (ex, has_eye_10);
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_25 = object_texel_s(r, Vec2 { x: 5i32, y: row_1 });
+        let (m3, y4) = (ex, e_25);
+        depth_v0 = Vec4 { x: sel(m3, y4.x, depth_v0.x), y: sel(m3, y4.y, depth_v0.y), z: sel(m3, y4.z, depth_v0.z), w: sel(m3, y4.w, depth_v0.w) };
+        let e_28 = object_texel_s(r, Vec2 { x: 6i32, y: row_1 });
+        let (m5, y6) = (ex, e_28);
+        eye_v1 = Vec4 { x: sel(m5, y6.x, eye_v1.x), y: sel(m5, y6.y, eye_v1.y), z: sel(m5, y6.z, eye_v1.z), w: sel(m5, y6.w, eye_v1.w) };
+    }
+    ex = b1;
+    let e_31 = object_texel_s(r, Vec2 { x: 0i32, y: row_1 });
+    let e_34 = object_texel_s(r, Vec2 { x: 1i32, y: row_1 });
+    let e_37 = object_texel_s(r, Vec2 { x: 2i32, y: row_1 });
+    let e_38 = depth_v0;
+    let e_44 = eye_v1;
+    let e_47 = eye_v1.w;
+    return Image { u: e_31, v: e_34, height: e_37, depth: e_38, corner: Vec2 { x: place_4.x, y: place_4.y }, extent: Vec2 { x: place_4.z, y: place_4.w }, toward: Vec3 { x: toward_7.x, y: toward_7.y, z: toward_7.z }, has_eye: has_eye_10, eye: Vec3 { x: e_44.x, y: e_44.y, z: e_44.z }, nearest: e_47, };
 } }
 lanes! { fn frame_number(r: &Resources<'_>, frames_a0: &Frames, k_a1: u32) -> U {
     return sel_u(splat_m((k_a1 == 0u32)), frames_a0.numbers.x, sel_u(splat_m((k_a1 == 1u32)), frames_a0.numbers.y, frames_a0.numbers.z));
@@ -1975,7 +2073,7 @@ stage! { fn color_of_frames(r: &Resources<'_>, within: M, at_a0: &Entered, view_
         }
         let e_13 = k_v1;
         let e_14 = frame_number(r, &frames_2, e_13);
-        let image_15 = image_of_object_l(r, e_14);
+        let image_15 = image_of_object_l(r, ex, e_14);
         let e_16 = sum_v0;
         let e_18 = place_in_image(r, &image_15, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
         let e_21 = color_at_ls(r, ex, Vec2 { x: e_18.x, y: e_18.y }, 0u32);
@@ -2611,7 +2709,7 @@ lanes! { fn surface_plane_segment(r: &Resources<'_>, within: M, pixel_a0: &Pixel
     let e_81 = leave_v1;
     let e_82 = enter_v0;
     let e_87 = enter_v0;
-    return Path { uv: Vec2 { x: add(at_a1.uv.x, mul(e_9.x, e_76)), y: add(at_a1.uv.y, mul(e_9.y, e_76)) }, duv: Vec2 { x: e_9.x, y: e_9.y }, h: Vec3 { x: entry_height_68, y: slope_19, z: splat(0.0f32) }, exit: sub(e_81, e_82), base: base_74, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: add(distance_22, e_87), share: splat(1.0f32), };
+    return Path { uv: Vec2 { x: add(at_a1.uv.x, mul(e_9.x, e_76)), y: add(at_a1.uv.y, mul(e_9.y, e_76)) }, duv: Vec2 { x: e_9.x, y: e_9.y }, h: Vec3 { x: entry_height_68, y: slope_19, z: splat(0.0f32) }, exit: sub(e_81, e_82), base: base_74, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: add(distance_22, e_87), share: splat(1.0f32), bend: splat(0.0f32), };
 } }
 stage! { fn surface_prism_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
     if none(within) { return zero_path(); }
@@ -2674,29 +2772,29 @@ lanes! { fn surface_quadric_perpendicular_segment(r: &Resources<'_>, within: M, 
     let slope_87 = sub(sub(e_84, e_85), bend_83);
     let base_92 = min_with(max_with(sub(splat(0.0f32), first_25), splat((-3e38f32))), splat(3e38f32));
     let e_98 = begin_v0;
-    path_v3 = Path { uv: Vec2 { x: add(at_a1.uv.x, mul(ray_9.duv.x, first_25)), y: add(at_a1.uv.y, mul(ray_9.duv.y, first_25)) }, duv: Vec2 { x: ray_9.duv.x, y: ray_9.duv.y }, h: Vec3 { x: e_98, y: div(slope_87, long_35), z: div(bend_83, mul(long_35, long_35)) }, exit: long_35, base: base_92, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: add(distance_13, first_25), share: splat((1.0f32 / params_a3.z)), };
+    path_v3 = Path { uv: Vec2 { x: add(at_a1.uv.x, mul(ray_9.duv.x, first_25)), y: add(at_a1.uv.y, mul(ray_9.duv.y, first_25)) }, duv: Vec2 { x: ray_9.duv.x, y: ray_9.duv.y }, h: Vec3 { x: e_98, y: div(slope_87, long_35), z: div(bend_83, mul(long_35, long_35)) }, exit: long_35, base: base_92, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: add(distance_13, first_25), share: splat((1.0f32 / params_a3.z)), bend: splat(0.0f32), };
     inside_v4 = Vec2 { x: splat(0.0f32), y: long_35 };
     if (r.surface_settings.wrap == 1u32) {
-        let e_122 = path_v3.uv.x;
-        let e_125 = inside_v4;
-        let e_126 = inside_unit(r, ex, e_122, ray_9.duv.x, e_125);
-        inside_v4 = e_126;
-        let e_129 = path_v3.uv.y;
-        let e_132 = inside_v4;
-        let e_133 = inside_unit(r, ex, e_129, ray_9.duv.y, e_132);
-        inside_v4 = e_133;
-        let e_136 = inside_v4.y;
-        path_v3.exit = e_136;
-        let e_137 = path_v3;
-        let e_139 = inside_v4.x;
-        let e_140 = path_from(r, &e_137, e_139);
-        path_v3 = e_140;
+        let e_123 = path_v3.uv.x;
+        let e_126 = inside_v4;
+        let e_127 = inside_unit(r, ex, e_123, ray_9.duv.x, e_126);
+        inside_v4 = e_127;
+        let e_130 = path_v3.uv.y;
+        let e_133 = inside_v4;
+        let e_134 = inside_unit(r, ex, e_130, ray_9.duv.y, e_133);
+        inside_v4 = e_134;
+        let e_137 = inside_v4.y;
+        path_v3.exit = e_137;
+        let e_138 = path_v3;
+        let e_140 = inside_v4.x;
+        let e_141 = path_from(r, &e_138, e_140);
+        path_v3 = e_141;
     }
-    let e_142 = path_v3.exit;
-    let c2 = not(gt(e_142, splat(0.0f32)));
+    let e_143 = path_v3.exit;
+    let c2 = not(gt(e_143, splat(0.0f32)));
     path_v3.exit = sel(c2, splat(0.0f32), path_v3.exit);
-    let e_148 = path_v3;
-    return e_148;
+    let e_149 = path_v3;
+    return e_149;
 } }
 lanes! { fn surface_quadric_vertical_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
     let mut ex = within;
@@ -2763,14 +2861,14 @@ lanes! { fn surface_quadric_vertical_segment(r: &Resources<'_>, within: M, pixel
     let e_131 = leave_v3;
     let e_132 = enter_v2;
     let e_137 = enter_v2;
-    path_v5 = Path { uv: Vec2 { x: add(at_a1.uv.x, mul(e_9.x, e_122)), y: add(at_a1.uv.y, mul(e_9.y, e_122)) }, duv: Vec2 { x: e_9.x, y: e_9.y }, h: Vec3 { x: entry_height_114, y: add(slope_20, mul(mul(splat(2.0f32), curve_26), e_127)), z: curve_26 }, exit: sub(e_131, e_132), base: base_120, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: add(distance_29, e_137), share: splat(1.0f32), };
-    let e_147 = path_v5.exit;
-    both_v6 = or(not(comes_down_50), not(gt(e_147, splat(0.0f32))));
-    let e_152 = both_v6;
-    let c2 = e_152;
+    path_v5 = Path { uv: Vec2 { x: add(at_a1.uv.x, mul(e_9.x, e_122)), y: add(at_a1.uv.y, mul(e_9.y, e_122)) }, duv: Vec2 { x: e_9.x, y: e_9.y }, h: Vec3 { x: entry_height_114, y: add(slope_20, mul(mul(splat(2.0f32), curve_26), e_127)), z: curve_26 }, exit: sub(e_131, e_132), base: base_120, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: add(distance_29, e_137), share: splat(1.0f32), bend: splat(0.0f32), };
+    let e_148 = path_v5.exit;
+    both_v6 = or(not(comes_down_50), not(gt(e_148, splat(0.0f32))));
+    let e_153 = both_v6;
+    let c2 = e_153;
     path_v5.exit = sel(c2, splat(0.0f32), path_v5.exit);
-    let e_155 = path_v5;
-    return e_155;
+    let e_156 = path_v5;
+    return e_156;
 } }
 stage! { fn surface_tetrahedra_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
     if none(within) { return zero_path(); }
@@ -2795,7 +2893,7 @@ lanes! { fn surface_facets_segment(r: &Resources<'_>, within: M, pixel_a0: &Pixe
     let start_8 = mul(e_5, sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z))));
     let height_11 = height_at_ll(r, ex, Vec2 { x: at_a1.uv.x, y: at_a1.uv.y }, at_a1.level);
     let duv_14 = Vec2 { x: 0.0f32, y: 0.0f32 };
-    return Path { uv: Vec2 { x: at_a1.uv.x, y: at_a1.uv.y }, duv: Vec2 { x: splat(duv_14.x), y: splat(duv_14.y) }, h: Vec3 { x: height_11, y: splat(0.0f32), z: splat(0.0f32) }, exit: splat(1.0f32), base: splat(0.0f32), metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: start_8, share: splat(1.0f32), };
+    return Path { uv: Vec2 { x: at_a1.uv.x, y: at_a1.uv.y }, duv: Vec2 { x: splat(duv_14.x), y: splat(duv_14.y) }, h: Vec3 { x: height_11, y: splat(0.0f32), z: splat(0.0f32) }, exit: splat(1.0f32), base: splat(0.0f32), metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: start_8, share: splat(1.0f32), bend: splat(0.0f32), };
 } }
 lanes! { fn slice_inside(r: &Resources<'_>, map_a0: F, slice_a1: F, spacing_a2: F, params_a3: Vec4<f32>) -> M {
     return gt(map_a0, slice_a1);
@@ -2908,7 +3006,7 @@ lanes! { fn surface_slices_segment(r: &Resources<'_>, within: M, pixel_a0: &Pixe
     let passes_19 = slices_stage(r, e_17, at_a1.of_surface.x, e_18);
     let before_20 = slice_before(r, ex, pixel_a0, at_a1, axis_12, along_5, far_8);
     let lead_28 = sel(gt(before_20.w, splat(0.0f32)), min(before_20.w, far_8), mul(far_8, splat(5e-7f32)));
-    return Path { uv: Vec2 { x: add(at_a1.uv.x, mul(before_20.x, lead_28)), y: add(at_a1.uv.y, mul(before_20.y, lead_28)) }, duv: Vec2 { x: sub(splat(0.0f32), before_20.x), y: sub(splat(0.0f32), before_20.y) }, h: Vec3 { x: add(at_a1.of_surface.x, mul(before_20.z, lead_28)), y: sub(splat(0.0f32), before_20.z), z: splat(0.0f32) }, exit: sel(passes_19, lead_28, splat(0.0f32)), base: lead_28, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: sub(far_8, lead_28), share: splat(1.0f32), };
+    return Path { uv: Vec2 { x: add(at_a1.uv.x, mul(before_20.x, lead_28)), y: add(at_a1.uv.y, mul(before_20.y, lead_28)) }, duv: Vec2 { x: sub(splat(0.0f32), before_20.x), y: sub(splat(0.0f32), before_20.y) }, h: Vec3 { x: add(at_a1.of_surface.x, mul(before_20.z, lead_28)), y: sub(splat(0.0f32), before_20.z), z: splat(0.0f32) }, exit: sel(passes_19, lead_28, splat(0.0f32)), base: lead_28, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: sub(far_8, lead_28), share: splat(1.0f32), bend: splat(0.0f32), };
 } }
 lanes! { fn within_bounds(r: &Resources<'_>, within: M, x_a0: F, dx_a1: F, low_a2: F, high_a3: F, interval_a4: Vec2<F>) -> Vec2<F> {
     let mut ex = within;
@@ -2936,82 +3034,124 @@ lanes! { fn within_bounds(r: &Resources<'_>, within: M, x_a0: F, dx_a1: F, low_a
     let y6 = Vec2 { x: max(interval_a4.x, min(a_18, b_20)), y: min(interval_a4.y, max(a_18, b_20)) };
     return Vec2 { x: sel(ex, y6.x, ret.x), y: sel(ex, y6.y, ret.y) };
 } }
-lanes! { fn tangent_of_image(r: &Resources<'_>, image_a0: &Image) -> Vec3<F> {
-    let e_10 = mul(add(add(add(mul(image_a0.u.x, image_a0.u.x), mul(image_a0.u.y, image_a0.u.y)), mul(image_a0.u.z, image_a0.u.z)), splat(0.0f32)), image_a0.extent.x);
-    return Vec3 { x: div(image_a0.u.x, e_10), y: div(image_a0.u.y, e_10), z: div(image_a0.u.z, e_10) };
-} }
-lanes! { fn metric_of_image(r: &Resources<'_>, image_a0: &Image) -> Vec4<F> {
-    let tangent_1 = tangent_of_image(r, image_a0);
-    let bitangent_2 = bitangent_of_image(r, image_a0);
-    return Vec4 { x: add(add(add(mul(tangent_1.x, tangent_1.x), mul(tangent_1.y, tangent_1.y)), mul(tangent_1.z, tangent_1.z)), splat(0.0f32)), y: add(add(add(mul(tangent_1.x, bitangent_2.x), mul(tangent_1.y, bitangent_2.y)), mul(tangent_1.z, bitangent_2.z)), splat(0.0f32)), z: add(add(add(mul(bitangent_2.x, bitangent_2.x), mul(bitangent_2.y, bitangent_2.y)), mul(bitangent_2.z, bitangent_2.z)), splat(0.0f32)), w: splat(r.surface_settings.scale_m) };
+lanes! { fn metric_of_image(r: &Resources<'_>, image_a0: &Image, depth_a1: F) -> Vec4<F> {
+    let e_2 = tangent_of_image(r, image_a0);
+    let tangent_3 = Vec3 { x: mul(e_2.x, depth_a1), y: mul(e_2.y, depth_a1), z: mul(e_2.z, depth_a1) };
+    let e_4 = bitangent_of_image(r, image_a0);
+    let bitangent_5 = Vec3 { x: mul(e_4.x, depth_a1), y: mul(e_4.y, depth_a1), z: mul(e_4.z, depth_a1) };
+    return Vec4 { x: add(add(add(mul(tangent_3.x, tangent_3.x), mul(tangent_3.y, tangent_3.y)), mul(tangent_3.z, tangent_3.z)), splat(0.0f32)), y: add(add(add(mul(tangent_3.x, bitangent_5.x), mul(tangent_3.y, bitangent_5.y)), mul(tangent_3.z, bitangent_5.z)), splat(0.0f32)), z: add(add(add(mul(bitangent_5.x, bitangent_5.x), mul(bitangent_5.y, bitangent_5.y)), mul(bitangent_5.z, bitangent_5.z)), splat(0.0f32)), w: splat(r.surface_settings.scale_m) };
 } }
 lanes! { fn path_through_image_ll(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, k_a1: U) -> Path {
     let mut ex = within;
     let mut ret: Path = zero_path();
-    let mut interval_v0: Vec2<F> = Vec2 { x: splat(0.0f32), y: splat(3e38f32) };
-    let mut height_v1: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut begin_v0: F = splat(0.0f32);
+    let mut both_v1: M = splat_m(false);
+    let mut interval_v2: Vec2<F> = Vec2 { x: splat(0.0f32), y: splat(3e38f32) };
+    let mut height_v3: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
     let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
     let along_3 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
-    let image_4 = image_of_object_l(r, k_a1);
-    let u_11 = add(add(add(add(mul(image_4.u.x, pixel_a0.origin.x), mul(image_4.u.y, pixel_a0.origin.y)), mul(image_4.u.z, pixel_a0.origin.z)), splat(0.0f32)), image_4.u.w);
-    let v_18 = add(add(add(add(mul(image_4.v.x, pixel_a0.origin.x), mul(image_4.v.y, pixel_a0.origin.y)), mul(image_4.v.z, pixel_a0.origin.z)), splat(0.0f32)), image_4.v.w);
-    let h_25 = add(add(add(add(mul(image_4.height.x, pixel_a0.origin.x), mul(image_4.height.y, pixel_a0.origin.y)), mul(image_4.height.z, pixel_a0.origin.z)), splat(0.0f32)), image_4.height.w);
-    let du_28 = add(add(add(mul(image_4.u.x, along_3.x), mul(image_4.u.y, along_3.y)), mul(image_4.u.z, along_3.z)), splat(0.0f32));
-    let dv_31 = add(add(add(mul(image_4.v.x, along_3.x), mul(image_4.v.y, along_3.y)), mul(image_4.v.z, along_3.z)), splat(0.0f32));
-    let dh_34 = add(add(add(mul(image_4.height.x, along_3.x), mul(image_4.height.y, along_3.y)), mul(image_4.height.z, along_3.z)), splat(0.0f32));
-    let beyond_35 = beyond_image(r, &image_4);
-    let e_46 = interval_v0;
-    let e_47 = within_bounds(r, ex, u_11, du_28, sub(splat(0.0f32), beyond_35.x), add(splat(1.0f32), beyond_35.x), e_46);
-    interval_v0 = e_47;
-    let e_54 = interval_v0;
-    let e_55 = within_bounds(r, ex, v_18, dv_31, sub(splat(0.0f32), beyond_35.y), add(splat(1.0f32), beyond_35.y), e_54);
-    interval_v0 = e_55;
-    let e_58 = interval_v0;
-    let e_59 = within_bounds(r, ex, h_25, dh_34, splat(1e-5f32), splat(1.0f32), e_58);
-    interval_v0 = e_59;
-    let start_61 = interval_v0.x;
-    height_v1 = Vec3 { x: add(h_25, mul(dh_34, start_61)), y: dh_34, z: splat(0.0f32) };
-    if (r.surface_settings.cells == 4u32) {
-        height_v1 = Vec3 { x: splat(0.5f32), y: splat(0.0f32), z: splat(0.0f32) };
+    let image_4 = image_of_object_l(r, ex, k_a1);
+    let deepens_7 = add(add(add(mul(image_4.depth.x, along_3.x), mul(image_4.depth.y, along_3.y)), mul(image_4.depth.z, along_3.z)), splat(0.0f32));
+    let before_9 = depth_in_image(r, &image_4, Vec3 { x: pixel_a0.origin.x, y: pixel_a0.origin.y, z: pixel_a0.origin.z });
+    let (b2, c3) = (ex, image_4.has_eye);
+    ex = and(b2, c3);
+    if any(ex) {
+        let nearest_15 = mul(splat(0.01f32), image_4.nearest);
+        begin_v0 = sel(ex, sel(lt(before_9, nearest_15), splat(3e38f32), splat(0.0f32)), begin_v0);
+        both_v1 = and(lt(before_9, nearest_15), gt(deepens_7, splat(0.0f32)));
+        let e_26 = both_v1;
+        let c4 = e_26;
+        begin_v0 = sel(and(ex, c4), div(sub(nearest_15, before_9), deepens_7), begin_v0);
     }
-    let e_88 = height_v1;
-    let e_90 = interval_v0.y;
-    let e_93 = metric_of_image(r, &image_4);
-    return Path { uv: Vec2 { x: add(image_4.corner.x, mul(image_4.extent.x, add(u_11, mul(du_28, start_61)))), y: add(image_4.corner.y, mul(image_4.extent.y, add(v_18, mul(dv_31, start_61)))) }, duv: Vec2 { x: mul(image_4.extent.x, du_28), y: mul(image_4.extent.y, dv_31) }, h: e_88, exit: sub(e_90, start_61), base: f_of_u(k_a1), metric: e_93, ray: splat_u(0u32), level: splat_u(0u32), start: start_61, share: splat(1.0f32), };
+    ex = b2;
+    let e_30 = begin_v0;
+    let origin_32 = Vec3 { x: add(pixel_a0.origin.x, mul(along_3.x, e_30)), y: add(pixel_a0.origin.y, mul(along_3.y, e_30)), z: add(pixel_a0.origin.z, mul(along_3.z, e_30)) };
+    let depth_33 = depth_in_image(r, &image_4, origin_32);
+    let bend_34 = div(deepens_7, depth_33);
+    let u_41 = div(add(add(add(add(mul(image_4.u.x, origin_32.x), mul(image_4.u.y, origin_32.y)), mul(image_4.u.z, origin_32.z)), splat(0.0f32)), image_4.u.w), depth_33);
+    let v_48 = div(add(add(add(add(mul(image_4.v.x, origin_32.x), mul(image_4.v.y, origin_32.y)), mul(image_4.v.z, origin_32.z)), splat(0.0f32)), image_4.v.w), depth_33);
+    let h_55 = div(add(add(add(add(mul(image_4.height.x, origin_32.x), mul(image_4.height.y, origin_32.y)), mul(image_4.height.z, origin_32.z)), splat(0.0f32)), image_4.height.w), depth_33);
+    let du_61 = div(sub(add(add(add(mul(image_4.u.x, along_3.x), mul(image_4.u.y, along_3.y)), mul(image_4.u.z, along_3.z)), splat(0.0f32)), mul(u_41, deepens_7)), depth_33);
+    let dv_67 = div(sub(add(add(add(mul(image_4.v.x, along_3.x), mul(image_4.v.y, along_3.y)), mul(image_4.v.z, along_3.z)), splat(0.0f32)), mul(v_48, deepens_7)), depth_33);
+    let dh_73 = div(sub(add(add(add(mul(image_4.height.x, along_3.x), mul(image_4.height.y, along_3.y)), mul(image_4.height.z, along_3.z)), splat(0.0f32)), mul(h_55, deepens_7)), depth_33);
+    let beyond_74 = beyond_image(r, &image_4);
+    let e_85 = interval_v2;
+    let e_86 = within_bounds(r, ex, u_41, du_61, sub(splat(0.0f32), beyond_74.x), add(splat(1.0f32), beyond_74.x), e_85);
+    interval_v2 = e_86;
+    let e_93 = interval_v2;
+    let e_94 = within_bounds(r, ex, v_48, dv_67, sub(splat(0.0f32), beyond_74.y), add(splat(1.0f32), beyond_74.y), e_93);
+    interval_v2 = e_94;
+    let e_97 = interval_v2;
+    let e_98 = within_bounds(r, ex, h_55, dh_73, splat(1e-5f32), splat(1.0f32), e_97);
+    interval_v2 = e_98;
+    let start_100 = interval_v2.x;
+    let nearer_103 = sub(splat(1.0f32), mul(bend_34, start_100));
+    let change_104 = mul(nearer_103, nearer_103);
+    height_v3 = Vec3 { x: add(h_55, mul(dh_73, start_100)), y: mul(dh_73, change_104), z: splat(0.0f32) };
+    if (r.surface_settings.cells == 4u32) {
+        height_v3 = Vec3 { x: splat(0.5f32), y: splat(0.0f32), z: splat(0.0f32) };
+    }
+    let e_133 = height_v3;
+    let e_135 = interval_v2.y;
+    let e_140 = metric_of_image(r, &image_4, div(depth_33, nearer_103));
+    let e_143 = begin_v0;
+    return Path { uv: Vec2 { x: add(image_4.corner.x, mul(image_4.extent.x, add(u_41, mul(du_61, start_100)))), y: add(image_4.corner.y, mul(image_4.extent.y, add(v_48, mul(dv_67, start_100)))) }, duv: Vec2 { x: mul(mul(image_4.extent.x, du_61), change_104), y: mul(mul(image_4.extent.y, dv_67), change_104) }, h: e_133, exit: div(sub(e_135, start_100), change_104), base: f_of_u(k_a1), metric: e_140, ray: splat_u(0u32), level: splat_u(0u32), start: add(e_143, div(start_100, nearer_103)), share: splat(1.0f32), bend: mul(bend_34, nearer_103), };
 } }
 lanes! { fn path_through_image_ls(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, k_a1: u32) -> Path {
     let mut ex = within;
     let mut ret: Path = zero_path();
-    let mut interval_v0: Vec2<F> = Vec2 { x: splat(0.0f32), y: splat(3e38f32) };
-    let mut height_v1: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut begin_v0: F = splat(0.0f32);
+    let mut both_v1: M = splat_m(false);
+    let mut interval_v2: Vec2<F> = Vec2 { x: splat(0.0f32), y: splat(3e38f32) };
+    let mut height_v3: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
     let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
     let along_3 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
-    let image_4 = image_of_object_s(r, k_a1);
-    let u_11 = add(add(add(add(mul(image_4.u.x, pixel_a0.origin.x), mul(image_4.u.y, pixel_a0.origin.y)), mul(image_4.u.z, pixel_a0.origin.z)), splat(0.0f32)), image_4.u.w);
-    let v_18 = add(add(add(add(mul(image_4.v.x, pixel_a0.origin.x), mul(image_4.v.y, pixel_a0.origin.y)), mul(image_4.v.z, pixel_a0.origin.z)), splat(0.0f32)), image_4.v.w);
-    let h_25 = add(add(add(add(mul(image_4.height.x, pixel_a0.origin.x), mul(image_4.height.y, pixel_a0.origin.y)), mul(image_4.height.z, pixel_a0.origin.z)), splat(0.0f32)), image_4.height.w);
-    let du_28 = add(add(add(mul(image_4.u.x, along_3.x), mul(image_4.u.y, along_3.y)), mul(image_4.u.z, along_3.z)), splat(0.0f32));
-    let dv_31 = add(add(add(mul(image_4.v.x, along_3.x), mul(image_4.v.y, along_3.y)), mul(image_4.v.z, along_3.z)), splat(0.0f32));
-    let dh_34 = add(add(add(mul(image_4.height.x, along_3.x), mul(image_4.height.y, along_3.y)), mul(image_4.height.z, along_3.z)), splat(0.0f32));
-    let beyond_35 = beyond_image(r, &image_4);
-    let e_46 = interval_v0;
-    let e_47 = within_bounds(r, ex, u_11, du_28, sub(splat(0.0f32), beyond_35.x), add(splat(1.0f32), beyond_35.x), e_46);
-    interval_v0 = e_47;
-    let e_54 = interval_v0;
-    let e_55 = within_bounds(r, ex, v_18, dv_31, sub(splat(0.0f32), beyond_35.y), add(splat(1.0f32), beyond_35.y), e_54);
-    interval_v0 = e_55;
-    let e_58 = interval_v0;
-    let e_59 = within_bounds(r, ex, h_25, dh_34, splat(1e-5f32), splat(1.0f32), e_58);
-    interval_v0 = e_59;
-    let start_61 = interval_v0.x;
-    height_v1 = Vec3 { x: add(h_25, mul(dh_34, start_61)), y: dh_34, z: splat(0.0f32) };
-    if (r.surface_settings.cells == 4u32) {
-        height_v1 = Vec3 { x: splat(0.5f32), y: splat(0.0f32), z: splat(0.0f32) };
+    let image_4 = image_of_object_s(r, ex, k_a1);
+    let deepens_7 = add(add(add(mul(image_4.depth.x, along_3.x), mul(image_4.depth.y, along_3.y)), mul(image_4.depth.z, along_3.z)), splat(0.0f32));
+    let before_9 = depth_in_image(r, &image_4, Vec3 { x: pixel_a0.origin.x, y: pixel_a0.origin.y, z: pixel_a0.origin.z });
+    let (b2, c3) = (ex, image_4.has_eye);
+    ex = and(b2, c3);
+    if any(ex) {
+        let nearest_15 = mul(splat(0.01f32), image_4.nearest);
+        begin_v0 = sel(ex, sel(lt(before_9, nearest_15), splat(3e38f32), splat(0.0f32)), begin_v0);
+        both_v1 = and(lt(before_9, nearest_15), gt(deepens_7, splat(0.0f32)));
+        let e_26 = both_v1;
+        let c4 = e_26;
+        begin_v0 = sel(and(ex, c4), div(sub(nearest_15, before_9), deepens_7), begin_v0);
     }
-    let e_88 = height_v1;
-    let e_90 = interval_v0.y;
-    let e_93 = metric_of_image(r, &image_4);
-    return Path { uv: Vec2 { x: add(image_4.corner.x, mul(image_4.extent.x, add(u_11, mul(du_28, start_61)))), y: add(image_4.corner.y, mul(image_4.extent.y, add(v_18, mul(dv_31, start_61)))) }, duv: Vec2 { x: mul(image_4.extent.x, du_28), y: mul(image_4.extent.y, dv_31) }, h: e_88, exit: sub(e_90, start_61), base: splat((k_a1 as f32)), metric: e_93, ray: splat_u(0u32), level: splat_u(0u32), start: start_61, share: splat(1.0f32), };
+    ex = b2;
+    let e_30 = begin_v0;
+    let origin_32 = Vec3 { x: add(pixel_a0.origin.x, mul(along_3.x, e_30)), y: add(pixel_a0.origin.y, mul(along_3.y, e_30)), z: add(pixel_a0.origin.z, mul(along_3.z, e_30)) };
+    let depth_33 = depth_in_image(r, &image_4, origin_32);
+    let bend_34 = div(deepens_7, depth_33);
+    let u_41 = div(add(add(add(add(mul(image_4.u.x, origin_32.x), mul(image_4.u.y, origin_32.y)), mul(image_4.u.z, origin_32.z)), splat(0.0f32)), image_4.u.w), depth_33);
+    let v_48 = div(add(add(add(add(mul(image_4.v.x, origin_32.x), mul(image_4.v.y, origin_32.y)), mul(image_4.v.z, origin_32.z)), splat(0.0f32)), image_4.v.w), depth_33);
+    let h_55 = div(add(add(add(add(mul(image_4.height.x, origin_32.x), mul(image_4.height.y, origin_32.y)), mul(image_4.height.z, origin_32.z)), splat(0.0f32)), image_4.height.w), depth_33);
+    let du_61 = div(sub(add(add(add(mul(image_4.u.x, along_3.x), mul(image_4.u.y, along_3.y)), mul(image_4.u.z, along_3.z)), splat(0.0f32)), mul(u_41, deepens_7)), depth_33);
+    let dv_67 = div(sub(add(add(add(mul(image_4.v.x, along_3.x), mul(image_4.v.y, along_3.y)), mul(image_4.v.z, along_3.z)), splat(0.0f32)), mul(v_48, deepens_7)), depth_33);
+    let dh_73 = div(sub(add(add(add(mul(image_4.height.x, along_3.x), mul(image_4.height.y, along_3.y)), mul(image_4.height.z, along_3.z)), splat(0.0f32)), mul(h_55, deepens_7)), depth_33);
+    let beyond_74 = beyond_image(r, &image_4);
+    let e_85 = interval_v2;
+    let e_86 = within_bounds(r, ex, u_41, du_61, sub(splat(0.0f32), beyond_74.x), add(splat(1.0f32), beyond_74.x), e_85);
+    interval_v2 = e_86;
+    let e_93 = interval_v2;
+    let e_94 = within_bounds(r, ex, v_48, dv_67, sub(splat(0.0f32), beyond_74.y), add(splat(1.0f32), beyond_74.y), e_93);
+    interval_v2 = e_94;
+    let e_97 = interval_v2;
+    let e_98 = within_bounds(r, ex, h_55, dh_73, splat(1e-5f32), splat(1.0f32), e_97);
+    interval_v2 = e_98;
+    let start_100 = interval_v2.x;
+    let nearer_103 = sub(splat(1.0f32), mul(bend_34, start_100));
+    let change_104 = mul(nearer_103, nearer_103);
+    height_v3 = Vec3 { x: add(h_55, mul(dh_73, start_100)), y: mul(dh_73, change_104), z: splat(0.0f32) };
+    if (r.surface_settings.cells == 4u32) {
+        height_v3 = Vec3 { x: splat(0.5f32), y: splat(0.0f32), z: splat(0.0f32) };
+    }
+    let e_133 = height_v3;
+    let e_135 = interval_v2.y;
+    let e_140 = metric_of_image(r, &image_4, div(depth_33, nearer_103));
+    let e_143 = begin_v0;
+    return Path { uv: Vec2 { x: add(image_4.corner.x, mul(image_4.extent.x, add(u_41, mul(du_61, start_100)))), y: add(image_4.corner.y, mul(image_4.extent.y, add(v_48, mul(dv_67, start_100)))) }, duv: Vec2 { x: mul(mul(image_4.extent.x, du_61), change_104), y: mul(mul(image_4.extent.y, dv_67), change_104) }, h: e_133, exit: div(sub(e_135, start_100), change_104), base: splat((k_a1 as f32)), metric: e_140, ray: splat_u(0u32), level: splat_u(0u32), start: add(e_143, div(start_100, nearer_103)), share: splat(1.0f32), bend: mul(bend_34, nearer_103), };
 } }
 lanes! { fn surface_object_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
     let mut ex = within;
@@ -3034,27 +3174,31 @@ lanes! { fn on_image(r: &Resources<'_>, within: M, image_a0: &Image, point_a1: V
     let mut ret: OnImage = zero_on_image();
     let mut both_v0: M = splat_m(false);
     let mut both_v1: M = splat_m(false);
-    let u_7 = add(add(add(add(mul(image_a0.u.x, point_a1.x), mul(image_a0.u.y, point_a1.y)), mul(image_a0.u.z, point_a1.z)), splat(0.0f32)), image_a0.u.w);
-    let v_13 = add(add(add(add(mul(image_a0.v.x, point_a1.x), mul(image_a0.v.y, point_a1.y)), mul(image_a0.v.z, point_a1.z)), splat(0.0f32)), image_a0.v.w);
-    let h_19 = add(add(add(add(mul(image_a0.height.x, point_a1.x), mul(image_a0.height.y, point_a1.y)), mul(image_a0.height.z, point_a1.z)), splat(0.0f32)), image_a0.height.w);
-    let beyond_20 = beyond_image(r, image_a0);
-    let beside_31 = max(sub(abs(sub(u_7, splat(0.5f32))), beyond_20.x), sub(abs(sub(v_13, splat(0.5f32))), beyond_20.y));
-    let uv_36 = Vec2 { x: add(image_a0.corner.x, mul(image_a0.extent.x, u_7)), y: add(image_a0.corner.y, mul(image_a0.extent.y, v_13)) };
-    let e_38 = height_size(r, splat_u(0u32));
-    let e_44 = r.cell_parts();
-    let e_45 = (e_44 as f32);
-    let at_46 = Vec2 { x: mul(sub(mul(uv_36.x, e_38.x), splat(0.5f32)), splat(e_45)), y: mul(sub(mul(uv_36.y, e_38.y), splat(0.5f32)), splat(e_45)) };
-    let cell_47 = cell_of(r, at_46);
-    let part_48 = Vec2 { x: sub(at_46.x, cell_47.x), y: sub(at_46.y, cell_47.y) };
-    let heights_51 = grid_cell(r, ex, Vec2 { x: i_of_small(cell_47.x), y: i_of_small(cell_47.y) }, 0u32);
-    let top_58 = add(heights_51.x, mul(sub(heights_51.y, heights_51.x), part_48.x));
-    let bottom_65 = add(heights_51.z, mul(sub(heights_51.w, heights_51.z), part_48.x));
-    let map_69 = add(top_58, mul(sub(bottom_65, top_58), part_48.y));
-    both_v0 = and(le(beside_31, splat(0.5f32)), gt(h_19, splat(1e-5f32)));
-    let e_77 = both_v0;
-    both_v1 = and(e_77, le(h_19, splat(1.0f32)));
-    let is_inside_83 = both_v1;
-    return OnImage { uv: uv_36, height: sel(splat_m((r.surface_settings.cells == 4u32)), splat(0.5f32), h_19), map: map_69, is_inside: is_inside_83, };
+    let mut both_v2: M = splat_m(false);
+    let depth_2 = depth_in_image(r, image_a0, point_a1);
+    let u_9 = div(add(add(add(add(mul(image_a0.u.x, point_a1.x), mul(image_a0.u.y, point_a1.y)), mul(image_a0.u.z, point_a1.z)), splat(0.0f32)), image_a0.u.w), depth_2);
+    let v_16 = div(add(add(add(add(mul(image_a0.v.x, point_a1.x), mul(image_a0.v.y, point_a1.y)), mul(image_a0.v.z, point_a1.z)), splat(0.0f32)), image_a0.v.w), depth_2);
+    let h_23 = div(add(add(add(add(mul(image_a0.height.x, point_a1.x), mul(image_a0.height.y, point_a1.y)), mul(image_a0.height.z, point_a1.z)), splat(0.0f32)), image_a0.height.w), depth_2);
+    let beyond_24 = beyond_image(r, image_a0);
+    let beside_35 = max(sub(abs(sub(u_9, splat(0.5f32))), beyond_24.x), sub(abs(sub(v_16, splat(0.5f32))), beyond_24.y));
+    let uv_40 = Vec2 { x: add(image_a0.corner.x, mul(image_a0.extent.x, u_9)), y: add(image_a0.corner.y, mul(image_a0.extent.y, v_16)) };
+    let e_42 = height_size(r, splat_u(0u32));
+    let e_48 = r.cell_parts();
+    let e_49 = (e_48 as f32);
+    let at_50 = Vec2 { x: mul(sub(mul(uv_40.x, e_42.x), splat(0.5f32)), splat(e_49)), y: mul(sub(mul(uv_40.y, e_42.y), splat(0.5f32)), splat(e_49)) };
+    let cell_51 = cell_of(r, at_50);
+    let part_52 = Vec2 { x: sub(at_50.x, cell_51.x), y: sub(at_50.y, cell_51.y) };
+    let heights_55 = grid_cell(r, ex, Vec2 { x: i_of_small(cell_51.x), y: i_of_small(cell_51.y) }, 0u32);
+    let top_62 = add(heights_55.x, mul(sub(heights_55.y, heights_55.x), part_52.x));
+    let bottom_69 = add(heights_55.z, mul(sub(heights_55.w, heights_55.z), part_52.x));
+    let map_73 = add(top_62, mul(sub(bottom_69, top_62), part_52.y));
+    both_v0 = and(gt(depth_2, splat(0.0f32)), le(beside_35, splat(0.5f32)));
+    let e_81 = both_v0;
+    both_v1 = and(e_81, gt(h_23, splat(1e-5f32)));
+    let e_87 = both_v1;
+    both_v2 = and(e_87, le(h_23, splat(1.0f32)));
+    let is_inside_93 = both_v2;
+    return OnImage { uv: uv_40, height: sel(splat_m((r.surface_settings.cells == 4u32)), splat(0.5f32), h_23), map: map_73, is_inside: is_inside_93, };
 } }
 lanes! { fn is_in_image(r: &Resources<'_>, within: M, at_a0: &OnImage) -> M {
     let mut ex = within;
@@ -3077,7 +3221,7 @@ lanes! { fn is_in_image(r: &Resources<'_>, within: M, at_a0: &OnImage) -> M {
 lanes! { fn with_image(r: &Resources<'_>, within: M, slice_a0: &OnSlice, number_a1: U, point_a2: Vec3<F>) -> OnSlice {
     let mut ex = within;
     let mut ret: OnSlice = zero_on_slice();
-    let e_3 = image_of_object_l(r, number_a1);
+    let e_3 = image_of_object_l(r, ex, number_a1);
     let at_4 = on_image(r, ex, &e_3, point_a2);
     let over_7 = sub(at_4.map, at_4.height);
     let passes_8 = is_in_image(r, ex, &at_4);
@@ -3120,12 +3264,13 @@ lanes! { fn surface_object_slices_segment(r: &Resources<'_>, within: M, pixel_a0
     let mut ex = within;
     let mut ret: Path = zero_path();
     let slice_5 = slice_at(r, ex, Vec3 { x: at_a1.point.x, y: at_a1.point.y, z: at_a1.point.z });
-    let e_8 = Vec3 { x: sub(at_a1.point.x, pixel_a0.origin.x), y: sub(at_a1.point.y, pixel_a0.origin.y), z: sub(at_a1.point.z, pixel_a0.origin.z) };
-    let far_9 = sqrt(add(add(mul(e_8.x, e_8.x), mul(e_8.y, e_8.y)), mul(e_8.z, e_8.z)));
-    let lead_11 = mul(far_9, splat(5e-7f32));
-    let e_26 = image_of_object_l(r, slice_5.number);
-    let e_27 = metric_of_image(r, &e_26);
-    return Path { uv: Vec2 { x: slice_5.nearest.uv.x, y: slice_5.nearest.uv.y }, duv: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, h: Vec3 { x: slice_5.nearest.height, y: splat(0.0f32), z: splat(0.0f32) }, exit: sel(slice_5.passes, lead_11, splat(0.0f32)), base: lead_11, metric: e_27, ray: splat_u(0u32), level: splat_u(0u32), start: sub(far_9, lead_11), share: splat(1.0f32), };
+    let image_7 = image_of_object_l(r, ex, slice_5.number);
+    let e_10 = Vec3 { x: sub(at_a1.point.x, pixel_a0.origin.x), y: sub(at_a1.point.y, pixel_a0.origin.y), z: sub(at_a1.point.z, pixel_a0.origin.z) };
+    let far_11 = sqrt(add(add(mul(e_10.x, e_10.x), mul(e_10.y, e_10.y)), mul(e_10.z, e_10.z)));
+    let lead_13 = mul(far_11, splat(5e-7f32));
+    let e_28 = depth_in_image(r, &image_7, Vec3 { x: at_a1.point.x, y: at_a1.point.y, z: at_a1.point.z });
+    let e_29 = metric_of_image(r, &image_7, e_28);
+    return Path { uv: Vec2 { x: slice_5.nearest.uv.x, y: slice_5.nearest.uv.y }, duv: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, h: Vec3 { x: slice_5.nearest.height, y: splat(0.0f32), z: splat(0.0f32) }, exit: sel(slice_5.passes, lead_13, splat(0.0f32)), base: lead_13, metric: e_29, ray: splat_u(0u32), level: splat_u(0u32), start: sub(far_11, lead_13), share: splat(1.0f32), bend: splat(0.0f32), };
 } }
 lanes! { fn surface_segment_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32) -> Path {
     let mut ex = within;
@@ -3201,7 +3346,7 @@ lanes! { fn flattened(r: &Resources<'_>, within: M, path_a0: &Path, middle_a1: f
     let e_58 = start_v0;
     let e_59 = path_uv(r, path_a0, e_58);
     let e_65 = start_v0;
-    return Path { uv: e_59, duv: Vec2 { x: path_a0.duv.x, y: path_a0.duv.y }, h: h_38, exit: exit_51, base: base_57, metric: Vec4 { x: path_a0.metric.x, y: path_a0.metric.y, z: path_a0.metric.z, w: path_a0.metric.w }, ray: path_a0.ray, level: path_a0.level, start: add(path_a0.start, e_65), share: path_a0.share, };
+    return Path { uv: e_59, duv: Vec2 { x: path_a0.duv.x, y: path_a0.duv.y }, h: h_38, exit: exit_51, base: base_57, metric: Vec4 { x: path_a0.metric.x, y: path_a0.metric.y, z: path_a0.metric.z, w: path_a0.metric.w }, ray: path_a0.ray, level: path_a0.level, start: add(path_a0.start, e_65), share: path_a0.share, bend: path_a0.bend, };
 } }
 stage! { pub(super) fn segment_of(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32) -> Path {
     let mut ex = within;
@@ -3276,11 +3421,24 @@ lanes! { fn surface_slices_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: 
     let e_10 = counted_v0;
     return e_10;
 } }
+lanes! { fn metres_on(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> F {
+    return div(t_a1, sub(splat(1.0f32), mul(path_a0.bend, t_a1)));
+} }
+lanes! { fn polished_on_image(r: &Resources<'_>, path_a0: &Path, hit_a1: &Hit) -> Hit {
+    let mut polished_v0: Hit = zero_hit();
+    polished_v0 = *hit_a1;
+    let e_5 = metres_on(r, path_a0, hit_a1.t);
+    polished_v0.t = e_5;
+    let e_6 = polished_v0;
+    return e_6;
+} }
 lanes! { fn surface_object_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
-    return *hit_a3;
+    let e_5 = polished_on_image(r, path_a2, hit_a3);
+    return e_5;
 } }
 lanes! { fn surface_frames_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
-    return *hit_a3;
+    let e_5 = polished_on_image(r, path_a2, hit_a3);
+    return e_5;
 } }
 lanes! { fn surface_object_slices_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
     let mut counted_v0: Hit = zero_hit();
@@ -3403,7 +3561,7 @@ lanes! { fn from_hit(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit
     let uv_6 = near_uv(r, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y });
     let e_8 = height_at_ll(r, ex, uv_6, at_a0.level);
     let h_11 = Vec3 { x: e_8, y: change_4.z, z: splat(0.0f32) };
-    return Path { uv: uv_6, duv: Vec2 { x: change_4.x, y: change_4.y }, h: h_11, exit: splat(0.0f32), base: splat(0.0f32), metric: Vec4 { x: at_a0.metric.x, y: at_a0.metric.y, z: at_a0.metric.z, w: at_a0.metric.w }, ray: splat_u(1u32), level: at_a0.level, start: splat(0.0f32), share: splat(1.0f32), };
+    return Path { uv: uv_6, duv: Vec2 { x: change_4.x, y: change_4.y }, h: h_11, exit: splat(0.0f32), base: splat(0.0f32), metric: Vec4 { x: at_a0.metric.x, y: at_a0.metric.y, z: at_a0.metric.z, w: at_a0.metric.w }, ray: splat_u(1u32), level: at_a0.level, start: splat(0.0f32), share: splat(1.0f32), bend: splat(0.0f32), };
 } }
 lanes! { fn way_out(r: &Resources<'_>, within: M, path_a0: &Path, light_a1: &Toward) -> F {
     let mut ex = within;
@@ -3474,8 +3632,8 @@ lanes! { fn light_ray(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hi
     let gap_56 = mul(end_26, add(c_31.y, mul(c_31.z, end_26)));
     let e_58 = height_at_ll(r, ex, start_51, way_3.level);
     let h_65 = Vec3 { x: add(add(e_58, gap_56), splat(9.536743e-7f32)), y: way_3.h.y, z: splat(0.0f32) };
-    let path_73 = Path { uv: start_51, duv: Vec2 { x: way_3.duv.x, y: way_3.duv.y }, h: h_65, exit: sub(exit_11, end_26), base: splat(0.0f32), metric: Vec4 { x: way_3.metric.x, y: way_3.metric.y, z: way_3.metric.z, w: way_3.metric.w }, ray: way_3.ray, level: way_3.level, start: end_26, share: splat(1.0f32), };
-    return sel_light_ray(ex, &LightRay { state: splat_u(2u32), path: path_73, }, &ret);
+    let path_74 = Path { uv: start_51, duv: Vec2 { x: way_3.duv.x, y: way_3.duv.y }, h: h_65, exit: sub(exit_11, end_26), base: splat(0.0f32), metric: Vec4 { x: way_3.metric.x, y: way_3.metric.y, z: way_3.metric.z, w: way_3.metric.w }, ray: way_3.ray, level: way_3.level, start: end_26, share: splat(1.0f32), bend: splat(0.0f32), };
+    return sel_light_ray(ex, &LightRay { state: splat_u(2u32), path: path_74, }, &ret);
 } }
 lanes! { fn has_table(r: &Resources<'_>, levels_a0: &Levels) -> M {
     return ge_u(levels_a0.fine, splat_u(2u32));
@@ -4056,7 +4214,7 @@ stage! { fn normal_of_frames(r: &Resources<'_>, within: M, at_a0: &Entered, fram
         }
         let e_12 = k_v1;
         let e_13 = frame_number(r, frames_a1, e_12);
-        let image_14 = image_of_object_l(r, e_13);
+        let image_14 = image_of_object_l(r, ex, e_13);
         seen_v2 = *at_a0;
         let e_17 = tangent_of_image(r, &image_14);
         seen_v2.tangent = e_17;
@@ -4084,25 +4242,28 @@ stage! { fn normal_of_frames(r: &Resources<'_>, within: M, at_a0: &Entered, fram
     let y3 = Vec3 { x: at_a0.normal.x, y: at_a0.normal.y, z: at_a0.normal.z };
     return Vec3 { x: sel(ex, y3.x, ret.x), y: sel(ex, y3.y, ret.y), z: sel(ex, y3.z, ret.z) };
 } }
-lanes! { fn normal_of_mask(r: &Resources<'_>, within: M, image_a0: &Image, path_a1: &Path, hit_a2: &Hit) -> Vec3<F> {
+lanes! { fn normal_of_mask(r: &Resources<'_>, within: M, image_a0: &Image, hit_a1: &Hit) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    let grid_3 = grid_of(r, path_a1);
-    let at_8 = Vec2 { x: add(grid_3.origin.x, mul(grid_3.step.x, hit_a2.t)), y: add(grid_3.origin.y, mul(grid_3.step.y, hit_a2.t)) };
-    let cell_9 = cell_of(r, at_8);
-    let h_12 = grid_cell(r, ex, Vec2 { x: i_of_small(cell_9.x), y: i_of_small(cell_9.y) }, 0u32);
-    let part_13 = Vec2 { x: sub(at_8.x, cell_9.x), y: sub(at_8.y, cell_9.y) };
-    let rise_u_26 = add(mul(sub(h_12.y, h_12.x), sub(splat(1.0f32), part_13.y)), mul(sub(h_12.w, h_12.z), part_13.y));
-    let rise_v_39 = add(mul(sub(h_12.z, h_12.x), sub(splat(1.0f32), part_13.x)), mul(sub(h_12.w, h_12.y), part_13.x));
-    let length1 = sqrt(add(add(mul(image_a0.u.x, image_a0.u.x), mul(image_a0.u.y, image_a0.u.y)), mul(image_a0.u.z, image_a0.u.z)));
-    let e_46 = Vec3 { x: div(image_a0.u.x, length1), y: div(image_a0.u.y, length1), z: div(image_a0.u.z, length1) };
-    let length2 = sqrt(add(add(mul(image_a0.v.x, image_a0.v.x), mul(image_a0.v.y, image_a0.v.y)), mul(image_a0.v.z, image_a0.v.z)));
-    let e_51 = Vec3 { x: div(image_a0.v.x, length2), y: div(image_a0.v.y, length2), z: div(image_a0.v.z, length2) };
-    let outward_53 = Vec3 { x: sub(sub(splat(0.0f32), mul(e_46.x, rise_u_26)), mul(e_51.x, rise_v_39)), y: sub(sub(splat(0.0f32), mul(e_46.y, rise_u_26)), mul(e_51.y, rise_v_39)), z: sub(sub(splat(0.0f32), mul(e_46.z, rise_u_26)), mul(e_51.z, rise_v_39)) };
-    let square_54 = add(add(add(mul(outward_53.x, outward_53.x), mul(outward_53.y, outward_53.y)), mul(outward_53.z, outward_53.z)), splat(0.0f32));
-    let c3 = gt(square_54, splat(0.0f32));
-    let e_57 = sqrt(square_54);
-    ret = Vec3 { x: div(outward_53.x, e_57), y: div(outward_53.y, e_57), z: div(outward_53.z, e_57) };
+    let e_4 = height_size(r, splat_u(0u32));
+    let at_9 = Vec2 { x: sub(mul(hit_a1.uv.x, e_4.x), splat(0.5f32)), y: sub(mul(hit_a1.uv.y, e_4.y), splat(0.5f32)) };
+    let cell_10 = cell_of(r, at_9);
+    let h_13 = grid_cell(r, ex, Vec2 { x: i_of_small(cell_10.x), y: i_of_small(cell_10.y) }, 0u32);
+    let part_14 = Vec2 { x: sub(at_9.x, cell_10.x), y: sub(at_9.y, cell_10.y) };
+    let rise_u_27 = add(mul(sub(h_13.y, h_13.x), sub(splat(1.0f32), part_14.y)), mul(sub(h_13.w, h_13.z), part_14.y));
+    let rise_v_40 = add(mul(sub(h_13.z, h_13.x), sub(splat(1.0f32), part_14.x)), mul(sub(h_13.w, h_13.y), part_14.x));
+    let place_45 = Vec2 { x: div(sub(hit_a1.uv.x, image_a0.corner.x), image_a0.extent.x), y: div(sub(hit_a1.uv.y, image_a0.corner.y), image_a0.extent.y) };
+    let e_52 = Vec3 { x: sub(image_a0.u.x, mul(image_a0.depth.x, place_45.x)), y: sub(image_a0.u.y, mul(image_a0.depth.y, place_45.x)), z: sub(image_a0.u.z, mul(image_a0.depth.z, place_45.x)) };
+    let length1 = sqrt(add(add(mul(e_52.x, e_52.x), mul(e_52.y, e_52.y)), mul(e_52.z, e_52.z)));
+    let along_u_53 = Vec3 { x: div(e_52.x, length1), y: div(e_52.y, length1), z: div(e_52.z, length1) };
+    let e_60 = Vec3 { x: sub(image_a0.v.x, mul(image_a0.depth.x, place_45.y)), y: sub(image_a0.v.y, mul(image_a0.depth.y, place_45.y)), z: sub(image_a0.v.z, mul(image_a0.depth.z, place_45.y)) };
+    let length2 = sqrt(add(add(mul(e_60.x, e_60.x), mul(e_60.y, e_60.y)), mul(e_60.z, e_60.z)));
+    let along_v_61 = Vec3 { x: div(e_60.x, length2), y: div(e_60.y, length2), z: div(e_60.z, length2) };
+    let outward_69 = Vec3 { x: sub(sub(splat(0.0f32), mul(along_u_53.x, rise_u_27)), mul(along_v_61.x, rise_v_40)), y: sub(sub(splat(0.0f32), mul(along_u_53.y, rise_u_27)), mul(along_v_61.y, rise_v_40)), z: sub(sub(splat(0.0f32), mul(along_u_53.z, rise_u_27)), mul(along_v_61.z, rise_v_40)) };
+    let square_70 = add(add(add(mul(outward_69.x, outward_69.x), mul(outward_69.y, outward_69.y)), mul(outward_69.z, outward_69.z)), splat(0.0f32));
+    let c3 = gt(square_70, splat(0.0f32));
+    let e_73 = sqrt(square_70);
+    ret = Vec3 { x: div(outward_69.x, e_73), y: div(outward_69.y, e_73), z: div(outward_69.z, e_73) };
     ex = and_not(ex, c3);
     let y4 = Vec3 { x: image_a0.toward.x, y: image_a0.toward.y, z: image_a0.toward.z };
     return Vec3 { x: sel(ex, y4.x, ret.x), y: sel(ex, y4.y, ret.y), z: sel(ex, y4.z, ret.z) };
@@ -4128,7 +4289,7 @@ stage! { fn object_color(r: &Resources<'_>, within: M, at_a0: &Entered, view_a1:
             break 'l1;
         }
         let e_24 = k_v7;
-        let e_25 = image_of_object_s(r, e_24);
+        let e_25 = image_of_object_s(r, ex, e_24);
         let angle_27 = angle_to_image(r, ex, &e_25, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z }, view_a1, asked_a2);
         let e_28 = angle1_v0;
         let (b2, c3) = (ex, lt(angle_27, e_28));
@@ -4205,13 +4366,13 @@ stage! { fn object_color(r: &Resources<'_>, within: M, at_a0: &Entered, view_a1:
     let e_101 = angle1_v0;
     weight3_v10 = sel(c8, sel(eq(e_100, e_101), splat(1.0f32), splat(0.0f32)), weight3_v10);
     let e_106 = image1_v4;
-    let e_107 = image_of_object_l(r, e_106);
+    let e_107 = image_of_object_l(r, ex, e_106);
     let e_109 = place_in_image(r, &e_107, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
     let e_111 = image2_v5;
-    let e_112 = image_of_object_l(r, e_111);
+    let e_112 = image_of_object_l(r, ex, e_111);
     let e_114 = place_in_image(r, &e_112, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
     let e_116 = image3_v6;
-    let e_117 = image_of_object_l(r, e_116);
+    let e_117 = image_of_object_l(r, ex, e_116);
     let e_119 = place_in_image(r, &e_117, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
     let e_122 = color_at_ls(r, ex, Vec2 { x: e_109.x, y: e_109.y }, 0u32);
     let e_124 = weight1_v8;
@@ -4371,26 +4532,37 @@ lanes! { fn placed_in_image(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at
     let mut ex = within;
     let mut ret: Entered = zero_entered();
     let mut placed_v0: Entered = zero_entered();
-    let image_6 = image_of_object_l(r, u_of_f(path_a2.base));
+    let image_6 = image_of_object_l(r, ex, u_of_f(path_a2.base));
     placed_v0 = *at_a1;
     let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
     let e_11 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
     let e_14 = add(path_a2.start, hit_a3.t);
     placed_v0.point = Vec3 { x: add(pixel_a0.origin.x, mul(e_11.x, e_14)), y: add(pixel_a0.origin.y, mul(e_11.y, e_14)), z: add(pixel_a0.origin.z, mul(e_11.z, e_14)) };
     placed_v0.uv = Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y };
-    let e_20 = tangent_of_image(r, &image_6);
-    placed_v0.tangent = e_20;
-    let e_22 = bitangent_of_image(r, &image_6);
-    placed_v0.bitangent = e_22;
-    placed_v0.normal = Vec3 { x: image_6.toward.x, y: image_6.toward.y, z: image_6.toward.z };
-    if (r.surface_settings.cells == 4u32) {
-        let e_31 = normal_of_mask(r, ex, &image_6, path_a2, hit_a3);
-        placed_v0.normal = e_31;
+    let e_20 = placed_v0.point;
+    let depth_21 = depth_in_image(r, &image_6, e_20);
+    let e_23 = placed_v0.point;
+    let nearer_25 = stretch_in_image(r, ex, &image_6, e_23, hit_a3.height);
+    let e_27 = tangent_of_image(r, &image_6);
+    placed_v0.tangent = Vec3 { x: div(mul(e_27.x, depth_21), nearer_25), y: div(mul(e_27.y, depth_21), nearer_25), z: div(mul(e_27.z, depth_21), nearer_25) };
+    let e_32 = bitangent_of_image(r, &image_6);
+    placed_v0.bitangent = Vec3 { x: div(mul(e_32.x, depth_21), nearer_25), y: div(mul(e_32.y, depth_21), nearer_25), z: div(mul(e_32.z, depth_21), nearer_25) };
+    let e_38 = placed_v0.point;
+    let e_39 = toward_image(r, ex, &image_6, e_38);
+    placed_v0.normal = e_39;
+    if (r.surface_settings.has_normal == 1u32) {
+        placed_v0.normal = Vec3 { x: image_6.toward.x, y: image_6.toward.y, z: image_6.toward.z };
     }
     placed_v0.metric = Vec4 { x: path_a2.metric.x, y: path_a2.metric.y, z: path_a2.metric.z, w: path_a2.metric.w };
     placed_v0.facing = Vec3 { x: image_6.toward.x, y: image_6.toward.y, z: image_6.toward.z };
-    let e_36 = placed_v0;
-    return e_36;
+    if (r.surface_settings.cells == 4u32) {
+        let e_57 = normal_of_mask(r, ex, &image_6, hit_a3);
+        placed_v0.normal = e_57;
+        let e_60 = placed_v0.normal;
+        placed_v0.facing = e_60;
+    }
+    let e_61 = placed_v0;
+    return e_61;
 } }
 lanes! { fn surface_object_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
     let mut ex = within;

@@ -104,7 +104,8 @@ fn texels(object: &ImageObject) -> usize {
     object.views().iter().map(|view| view.size().map(|side| side as usize).iter().product::<usize>()).sum()
 }
 
-fn captured(
+/// The object of images of a mesh, of so many texels a side.
+pub fn captured(
     mesh: &Mesh,
     arrangement: Arrangement,
     size: u32,

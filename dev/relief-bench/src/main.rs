@@ -1,6 +1,6 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
-//! `embree`, `frame`, `impostors`, `judge`, `lanes`, `levels`, `mesh`, `probe`, `pyramid`, `quadrics`,
-//! `remesh`, `shadow`, `sheet`, `slices`, `surfaces` and `trace`. Results are kept in `docs/`.
+//! `embree`, `frame`, `impostors`, `judge`, `lanes`, `levels`, `mesh`, `object-slices`, `probe`, `pyramid`,
+//! `quadrics`, `remesh`, `shadow`, `sheet`, `slices`, `surfaces` and `trace`. Results are kept in `docs/`.
 
 use std::process::ExitCode;
 
@@ -22,6 +22,7 @@ mod lanes;
 mod levels;
 mod memory;
 mod mesh;
+mod object_slices;
 mod probe;
 mod pyramid;
 mod python;
@@ -89,6 +90,8 @@ enum Command {
     Sheet(sheet::Arguments),
     /// How near objects of images come to the meshes that they were captured from, and engines' blends
     Impostors(impostors::Arguments),
+    /// How near slices through an object of images come to it, and what they cost
+    ObjectSlices(object_slices::Arguments),
     /// How near slices through the relief come to the truth, and how many a pixel shows
     Slices(slices::Arguments),
     /// How near every surface comes to the exact judge on curved meshes
@@ -120,6 +123,7 @@ fn main() -> ExitCode {
         Command::Shadow(arguments) => shadow::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Sheet(arguments) => sheet::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Impostors(arguments) => impostors::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::ObjectSlices(arguments) => object_slices::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Slices(arguments) => slices::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Surfaces(arguments) => surfaces::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Trace(arguments) => trace::run(&arguments).map(|()| ExitCode::SUCCESS),

@@ -30,6 +30,13 @@ pub fn first_on_spheres(ray: &Ray) -> Option<f64> {
     hits.min_by(f64::total_cmp)
 }
 
+/// The unit normal of the sphere that a point lies nearest to.
+pub fn normal_on_spheres(point: DVec3) -> DVec3 {
+    let off = |(centre, radius): &&(DVec3, f64)| ((point - *centre).length() - radius).abs();
+    let nearest = SPHERES.iter().min_by(|one, other| off(one).total_cmp(&off(other)));
+    nearest.map_or(DVec3::Y, |(centre, _)| (point - *centre).normalize())
+}
+
 /// What a view sees of the spheres.
 pub fn map_of_spheres(view: &View) -> HeightMap {
     let [columns, rows] = view.size();
@@ -42,7 +49,7 @@ pub fn map_of_spheres(view: &View) -> HeightMap {
     map.expect("a map")
 }
 
-/// Views of so many texels a side, that look at the spheres from these directions, and what they see.
+/// Views of so many texels a side by parallel rays, that look at the spheres from these directions, and what they see.
 pub fn views_of_spheres(directions: &[DVec3], side: u32) -> (Vec<View>, Vec<HeightMap>) {
     let view = |from: &DVec3| {
         let view = View::orthographic(DVec3::ZERO, RADIUS, *from, None, [side, side]).expect("a view");
@@ -52,7 +59,23 @@ pub fn views_of_spheres(directions: &[DVec3], side: u32) -> (Vec<View>, Vec<Heig
     directions.iter().map(view).unzip()
 }
 
-/// The object of these.
+/// The same from eyes that are so many metres away, in which the spheres fit, every other one by parallel rays.
+pub fn eyes_on_spheres(directions: &[DVec3], away_m: f64, side: u32) -> (Vec<View>, Vec<HeightMap>) {
+    let fov = 2.0 * (RADIUS / away_m).asin().to_degrees();
+    let view = |(place, from): (usize, &DVec3)| {
+        let size = [side, side];
+        let view = match place % 2 {
+            0 => View::perspective(DVec3::ZERO, RADIUS, *from * away_m, None, fov, size),
+            _ => View::orthographic(DVec3::ZERO, RADIUS, *from, None, size),
+        };
+        let view = view.expect("a view");
+        let map = map_of_spheres(&view);
+        (view, map)
+    };
+    directions.iter().enumerate().map(view).unzip()
+}
+
+/// The object of images by parallel rays.
 pub fn object_of_spheres(directions: &[DVec3], side: u32, cells: JumpCells) -> ImageObject {
     let (views, maps) = views_of_spheres(directions, side);
     ImageObject::new(views, &maps, cells, 4.0).expect("an object")

@@ -3,13 +3,14 @@
 //! Kautz and Seidel 2001, section 4.
 
 use relief_core::object::{ImageObject, JumpCells};
+use relief_core::raycast::Ray;
 use relief_core::{HeightMap, Wrap};
 use relief_render::glam::DVec3;
 use relief_render::scene::BackendChoice;
 use relief_shaders::cpu::PixelOut;
 use relief_tests::adapter::has_adapter;
-use relief_tests::object_pictures::{ALIKE, EYES, alike, beside_truth, pixels, selection};
-use relief_tests::spheres::{CUBE, object_of_spheres};
+use relief_tests::object_pictures::{ALIKE, EYES, alike, beside_truth, pixels, rays, selection};
+use relief_tests::spheres::{CUBE, eyes_on_spheres, normal_on_spheres, object_of_spheres};
 
 /// What is seen of the spheres through images of so many texels a side.
 fn seen(side: u32, settings: &[(&str, f64)], eye: DVec3, backend: BackendChoice) -> Vec<PixelOut> {
@@ -98,4 +99,104 @@ fn what_an_image_says_elsewhere_is_noticed() {
     let wrong = pixels(&wrong, selection("depth-object", &[]), eye, BackendChoice::Cpu);
     let wrong = beside_truth(&wrong, eye);
     assert!(wrong.0 < truth.0 - 0.002 && wrong.1 > 2.0 * truth.1, "{wrong:?} beside {truth:?}");
+}
+
+/// An object of which every other image is seen from an eye.
+fn seen_from_eyes(away_m: f64, cells: JumpCells) -> ImageObject {
+    let (views, maps) = eyes_on_spheres(&CUBE, away_m, 72);
+    ImageObject::new(views, &maps, cells, 4.0).expect("an object")
+}
+
+/// The share of pixels that show what the core says, of those that show something or should.
+fn as_the_core_says(pixels: &[PixelOut], eye: DVec3, first: impl Fn(&Ray) -> Option<f64>) -> f64 {
+    let (mut all, mut right) = (0, 0);
+    for (pixel, ray) in pixels.iter().zip(rays(eye)) {
+        let truth = first(&Ray { origin: ray.origin, direction: ray.direction }).map(|t| ray.at(t));
+        let at = DVec3::new(pixel.position.x.into(), pixel.position.y.into(), pixel.position.z.into());
+        all += u32::from(pixel.hit == 1 || truth.is_some());
+        right += u32::from(pixel.hit == 1 && truth.is_some_and(|truth| (truth - at).length() < 2e-4));
+    }
+    assert!(all > 2500, "{all} pixels");
+    f64::from(right) / f64::from(all)
+}
+
+#[test]
+fn images_from_eyes_show_what_the_core_says() {
+    for (away_m, cells, eye) in [
+        (1.3, JumpCells::Highest, EYES[0]),
+        (2.5, JumpCells::Bilinear, EYES[1]),
+        (2.5, JumpCells::Step, EYES[2]),
+        // From within the ball: behind some of the eyes' backs.
+        (1.6, JumpCells::Highest, DVec3::new(1.1, 0.9, 2.0)),
+    ] {
+        let object = seen_from_eyes(away_m, cells);
+        let cells = [("object.cells", cells as u32 as f64)];
+        let shown = pixels(&object, selection("depth-object", &cells), eye, BackendChoice::Cpu);
+        let share = as_the_core_says(&shown, eye, |ray| object.first_hit(ray).map(|hit| hit.t));
+        let hull = pixels(&object, selection("visual-hull", &[]), eye, BackendChoice::Cpu);
+        let of_hull = as_the_core_says(&hull, eye, |ray| object.hull_first_hit(ray).map(|hit| hit.t));
+        println!("{away_m} m, {cells:?}: {share:.5}, hull {of_hull:.5}");
+        assert!(share >= ALIKE && of_hull >= ALIKE, "{away_m} m: {share}, hull {of_hull}");
+        // The same eyes a little farther away are noticed.
+        let other = seen_from_eyes(away_m * 1.1, JumpCells::Highest);
+        let wrong = as_the_core_says(&shown, eye, |ray| other.first_hit(ray).map(|hit| hit.t));
+        assert!(wrong < 0.9, "{away_m} m: {wrong}");
+    }
+}
+
+#[test]
+fn normals_of_images_from_eyes_are_those_of_what_they_saw() {
+    // Degrees between the normal that a pixel shows and that of the sphere, the median.
+    let off = |object: &ImageObject| {
+        let shown = pixels(object, selection("depth-object", &[]), EYES[0], BackendChoice::Cpu);
+        let mut all: Vec<f64> = shown
+            .iter()
+            .filter(|pixel| pixel.hit == 1)
+            .map(|pixel| {
+                let of = |v: [f32; 3]| DVec3::from(v.map(f64::from));
+                let (normal, at) = (pixel.normal, pixel.position);
+                let truth = normal_on_spheres(of([at.x, at.y, at.z]));
+                of([normal.x, normal.y, normal.z]).angle_between(truth).to_degrees()
+            })
+            .collect();
+        all.sort_by(f64::total_cmp);
+        all[all.len() / 2]
+    };
+    let parallel = off(&object_of_spheres(&CUBE, 72, JumpCells::Highest));
+    let [near, far] = [1.3, 4.0].map(|away_m| off(&seen_from_eyes(away_m, JumpCells::Highest)));
+    println!("{parallel:.3} degrees by parallel rays, {near:.3} and {far:.3} from eyes");
+    assert!(near < 1.5 * parallel && far < 1.5 * parallel, "{parallel} {near} {far}");
+}
+
+#[test]
+fn both_backends_show_the_same_from_eyes() {
+    if !has_adapter() {
+        return;
+    }
+    let object = seen_from_eyes(1.3, JumpCells::Highest);
+    for (eye, method) in EYES.into_iter().zip(["depth-object", "visual-hull", "depth-object-slices"]) {
+        let [cpu, gpu] = [BackendChoice::Cpu, BackendChoice::Gpu]
+            .map(|backend| pixels(&object, selection(method, &[("object.color", 1.0)]), eye, backend));
+        let share = alike(&cpu, &gpu);
+        println!("{method}: {share:.5} alike");
+        assert!(share >= ALIKE, "{method}: {share}");
+    }
+}
+
+#[test]
+fn hulls_are_in_the_shadows_that_rays_find() {
+    for object in [object_of_spheres(&CUBE, 64, JumpCells::Highest), seen_from_eyes(2.0, JumpCells::Highest)]
+    {
+        let [looked_up, traced] = ["map", "scene"].map(|shadow| {
+            let mut hull = selection("visual-hull", &[]);
+            hull.choose("shadow", shadow).expect("a listed name");
+            pixels(&object, hull, EYES[1], BackendChoice::Cpu)
+        });
+        let both = || looked_up.iter().zip(&traced).filter(|(one, _)| one.hit == 1);
+        let alike = both().filter(|(one, other)| (one.lit - other.lit).abs() < 0.5).count();
+        let lit = both().filter(|(_, other)| other.lit > 0.5).count();
+        let [alike, lit] = [alike, lit].map(|count| count as f64 / both().count() as f64);
+        println!("{alike:.4} alike, {lit:.4} lit");
+        assert!(alike > 0.95 && lit > 0.2 && lit < 0.9, "{alike} {lit}");
+    }
 }

@@ -35,9 +35,6 @@ pub enum ObjectProblem {
          taken: capture it with one, or choose 'depth-object'"
     )]
     NoGrid,
-    /// Rays are straight in perspective images in a way that the shaders do not know.
-    #[error("image {0} is perspective: only images by parallel rays can be shown")]
-    Perspective(usize),
     /// Images show balls of other sizes.
     #[error("image {0} shows a ball of another radius than the first: all images show the same ball")]
     OtherBall(usize),
@@ -69,7 +66,9 @@ impl SceneObject {
     }
 
     /// How its images look at it, as the shaders read it: a row for each, of what makes of a point `u`, `v`
-    /// and a height, where it lies among the others, and the direction toward its viewer. After these a row
+    /// and a height, where it lies among the others, the direction against which it looks, with 1 behind it if
+    /// it does so from an eye, what makes of a point its depth, and the
+    /// eye, with the depth at which it begins to see. After these a row
     /// of the grid that they make: its axes, with the frames of a side behind the first and 1 behind the
     /// second where only the upper half is mapped; zeros where they make none.
     pub fn images(&self) -> &Arc<BakedMap> {
@@ -100,14 +99,10 @@ impl Surface {
     ///
     /// # Errors
     ///
-    /// When the object has a perspective image, or images of balls of several sizes, or there is nothing that
-    /// all of them see.
+    /// When the object has images of balls of several sizes, or there is nothing that all of them see.
     pub fn of_object(object: impl Into<Arc<ImageObject>>) -> Result<Self, ObjectProblem> {
         let object = object.into();
         let views = object.views();
-        if let Some(number) = views.iter().position(|view| view.eye().is_some()) {
-            return Err(ObjectProblem::Perspective(number));
-        }
         let (_, radius) = views[0].ball();
         let is_other = |view: &View| (view.ball().1 - radius).abs() > 1e-9 * radius;
         if let Some(number) = views.iter().position(is_other) {
@@ -142,11 +137,14 @@ fn images_of(object: &ImageObject) -> Option<BakedMap> {
     let all = object.layout().size().map(f64::from);
     let places = object.layout().places();
     let values = object.views().iter().zip(places).flat_map(|(view, place)| {
-        let [u, v, height, _] = view.rows().map(|row| row.to_array());
+        let [u, v, height, depth] = view.rows().map(|row| row.to_array());
         let [x, y] = [0, 1].map(|axis| f64::from(place[axis]) / all[axis]);
         let [width, tall] = [0, 1].map(|axis| f64::from(view.size()[axis]) / all[axis]);
-        let [_, _, toward] = view.axes();
-        [u, v, height, [x, y, width, tall], toward.extend(0.0).to_array()]
+        let ([_, _, toward], (centre, radius)) = (view.axes(), view.ball());
+        let nearest = view.rows()[3].dot((centre + toward * radius).extend(1.0));
+        let has_eye = f64::from(view.eye().is_some());
+        let eye = view.eye().unwrap_or_default().extend(nearest).to_array();
+        [u, v, height, [x, y, width, tall], toward.extend(has_eye).to_array(), depth, eye]
     });
     let mut last = [[0.0; 4]; IMAGE_TEXELS as usize];
     if let Some(FrameGrid { side, mapping, axes }) = object.grid() {

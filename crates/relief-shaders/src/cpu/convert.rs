@@ -40,6 +40,7 @@ impl From<&relief_core::Path> for Path {
             0u32,
             0.0,
             1.0,
+            0.0,
         )
     }
 }

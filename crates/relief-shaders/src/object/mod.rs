@@ -18,7 +18,7 @@ pub const ENTRIES: &[Entry] = &[none::ENTRY, depth::ENTRY, hull::ENTRY, blend::E
 pub const MAX_IMAGES: usize = 64;
 
 /// How many texels of the map of images each of them has.
-pub const IMAGE_TEXELS: u32 = 5;
+pub const IMAGE_TEXELS: u32 = 7;
 
 /// What [`JumpCells`] are called, in their order.
 const CELLS: &[&str] = &[

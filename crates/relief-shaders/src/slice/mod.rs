@@ -36,8 +36,8 @@ const PARAMS: &[Param] = &[
     },
     Param::of_names(
         "direction",
-        "a: along the base; b, c: upright, at equal u or v; auto: of these what faces the eye most, triangle \
-         by triangle; screen: at equal depths",
+        "a: along the base; b, c: upright, at equal u or v; of an object at equal x, y, z; auto: of these what \
+         faces the eye most, triangle by triangle; screen: at equal depths",
         &["auto", "a", "b", "c", "screen"],
     ),
     Param::of_names(
@@ -52,11 +52,11 @@ const PARAMS: &[Param] = &[
 pub enum SliceDirection {
     /// Of the next three what faces the eye most, triangle by triangle.
     Auto,
-    /// Along the base.
+    /// Along the base; of an object at equal `x`.
     A,
-    /// Upright on the base, at equal `u`.
+    /// Upright on the base, at equal `u`; of an object at equal `y`.
     B,
-    /// Upright on the base, at equal `v`.
+    /// Upright on the base, at equal `v`; of an object at equal `z`.
     C,
     /// At equal depths from the eye.
     Screen,

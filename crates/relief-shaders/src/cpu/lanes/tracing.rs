@@ -66,6 +66,7 @@ lanes! {
             level,
             start: row(&paths.start),
             share: row(&paths.share),
+            bend: row(&paths.bend),
         }
     }
 }
