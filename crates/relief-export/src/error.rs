@@ -19,9 +19,6 @@ pub enum ExportError {
         /// The geometry.
         geometry: &'static str,
     },
-    /// The selection shows an object of images, whose data no manifest describes.
-    #[error("objects of images are shown by the renderer alone: there is no shader of them to export yet")]
-    Object,
     /// A variant that runs on CPUs alone.
     #[error("the {stage} '{entry}' sends rays through the whole scene, on the CPU: choose another {stage}")]
     OnlyCpu {

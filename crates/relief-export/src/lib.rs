@@ -119,9 +119,6 @@ pub fn export(selection: &Selection, options: &Options) -> Result<Exported, Expo
 
 /// Whether shaders can run all stages of a selection, together.
 fn check(selection: &Selection) -> Result<(), ExportError> {
-    if selection.object_cells().is_some() {
-        return Err(ExportError::Object);
-    }
     if selection.geometry().is_some() {
         return Err(ExportError::Displaced { geometry: selection.choices[GEOMETRY].entry.name });
     }

@@ -31,6 +31,9 @@ const BAKED: &[&str] = &[
     "rgba8unorm",
 ];
 
+/// Formats of how images look at an object: places in the world.
+const PLACES: &[&str] = &["rgba32float"];
+
 /// Formats of what lights see.
 const KEYS: &[&str] = &["r32float"];
 
@@ -50,6 +53,7 @@ pub fn need(binding: &Binding, needs: &[MapNeed], options: &Options) -> Option<T
         }
         (_, Some(MapSlot::Environment)) => (PICTURES, text("surface_settings.environment_levels", "6")),
         (_, Some(MapSlot::Lights)) => (KEYS, text("1", "one for each of the lights' views")),
+        (_, Some(MapSlot::Object)) => (PLACES, text("1", "1")),
         (_, Some(slot)) => {
             let layers = format!("surface_settings.maps[{}].layers", slot as u32);
             (BAKED, [map.map_or("1".to_owned(), levels_of), layers])

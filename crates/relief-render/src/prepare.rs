@@ -40,6 +40,21 @@ pub struct Preparer {
     pictures: Pictures,
 }
 
+impl Job {
+    /// All that shaders bind to show a scene, for programs that draw it by shaders of their own, such as exported
+    /// ones. The baked maps that its methods read are those of the provider.
+    ///
+    /// # Errors
+    ///
+    /// When a baked map cannot be provided, the triangles of a surface cannot be made, or it was cancelled
+    /// meanwhile.
+    pub fn of_scene(scene: &Scene, maps: &mut Maps, watch: &Watch) -> Result<Self, RenderError> {
+        let mut preparer = Preparer::default();
+        preparer.provide(scene, maps, &|_| false, watch)?;
+        preparer.job(scene, watch.cancel)
+    }
+}
+
 impl Preparer {
     /// Takes the baked maps that a scene's surfaces read from a provider, and says how these came about.
     /// Those that `built` names the backend builds itself: see [`Maps::provide_except`].

@@ -24,8 +24,11 @@ use crate::table::table;
 /// What `object-slices` is given.
 #[derive(Args)]
 pub struct Arguments {
+    /// Time pictures in place of comparing them
+    #[arg(long)]
+    times: bool,
     /// Pictures that are timed of each; the median counts
-    #[arg(long, default_value_t = 5)]
+    #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
     rounds: u32,
     /// Time a GPU, too: its product of all images, and its passes
     #[arg(long)]
@@ -139,12 +142,11 @@ impl Shot<'_> {
     }
 }
 
-/// Prints the tables.
+/// Prints a table.
 pub fn run(arguments: &Arguments) -> Result<(), String> {
     let Some(mesh) = spot()? else { return Ok(()) };
     let object = Arc::new(captured(&mesh, Arrangement::Cube, 209, Cover::Centre, JumpCells::Highest)?);
-    errors(&object)?;
-    times(&object, arguments)
+    if arguments.times { times(&object, arguments) } else { errors(&object) }
 }
 
 /// How far slices are behind what they are of.

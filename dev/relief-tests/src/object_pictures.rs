@@ -37,6 +37,13 @@ pub fn camera(eye: DVec3) -> Camera {
     Camera::new(eye, DVec3::new(0.0, 0.05, 0.0), 35.0).expect("a camera")
 }
 
+/// An object as a scene.
+pub fn scene(object: &ImageObject, selection: Selection, eye: DVec3, backend: BackendChoice) -> Scene {
+    let surface = Surface::of_object(object.clone()).expect("something to see").with_selection(selection);
+    let scene = Scene::builder(surface).camera(camera(eye)).size(SIZE[0], SIZE[1]).samples(1);
+    scene.backend(backend).build().expect("a proper scene")
+}
+
 /// What is seen of an object.
 pub fn pixels(
     object: &ImageObject,
@@ -44,14 +51,7 @@ pub fn pixels(
     eye: DVec3,
     backend: BackendChoice,
 ) -> Vec<PixelOut> {
-    let surface = Surface::of_object(object.clone()).expect("something to see").with_selection(selection);
-    let scene = Scene::builder(surface)
-        .camera(camera(eye))
-        .size(SIZE[0], SIZE[1])
-        .samples(1)
-        .backend(backend)
-        .build()
-        .expect("a proper scene");
+    let scene = scene(object, selection, eye, backend);
     render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
 }
 

@@ -1,13 +1,19 @@
 //! Exported shaders, bound by nothing but their manifests, beside the project's own renderer: the same bits.
 
 use relief_core::Wrap;
+use relief_core::object::{ImageObject, JumpCells};
 use relief_export::{Exported, Options, Placement, Profile, export};
+use relief_maps::{Maps, Watch};
 use relief_render::gpu::GpuRenderer;
+use relief_render::job::Job;
+use relief_render::scene::BackendChoice;
 use relief_shaders::Selection;
 use relief_shaders::wgsl::Sampling;
 use relief_tests::compilers;
 use relief_tests::exported::{Device, Language, draw};
+use relief_tests::object_pictures::{self, EYES};
 use relief_tests::one_source::picture::{Picture, Variation};
+use relief_tests::spheres::{CUBE, eyes_on_spheres};
 
 /// Columns and rows: 100,000 rays.
 const SIZE: [u32; 2] = [400, 250];
@@ -43,9 +49,9 @@ fn exported(selection: &Selection, placement: Option<Placement>) -> Exported {
 }
 
 /// The renderer's linear colours.
-fn rendered(device: &Device, picture: &Picture) -> Vec<[f32; 4]> {
+fn rendered(device: &Device, job: &Job) -> Vec<[f32; 4]> {
     let mut renderer = GpuRenderer::new(device.gpu());
-    let rendering = renderer.render(picture.job(), Sampling::Exact, &|_| ()).expect("a picture");
+    let rendering = renderer.render(job, Sampling::Exact, &|_| ()).expect("a picture");
     rendering.pixels.iter().map(|pixel| pixel.color).map(|of| [of.x, of.y, of.z, of.w]).collect()
 }
 
@@ -77,6 +83,32 @@ const CASES: [(&str, &str, &str, &str, Wrap); 4] = [
     ("relief", "prism", "none", "constant", Wrap::Repeat),
 ];
 
+/// An object of images of which every other one is seen from an eye, as a program's own shader is to draw it.
+fn object(method: &str) -> (Selection, Job) {
+    let (views, maps) = eyes_on_spheres(&CUBE, 2.5, 64);
+    let object = ImageObject::new(views, &maps, JumpCells::Highest, 4.0).expect("an object");
+    let selection = object_pictures::selection(method, &[]);
+    let scene = object_pictures::scene(&object, selection, EYES[0], BackendChoice::Gpu);
+    (selection, Job::of_scene(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a job"))
+}
+
+#[test]
+fn exports_of_objects_give_the_bits_of_the_renderer() {
+    let Some(device) = device() else { return };
+    for method in ["depth-object", "visual-hull"] {
+        let (selection, job) = object(method);
+        let (export, own) = (exported(&selection, None), rendered(&device, &job));
+        let Difference { bits, covered, .. } = compare(&own, &draw(&device, &export, &job, Language::Wgsl));
+        println!("{method}: {bits} of {covered} pixels differ");
+        assert!(covered > 2500 && bits == 0, "{method}: {bits} of {covered}");
+        // Another number of images is noticed.
+        let mut fewer = job.clone();
+        fewer.surfaces[0].settings.images -= 2;
+        let drawn = draw(&device, &export, &fewer, Language::Wgsl);
+        assert!(compare(&own, &drawn).bits > 0, "{method}");
+    }
+}
+
 #[test]
 fn an_export_bound_by_its_manifest_gives_the_bits_of_the_renderer() {
     let Some(device) = device() else { return };
@@ -87,7 +119,7 @@ fn an_export_bound_by_its_manifest_gives_the_bits_of_the_renderer() {
     for (method, surface, shadow, ambient, wrap) in CASES {
         let selection = selection(method, surface, shadow, ambient);
         let picture = picture(&selection, wrap);
-        let own = rendered(&device, &picture);
+        let own = rendered(&device, picture.job());
         let check = |export: &Exported, language| {
             let drawn = draw(&device, export, picture.job(), language);
             let Difference { bits, far, covered } = compare(&own, &drawn);
@@ -109,7 +141,7 @@ fn a_mutated_export_gives_other_bits() {
     let Some(device) = device() else { return };
     let selection = selection("relief", "plane", "ray", "constant");
     let picture = picture(&selection, Wrap::Mirror);
-    let (export, own) = (exported(&selection, None), rendered(&device, &picture));
+    let (export, own) = (exported(&selection, None), rendered(&device, picture.job()));
     // Of the shader, then of the manifest.
     let mutations = [
         (".wgsl", "while (k <= steps)", "while (k < steps)"),

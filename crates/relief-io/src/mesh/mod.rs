@@ -15,7 +15,9 @@ use std::path::{Path, PathBuf};
 
 use relief_core::mesh::{Framed, Mesh, RawMesh, UvProjection};
 
-pub use self::write::{GlbLayout, GlbLevel, MeshCounts, MeshSink, Quantization, write_glb, write_mesh};
+pub use self::write::{
+    GlbLayout, GlbLevel, MeshCounts, MeshSink, Quantization, Shells, write_glb, write_mesh, write_shells,
+};
 
 use self::builder::Builder;
 use crate::{DEFAULT_MAX_BYTES, Picture, ReadError, ReadProblem, Source};

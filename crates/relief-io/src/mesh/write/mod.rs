@@ -3,6 +3,7 @@
 mod glb;
 mod obj;
 mod ply;
+mod shells;
 mod stl;
 
 use std::fs::File;
@@ -12,6 +13,7 @@ use std::path::Path;
 use relief_core::mesh::MeshBlock;
 
 pub use glb::{GlbLayout, GlbLevel, Quantization};
+pub use shells::{Shells, write_shells};
 
 use super::MeshFormat;
 use crate::write_whole::write_file;

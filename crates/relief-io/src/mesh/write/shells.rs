@@ -1,0 +1,314 @@
+//! Shells over a mesh as binary glTF: the mesh several times, ever farther out along its normals, of which an
+//! alpha test keeps what is high enough. Any viewer shows a displaced surface by them, without a shader.
+//!
+//! Source: Kautz and Seidel 2001, section 3.1.
+
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::sync::Arc;
+
+use glam::{DVec3, Vec3};
+use png::{BitDepth, ColorType, Encoder};
+use relief_core::mesh::{Mesh, Vertex};
+use relief_core::{HeightMap, TexelMask, Wrap};
+
+use super::{MeshCounts, check_counts, floats};
+use crate::write_whole::write_file;
+use crate::{Picture, WriteError, WriteProblem, linear_to_srgb};
+
+/// Bytes of the file's header, and before the JSON and the buffer.
+const HEADERS: [u64; 2] = [20, 8];
+
+/// The codes of heights.
+const LEVELS: f64 = 255.0;
+
+/// Shells over a mesh, and what lies on it.
+///
+/// Of `count` shells the first lies at height 0, the last one below height 1 by as much as they are apart.
+/// Where a picture of colours is finer than the height map, heights are interpolated to its texels.
+#[derive(Clone, Copy, Debug)]
+pub struct Shells<'a> {
+    /// The mesh.
+    pub base: &'a Mesh,
+    /// The heights, and how far out they are.
+    pub map: &'a HeightMap,
+    /// Whether nothing is drawn where the map has holes.
+    pub has_holes: bool,
+    /// Colours in linear light, laid out as the heights; white without them.
+    pub color: Option<&'a Picture>,
+    /// What colours are multiplied by, in linear light.
+    pub factor: [f32; 3],
+    /// How many shells there are, at least one.
+    pub count: u32,
+}
+
+/// A shell.
+#[derive(Clone, Copy, Debug)]
+struct Shell {
+    /// The least opacity that is drawn; none where all is.
+    cutoff: Option<f64>,
+    /// Metres along the normals.
+    offset_m: f64,
+}
+
+/// Where something lies in the buffer: its first byte, and how many there are.
+type Place = [u64; 2];
+
+/// Where everything lies.
+struct Layout {
+    normals: Place,
+    uvs: Place,
+    indices: Place,
+    /// Those of the first shell; others follow.
+    positions: Place,
+    picture: Place,
+    bytes: u64,
+}
+
+impl Shells<'_> {
+    /// Vertices and triangles of all shells.
+    pub fn counts(&self) -> MeshCounts {
+        let all = |count: usize| (count as u64).saturating_mul(u64::from(self.count));
+        let base = self.base;
+        MeshCounts { vertices: all(base.vertices().len()), triangles: all(base.triangles().len()) }
+    }
+
+    /// Columns and rows of the picture on them.
+    pub fn picture_size(&self) -> [u32; 2] {
+        let color = self.color.map_or([1, 1], |color| [color.width, color.height]);
+        [self.map.width().max(color[0]), self.map.height().max(color[1])]
+    }
+
+    fn shells(&self) -> impl Iterator<Item = Shell> + '_ {
+        (0..self.count).map(|number| {
+            let height = f64::from(number) / f64::from(self.count);
+            let cutoff = match number {
+                0 => self.holes().map(|_| 0.5 / LEVELS),
+                _ => Some(height),
+            };
+            Shell { cutoff, offset_m: self.map.displacement_m(height) }
+        })
+    }
+
+    fn holes(&self) -> Option<&TexelMask> {
+        self.map.holes().filter(|_| self.has_holes).map(Arc::as_ref)
+    }
+
+    /// The picture: colours in sRGB, and the heights, which are 0 in holes alone where there are any.
+    fn texels(&self) -> Vec<u8> {
+        let [columns, rows] = self.picture_size();
+        let is_same = [columns, rows] == [self.map.width(), self.map.height()];
+        let mut texels = Vec::with_capacity(4 * columns as usize * rows as usize);
+        for (y, x) in (0..rows).flat_map(|y| (0..columns).map(move |x| (y, x))) {
+            let [u, v] = [(x, columns), (y, rows)].map(|(at, side)| (f64::from(at) + 0.5) / f64::from(side));
+            let texel = |at: f64, side: u32| ((at * f64::from(side)) as u32).min(side - 1);
+            let color = self.color.map_or([1.0; 3], |color| color_at(color, u, v, self.map.wrap()));
+            let height = if is_same {
+                f64::from(self.map.texel(i64::from(x), i64::from(y)))
+            } else {
+                self.map.height_at(u, v)
+            };
+            let (column, row) = (texel(u, self.map.width()), texel(v, self.map.height()));
+            let least = match self.holes() {
+                Some(holes) if holes.contains(column, row) => None,
+                Some(_) => Some(1.0),
+                None => Some(0.0),
+            };
+            let code = least.map_or(0.0, |least: f64| (LEVELS * height).round().max(least));
+            let encode = |part: f32| (LEVELS * linear_to_srgb(f64::from(part).clamp(0.0, 1.0))).round() as u8;
+            texels.extend(color.map(encode));
+            texels.push(code as u8);
+        }
+        texels
+    }
+
+    fn layout(&self, picture: u64) -> Layout {
+        let (vertices, triangles) = (self.base.vertices().len() as u64, self.base.triangles().len() as u64);
+        let mut next = 0;
+        let mut place = |bytes: u64, times: u64| {
+            let first = next;
+            next += bytes.saturating_mul(times).next_multiple_of(4);
+            [first, bytes]
+        };
+        let (normals, uvs, indices) =
+            (place(12 * vertices, 1), place(8 * vertices, 1), place(12 * triangles, 1));
+        let positions = place(12 * vertices, u64::from(self.count));
+        let picture = place(picture, 1);
+        Layout { normals, uvs, indices, positions, picture, bytes: next }
+    }
+
+    /// The mesh so far out.
+    fn positions(&self, offset_m: f64) -> impl Iterator<Item = Vec3> + '_ {
+        let moved = move |vertex: &Vertex| {
+            let out: DVec3 = vertex.normal.as_dvec3() * offset_m;
+            (vertex.position.as_dvec3() + out).as_vec3()
+        };
+        self.base.vertices().iter().map(moved)
+    }
+
+    fn json(&self, layout: &Layout) -> Result<String, WriteProblem> {
+        let (vertices, indices) = (self.base.vertices().len(), 3 * self.base.triangles().len());
+        let mut views = vec![
+            view(layout.normals, Some(34962)),
+            view(layout.uvs, Some(34962)),
+            view(layout.indices, Some(34963)),
+            view(layout.picture, None),
+        ];
+        let mut accessors = vec![
+            format!(r#"{{"bufferView":0,"componentType":5126,"count":{vertices},"type":"VEC3"}}"#),
+            format!(r#"{{"bufferView":1,"componentType":5126,"count":{vertices},"type":"VEC2"}}"#),
+            format!(r#"{{"bufferView":2,"componentType":5125,"count":{indices},"type":"SCALAR"}}"#),
+        ];
+        let (mut materials, mut primitives) = (Vec::new(), Vec::new());
+        let [first, bytes] = layout.positions;
+        let [red, green, blue] = self.factor;
+        for (number, Shell { cutoff, offset_m }) in (0u64..).zip(self.shells()) {
+            let nothing = [Vec3::INFINITY, Vec3::NEG_INFINITY];
+            let [least, most] =
+                self.positions(offset_m).fold(nothing, |[least, most], at| [least.min(at), most.max(at)]);
+            if !(least.is_finite() && most.is_finite()) {
+                let what = "a shell lies beyond what 32-bit numbers hold: choose a smaller displacement";
+                return Err(WriteProblem::NotStorable(what.to_owned()));
+            }
+            let [least, most] =
+                [least, most].map(|corner| corner.to_array().map(|number| format!("{number:e}")).join(","));
+            accessors.push(
+                format!(r#"{{"bufferView":{},"componentType":5126,"count":{vertices},"#, views.len())
+                    + &format!(r#""type":"VEC3","min":[{least}],"max":[{most}]}}"#),
+            );
+            views.push(view([first + number * bytes, bytes], Some(34962)));
+            let test = cutoff.map(|cutoff| format!(r#","alphaMode":"MASK","alphaCutoff":{cutoff:e}"#));
+            materials.push(
+                format!(r#"{{"pbrMetallicRoughness":{{"baseColorFactor":[{red:e},{green:e},{blue:e},1],"#)
+                    + r#""baseColorTexture":{"index":0},"metallicFactor":0},"doubleSided":true"#
+                    + &test.unwrap_or_default()
+                    + "}",
+            );
+            primitives.push(
+                format!(r#"{{"attributes":{{"POSITION":{},"NORMAL":0,"TEXCOORD_0":1}},"#, 3 + number)
+                    + &format!(r#""indices":2,"material":{number}}}"#),
+            );
+        }
+        let beyond = match self.map.wrap() {
+            Wrap::Repeat => 10497,
+            Wrap::Clamp => 33071,
+            Wrap::Mirror => 33648,
+        };
+        let version = env!("CARGO_PKG_VERSION");
+        Ok(format!(r#"{{"asset":{{"version":"2.0","generator":"relief {version}"}},"#)
+            + r#""scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"#
+            + &format!(r#""meshes":[{{"primitives":[{}]}}],"#, primitives.join(","))
+            + &format!(r#""materials":[{}],"textures":[{{"source":0,"sampler":0}}],"#, materials.join(","))
+            + &format!(
+                r#""samplers":[{{"magFilter":9729,"minFilter":9987,"wrapS":{beyond},"wrapT":{beyond}}}],"#
+            )
+            + r#""images":[{"bufferView":3,"mimeType":"image/png"}],"#
+            + &format!(r#""buffers":[{{"byteLength":{}}}],"#, layout.bytes)
+            + &format!(r#""bufferViews":[{}],"accessors":[{}]}}"#, views.join(","), accessors.join(",")))
+    }
+
+    fn picture(&self) -> Result<Vec<u8>, WriteProblem> {
+        let problem = |error: png::EncodingError| WriteProblem::NotStorable(error.to_string());
+        let ([columns, rows], mut bytes) = (self.picture_size(), Vec::new());
+        let mut encoder = Encoder::new(&mut bytes, columns, rows);
+        encoder.set_color(ColorType::Rgba);
+        encoder.set_depth(BitDepth::Eight);
+        let mut writer = encoder.write_header().map_err(problem)?;
+        writer.write_image_data(&self.texels()).map_err(problem)?;
+        writer.finish().map_err(problem)?;
+        Ok(bytes)
+    }
+
+    /// Writes the buffer.
+    fn buffer(
+        &self,
+        out: &mut BufWriter<&File>,
+        picture: &[u8],
+        tell: &dyn Fn(f32) -> ControlFlow<()>,
+    ) -> io::Result<()> {
+        let vertices = self.base.vertices();
+        let mut bytes = Vec::new();
+        let normals = vertices.iter().map(|vertex| vertex.normal.normalize_or(Vec3::Y));
+        floats(&mut bytes, normals.flat_map(|normal| normal.to_array()));
+        floats(&mut bytes, vertices.iter().flat_map(|vertex| vertex.uv.to_array()));
+        bytes.extend(self.base.triangles().as_flattened().iter().flat_map(|corner| corner.to_le_bytes()));
+        out.write_all(&bytes)?;
+        for (number, shell) in (1u32..).zip(self.shells()) {
+            bytes.clear();
+            floats(&mut bytes, self.positions(shell.offset_m).flat_map(|at| at.to_array()));
+            out.write_all(&bytes)?;
+            if tell(number as f32 / self.count as f32).is_break() {
+                return Err(io::Error::new(io::ErrorKind::Interrupted, "cancelled"));
+            }
+        }
+        out.write_all(picture)?;
+        out.write_all(&[0; 4][..picture.len().next_multiple_of(4) - picture.len()])
+    }
+}
+
+/// A colour between the centres of four texels, in linear light.
+fn color_at(color: &Picture, u: f64, v: f64, wrap: Wrap) -> [f32; 3] {
+    let [x, y] = [(u, color.width), (v, color.height)].map(|(at, side)| at * f64::from(side) - 0.5);
+    let (part_x, part_y) = ((x - x.floor()) as f32, (y - y.floor()) as f32);
+    let texel = |dx: i64, dy: i64| {
+        let column = wrap.index(x.floor() as i64 + dx, color.width);
+        let row = wrap.index(y.floor() as i64 + dy, color.height);
+        color.texels[row as usize * color.width as usize + column as usize]
+    };
+    let four = [texel(0, 0), texel(1, 0), texel(0, 1), texel(1, 1)];
+    [0, 1, 2].map(|part| {
+        let [a, b, c, d] = four.map(|texel| texel[part]);
+        let (top, bottom) = (a + (b - a) * part_x, c + (d - c) * part_x);
+        top + (bottom - top) * part_y
+    })
+}
+
+fn view([first, bytes]: Place, target: Option<u32>) -> String {
+    let target = target.map_or(String::new(), |target| format!(r#","target":{target}"#));
+    format!(r#"{{"buffer":0,"byteOffset":{first},"byteLength":{bytes}{target}}}"#)
+}
+
+/// Writes shells over a mesh as a GLB: one mesh with a primitive and a material for each shell, which share
+/// normals, texture coordinates, triangles and the picture. Heights are the picture's opacity, in 8 bits, and
+/// the material's `alphaCutoff` is the shell's height; the shell at height 0 is opaque but for holes. Normals
+/// are those of the mesh. `tell` is told the part done, and says whether to go on.
+///
+/// The same input gives the same bytes. Besides the picture a shell is held at once.
+///
+/// # Errors
+///
+/// When there is no shell, when the file would be longer than the 4 GiB at which a GLB ends, when a shell lies
+/// farther out than 32-bit numbers hold, when it cannot be written, or when it was not to go on. Nothing is
+/// left behind then.
+pub fn write_shells(
+    path: &Path,
+    shells: &Shells,
+    tell: &dyn Fn(f32) -> ControlFlow<()>,
+) -> Result<(), WriteError> {
+    check_counts(shells.counts()).map_err(|problem| problem.at(path))?;
+    write_file(path, |out| {
+        let picture = shells.picture()?;
+        let layout = shells.layout(picture.len() as u64);
+        let mut json = shells.json(&layout)?.into_bytes();
+        json.resize(json.len().next_multiple_of(4), b' ');
+        let bytes = HEADERS[0] + json.len() as u64 + HEADERS[1] + layout.bytes;
+        let Ok(all) = u32::try_from(bytes) else {
+            let MeshCounts { vertices, triangles } = shells.counts();
+            return Err(WriteProblem::NotStorable(format!(
+                "shells of {vertices} vertices and {triangles} triangles take {bytes} bytes as GLB, which ends \
+                 at 4 GiB: choose fewer, or a coarser mesh"
+            )));
+        };
+        let mut head = b"glTF\x02\0\0\0".to_vec();
+        head.extend(all.to_le_bytes());
+        head.extend((json.len() as u32).to_le_bytes());
+        head.extend(b"JSON");
+        head.extend(json);
+        head.extend((layout.bytes as u32).to_le_bytes());
+        head.extend(b"BIN\0");
+        out.write_all(&head)?;
+        Ok(shells.buffer(out, &picture, tell)?)
+    })
+}
