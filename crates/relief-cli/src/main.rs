@@ -80,6 +80,8 @@ enum Command {
     Mesh(Box<commands::mesh::Arguments>),
     /// Capture a mesh in images with depth, which together are an image-based object
     Capture(Box<commands::capture::Arguments>),
+    /// Write a scene's relief as shells, which any viewer of glTF shows by an alpha test
+    Slices(Box<commands::slices::Arguments>),
     /// Compare methods: how wrong their hits are, what they cost and how they look, as a page and as figures
     Compare(Box<commands::compare::Arguments>),
     /// Time frames of methods, part by part
@@ -145,6 +147,7 @@ impl Command {
             Command::Height(arguments) => arguments.files(),
             Command::Mesh(arguments) => arguments.files(),
             Command::Capture(arguments) => arguments.files(),
+            Command::Slices(arguments) => arguments.files(),
             Command::Compare(arguments) => arguments.files(),
             Command::Bench(arguments) => arguments.files(),
             Command::Shader(_) | Command::Methods(_) | Command::Completions(_) | Command::Man(_) => {
@@ -162,6 +165,7 @@ impl Command {
             Command::Height(arguments) => arguments.json(),
             Command::Mesh(arguments) => arguments.json,
             Command::Capture(arguments) => arguments.json,
+            Command::Slices(arguments) => arguments.json,
             Command::Compare(arguments) => arguments.json,
             Command::Bench(arguments) => arguments.json,
             Command::Shader(arguments) => arguments.json,
@@ -179,6 +183,7 @@ impl Command {
             Command::Height(arguments) => commands::height::run(arguments),
             Command::Mesh(arguments) => commands::mesh::run(arguments),
             Command::Capture(arguments) => commands::capture::run(arguments),
+            Command::Slices(arguments) => commands::slices::run(arguments),
             Command::Compare(arguments) => commands::compare::run(arguments),
             Command::Bench(arguments) => commands::bench::run(arguments),
             Command::Shader(arguments) => commands::shader::run(arguments),

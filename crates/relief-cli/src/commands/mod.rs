@@ -18,5 +18,6 @@ pub mod render;
 pub mod scene;
 pub mod scene_arguments;
 pub mod shader;
+pub mod slices;
 pub mod staged;
 pub mod stages;

@@ -122,14 +122,17 @@ fn after_help() -> String {
             text += &format!("  {target} {}: {}\n", profile.name(), profile.title());
         }
     }
-    text + "\nMethods of triangles (vertex, remesh, tessellate, and slices) have no shader of their own: \
+    text + "\nMethods of triangles (vertex, remesh, tessellate, and all slices) have no shader of their own: \
             `relief mesh` makes displaced meshes, and "
         + FACETS
         + " shades them."
 }
 
 fn method_help() -> String {
-    let names = METHODS.iter().filter(|method| method.geometry == METHODS[0].geometry);
+    let names = METHODS.iter().filter(|method| {
+        let geometry = Selection::of(method).ok().and_then(|selection| selection.geometry());
+        geometry.is_none()
+    });
     format!("Method: {}", names.map(|method| method.name).collect::<Vec<_>>().join(", "))
 }
 

@@ -1,0 +1,170 @@
+//! `relief slices`: a scene's relief as shells, which any viewer of glTF shows.
+
+use std::io::Write as _;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::atomic::Ordering;
+use std::time::Instant;
+
+use clap::Args;
+use relief_core::ByteSize;
+use relief_io::{DEFAULT_MAX_BYTES, MeshCounts, Shells, WriteError, write_shells};
+use relief_render::scene::{SceneSpec, Surface, read_scene};
+use serde_json::json;
+
+use super::numbered::{Numbering, ONE_FRAME};
+use super::scene_arguments::of_scene;
+use super::staged::{Staged, format_of};
+use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::streams::{Files, answer};
+use crate::{interrupt, values};
+
+/// What `relief slices` is given.
+#[derive(Args)]
+#[command(after_help = AFTER_HELP)]
+pub struct Arguments {
+    /// Scene file with one surface: a height map on a mesh
+    #[arg(value_name = "SCENE.toml")]
+    scene: PathBuf,
+    /// Mesh to write
+    #[arg(short, long, value_name = "FILE.glb")]
+    output: PathBuf,
+    /// Shells over the whole displacement
+    #[arg(
+        long,
+        value_name = "N",
+        default_value = "16",
+        value_parser = clap::value_parser!(u32).range(1..),
+        allow_hyphen_values = true
+    )]
+    count: u32,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
+    #[arg(long, value_name = "SIZE", allow_hyphen_values = true)]
+    max_memory: Option<ByteSize>,
+}
+
+const AFTER_HELP: &str = "Examples:\n  \
+    relief slices wall.toml -o wall.glb\n  \
+    relief slices fur.toml --count 48 -o fur.glb\n\n\
+    The file has the scene's mesh once for each shell, ever farther out along its normals, with one picture: \
+    the surface's color, and the heights in its opacity. The alphaCutoff of a shell's material is its height, \
+    so that every viewer draws what is high enough, and needs no shader: the oldest way to show displacement. \
+    From the side one sees between shells: more of them stand closer, and cost as much more. `relief render \
+    --method slices-surface --set slices.count=N` shows the same, and `relief mesh` makes displaced triangles.";
+
+/// Bytes of a texel: of the picture, and as PNG at most.
+const BYTES_PER_TEXEL: u64 = 10;
+
+/// Bytes of a vertex and a triangle of the base while a shell is written.
+const BYTES_PER_CORNER: u64 = 32;
+
+/// Reads and writes.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let started = Instant::now();
+    format_of("--output", &arguments.output, &[("glb", ())], &[&arguments.scene])?;
+    let surface = {
+        let _reading = Progress::spinner("reading", arguments.json);
+        arguments.surface()?
+    };
+    let shells = Shells {
+        base: surface.mesh(),
+        map: surface.height_map(),
+        has_holes: surface.has_holes(),
+        color: surface.color().map(AsRef::as_ref),
+        factor: surface.material().diffuse().to_array(),
+        count: arguments.count,
+    };
+    arguments.check_memory(&shells)?;
+    let cancel = interrupt::catch()?;
+    let mut staged = Staged::open(&[&arguments.output], arguments.json, cancel)?;
+    let aside = staged.aside(&arguments.output)?;
+    let progress = Progress::bar("writing", arguments.json);
+    let tell = |part: f32| {
+        progress.show(part);
+        if cancel.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    write_shells(&aside, &shells, &tell).map_err(|WriteError { problem, .. }| {
+        if cancel.load(Ordering::Relaxed) {
+            return interrupt::cancelled();
+        }
+        Failure::Work(format!("{}: {problem}", arguments.output.display()))
+    })?;
+    drop(progress);
+    staged.finish()?;
+    arguments.tell(&shells, started.elapsed().as_secs_f64())
+}
+
+impl Arguments {
+    /// The files that may be standard streams: none, as a scene names files beside itself.
+    pub fn files(&mut self) -> Files<'_> {
+        Files::default()
+    }
+
+    fn max_bytes(&self) -> u64 {
+        self.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0)
+    }
+
+    /// The only surface of the scene, which is no object of images.
+    fn surface(&self) -> Result<Surface, Failure> {
+        let refused = |what: &str| Failure::Work(format!("{}: {what}", self.scene.display()));
+        let spec = read_scene(&self.scene).map_err(of_scene)?;
+        Numbering::of(Some(&self.scene)).refuse(&spec, ONE_FRAME)?;
+        // Nothing is rendered.
+        let spec = SceneSpec {
+            max_memory: Some(ByteSize(self.max_bytes())),
+            size: Some([1, 1]),
+            samples: Some(1),
+            ..spec
+        };
+        let scene = spec.load().map_err(of_scene)?;
+        match scene.surfaces() {
+            [surface] if surface.object().is_some() => {
+                Err(refused("its surface is an object of images, which has no base for shells"))
+            }
+            [surface] => Ok(surface.clone()),
+            _ => Err(refused("it has several surfaces, and shells lie over one: write a scene for each")),
+        }
+    }
+
+    fn check_memory(&self, shells: &Shells) -> Result<(), Failure> {
+        let [columns, rows] = shells.picture_size().map(u64::from);
+        let corners = shells.base.vertices().len() + shells.base.triangles().len();
+        let needed = columns * rows * BYTES_PER_TEXEL + corners as u64 * BYTES_PER_CORNER;
+        if needed <= self.max_bytes() {
+            return Ok(());
+        }
+        let (needed, limit) = (needed.div_ceil(1 << 20), ByteSize(self.max_bytes()));
+        Err(Failure::Work(format!(
+            "{}: shells take {needed} MiB of memory, more than the {limit} allowed: --max-memory raises it",
+            self.scene.display()
+        )))
+    }
+
+    fn tell(&self, shells: &Shells, seconds: f64) -> Result<(), Failure> {
+        let MeshCounts { vertices, triangles } = shells.counts();
+        let ([columns, rows], path) = (shells.picture_size(), self.output.display());
+        let apart_m = shells.map.scale_m() / f64::from(self.count);
+        answer(|out| {
+            if self.json {
+                let about = json!({
+                    "scene": self.scene.display().to_string(), "output": path.to_string(),
+                    "shells": self.count, "vertices": vertices, "triangles": triangles,
+                    "picture": [columns, rows], "apart_m": apart_m, "seconds": seconds,
+                });
+                return Ok(writeln!(out, "{about:#}")?);
+            }
+            writeln!(
+                out,
+                "{path}: {} shells of {triangles} triangles in all, {} m apart, under a picture of {columns}x{rows}, \
+                 in {seconds:.2} s",
+                self.count,
+                values::six_digits(apart_m)
+            )?;
+            Ok(())
+        })
+    }
+}
