@@ -51,13 +51,13 @@ const AFTER_HELP: &str = "Examples:\n  \
     relief slices wall.toml -o wall.glb\n  \
     relief slices fur.toml --count 48 -o fur.glb\n\n\
     The file has the scene's mesh once for each shell, ever farther out along its normals, with one picture: \
-    the surface's color, and the heights in its opacity. The alphaCutoff of a shell's material is its height, \
+    the surface's color, and the heights in its opacity, and one of the relief's normals. The alphaCutoff of a shell's material is its height, \
     so that every viewer draws what is high enough, and needs no shader: the oldest way to show displacement. \
     From the side one sees between shells: more of them stand closer, and cost as much more. `relief render \
     --method slices-surface --set slices.count=N` shows the same, and `relief mesh` makes displaced triangles.";
 
-/// Bytes of a texel: of the picture, and as PNG at most.
-const BYTES_PER_TEXEL: u64 = 10;
+/// Bytes of a texel: of both pictures, and as PNG at most.
+const BYTES_PER_TEXEL: u64 = 16;
 
 /// Bytes of a vertex and a triangle of the base while a shell is written.
 const BYTES_PER_CORNER: u64 = 32;

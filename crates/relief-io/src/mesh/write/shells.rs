@@ -14,6 +14,7 @@ use png::{BitDepth, ColorType, Encoder};
 use relief_core::mesh::{Mesh, Vertex};
 use relief_core::{HeightMap, TexelMask, Wrap};
 
+use super::glb::tangent;
 use super::{MeshCounts, check_counts, floats};
 use crate::write_whole::write_file;
 use crate::{Picture, WriteError, WriteProblem, linear_to_srgb};
@@ -59,11 +60,14 @@ type Place = [u64; 2];
 /// Where everything lies.
 struct Layout {
     normals: Place,
+    tangents: Place,
     uvs: Place,
     indices: Place,
     /// Those of the first shell; others follow.
     positions: Place,
     picture: Place,
+    /// The picture of normals.
+    relief: Place,
     bytes: u64,
 }
 
@@ -124,7 +128,7 @@ impl Shells<'_> {
         texels
     }
 
-    fn layout(&self, picture: u64) -> Layout {
+    fn layout(&self, pictures: [u64; 2]) -> Layout {
         let (vertices, triangles) = (self.base.vertices().len() as u64, self.base.triangles().len() as u64);
         let mut next = 0;
         let mut place = |bytes: u64, times: u64| {
@@ -132,11 +136,11 @@ impl Shells<'_> {
             next += bytes.saturating_mul(times).next_multiple_of(4);
             [first, bytes]
         };
-        let (normals, uvs, indices) =
-            (place(12 * vertices, 1), place(8 * vertices, 1), place(12 * triangles, 1));
+        let (normals, tangents) = (place(12 * vertices, 1), place(16 * vertices, 1));
+        let (uvs, indices) = (place(8 * vertices, 1), place(12 * triangles, 1));
         let positions = place(12 * vertices, u64::from(self.count));
-        let picture = place(picture, 1);
-        Layout { normals, uvs, indices, positions, picture, bytes: next }
+        let [picture, relief] = pictures.map(|bytes| place(bytes, 1));
+        Layout { normals, tangents, uvs, indices, positions, picture, relief, bytes: next }
     }
 
     /// The mesh so far out.
@@ -152,14 +156,17 @@ impl Shells<'_> {
         let (vertices, indices) = (self.base.vertices().len(), 3 * self.base.triangles().len());
         let mut views = vec![
             view(layout.normals, Some(34962)),
+            view(layout.tangents, Some(34962)),
             view(layout.uvs, Some(34962)),
             view(layout.indices, Some(34963)),
             view(layout.picture, None),
+            view(layout.relief, None),
         ];
         let mut accessors = vec![
             format!(r#"{{"bufferView":0,"componentType":5126,"count":{vertices},"type":"VEC3"}}"#),
-            format!(r#"{{"bufferView":1,"componentType":5126,"count":{vertices},"type":"VEC2"}}"#),
-            format!(r#"{{"bufferView":2,"componentType":5125,"count":{indices},"type":"SCALAR"}}"#),
+            format!(r#"{{"bufferView":1,"componentType":5126,"count":{vertices},"type":"VEC4"}}"#),
+            format!(r#"{{"bufferView":2,"componentType":5126,"count":{vertices},"type":"VEC2"}}"#),
+            format!(r#"{{"bufferView":3,"componentType":5125,"count":{indices},"type":"SCALAR"}}"#),
         ];
         let (mut materials, mut primitives) = (Vec::new(), Vec::new());
         let [first, bytes] = layout.positions;
@@ -182,13 +189,15 @@ impl Shells<'_> {
             let test = cutoff.map(|cutoff| format!(r#","alphaMode":"MASK","alphaCutoff":{cutoff:e}"#));
             materials.push(
                 format!(r#"{{"pbrMetallicRoughness":{{"baseColorFactor":[{red:e},{green:e},{blue:e},1],"#)
-                    + r#""baseColorTexture":{"index":0},"metallicFactor":0},"doubleSided":true"#
+                    + r#""baseColorTexture":{"index":0},"metallicFactor":0},"normalTexture":{"index":1},"doubleSided":true"#
                     + &test.unwrap_or_default()
                     + "}",
             );
             primitives.push(
-                format!(r#"{{"attributes":{{"POSITION":{},"NORMAL":0,"TEXCOORD_0":1}},"#, 3 + number)
-                    + &format!(r#""indices":2,"material":{number}}}"#),
+                format!(
+                    r#"{{"attributes":{{"POSITION":{},"NORMAL":0,"TANGENT":1,"TEXCOORD_0":2}},"#,
+                    4 + number
+                ) + &format!(r#""indices":3,"material":{number}}}"#),
             );
         }
         let beyond = match self.map.wrap() {
@@ -200,38 +209,55 @@ impl Shells<'_> {
         Ok(format!(r#"{{"asset":{{"version":"2.0","generator":"relief {version}"}},"#)
             + r#""scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"#
             + &format!(r#""meshes":[{{"primitives":[{}]}}],"#, primitives.join(","))
-            + &format!(r#""materials":[{}],"textures":[{{"source":0,"sampler":0}}],"#, materials.join(","))
+            + &format!(
+                r#""materials":[{}],"textures":[{{"source":0,"sampler":0}},{{"source":1,"sampler":0}}],"#,
+                materials.join(",")
+            )
             + &format!(
                 r#""samplers":[{{"magFilter":9729,"minFilter":9987,"wrapS":{beyond},"wrapT":{beyond}}}],"#
             )
-            + r#""images":[{"bufferView":3,"mimeType":"image/png"}],"#
+            + r#""images":[{"bufferView":4,"mimeType":"image/png"},{"bufferView":5,"mimeType":"image/png"}],"#
             + &format!(r#""buffers":[{{"byteLength":{}}}],"#, layout.bytes)
             + &format!(r#""bufferViews":[{}],"accessors":[{}]}}"#, views.join(","), accessors.join(",")))
     }
 
-    fn picture(&self) -> Result<Vec<u8>, WriteProblem> {
-        let problem = |error: png::EncodingError| WriteProblem::NotStorable(error.to_string());
-        let ([columns, rows], mut bytes) = (self.picture_size(), Vec::new());
-        let mut encoder = Encoder::new(&mut bytes, columns, rows);
-        encoder.set_color(ColorType::Rgba);
-        encoder.set_depth(BitDepth::Eight);
-        let mut writer = encoder.write_header().map_err(problem)?;
-        writer.write_image_data(&self.texels()).map_err(problem)?;
-        writer.finish().map_err(problem)?;
-        Ok(bytes)
+    /// The normals of the relief in tangent space, green upward, by central differences over two texels.
+    fn relief(&self) -> Vec<u8> {
+        let (map, [tile_u, tile_v]) = (self.map, self.base.tile_m());
+        let size = [map.width(), map.height()].map(f64::from);
+        let per_m = |texels: f64, tile_m: f64| if tile_m > 0.0 { 0.5 * texels / tile_m } else { 0.0 };
+        let rate = [per_m(size[0], tile_u), per_m(size[1], tile_v)].map(|rate| rate * map.scale_m());
+        let mut texels = Vec::with_capacity(3 * map.width() as usize * map.height() as usize);
+        for (y, x) in (0..map.height()).flat_map(|y| (0..map.width()).map(move |x| (y, x))) {
+            let at = |dx: i64, dy: i64| f64::from(map.texel(i64::from(x) + dx, i64::from(y) + dy));
+            let [u, v] = [at(1, 0) - at(-1, 0), at(0, 1) - at(0, -1)];
+            let normal = DVec3::new(-u * rate[0], v * rate[1], 1.0).normalize_or(DVec3::Z);
+            texels.extend(normal.to_array().map(|part| (LEVELS * (0.5 + 0.5 * part)).round() as u8));
+        }
+        texels
+    }
+
+    /// The picture that lies on the shells, and that of normals, as PNG.
+    fn pictures(&self) -> Result<[Vec<u8>; 2], WriteProblem> {
+        let [columns, rows] = self.picture_size();
+        Ok([
+            png(columns, rows, ColorType::Rgba, &self.texels())?,
+            png(self.map.width(), self.map.height(), ColorType::Rgb, &self.relief())?,
+        ])
     }
 
     /// Writes the buffer.
     fn buffer(
         &self,
         out: &mut BufWriter<&File>,
-        picture: &[u8],
+        pictures: &[Vec<u8>; 2],
         tell: &dyn Fn(f32) -> ControlFlow<()>,
     ) -> io::Result<()> {
         let vertices = self.base.vertices();
         let mut bytes = Vec::new();
         let normals = vertices.iter().map(|vertex| vertex.normal.normalize_or(Vec3::Y));
         floats(&mut bytes, normals.flat_map(|normal| normal.to_array()));
+        floats(&mut bytes, vertices.iter().flat_map(tangent));
         floats(&mut bytes, vertices.iter().flat_map(|vertex| vertex.uv.to_array()));
         bytes.extend(self.base.triangles().as_flattened().iter().flat_map(|corner| corner.to_le_bytes()));
         out.write_all(&bytes)?;
@@ -243,8 +269,11 @@ impl Shells<'_> {
                 return Err(io::Error::new(io::ErrorKind::Interrupted, "cancelled"));
             }
         }
-        out.write_all(picture)?;
-        out.write_all(&[0; 4][..picture.len().next_multiple_of(4) - picture.len()])
+        for picture in pictures {
+            out.write_all(picture)?;
+            out.write_all(&[0; 4][..picture.len().next_multiple_of(4) - picture.len()])?;
+        }
+        Ok(())
     }
 }
 
@@ -265,6 +294,18 @@ fn color_at(color: &Picture, u: f64, v: f64, wrap: Wrap) -> [f32; 3] {
     })
 }
 
+fn png(columns: u32, rows: u32, color: ColorType, texels: &[u8]) -> Result<Vec<u8>, WriteProblem> {
+    let problem = |error: png::EncodingError| WriteProblem::NotStorable(error.to_string());
+    let mut bytes = Vec::new();
+    let mut encoder = Encoder::new(&mut bytes, columns, rows);
+    encoder.set_color(color);
+    encoder.set_depth(BitDepth::Eight);
+    let mut writer = encoder.write_header().map_err(problem)?;
+    writer.write_image_data(texels).map_err(problem)?;
+    writer.finish().map_err(problem)?;
+    Ok(bytes)
+}
+
 fn view([first, bytes]: Place, target: Option<u32>) -> String {
     let target = target.map_or(String::new(), |target| format!(r#","target":{target}"#));
     format!(r#"{{"buffer":0,"byteOffset":{first},"byteLength":{bytes}{target}}}"#)
@@ -273,7 +314,7 @@ fn view([first, bytes]: Place, target: Option<u32>) -> String {
 /// Writes shells over a mesh as a GLB: one mesh with a primitive and a material for each shell, which share
 /// normals, texture coordinates, triangles and the picture. Heights are the picture's opacity, in 8 bits, and
 /// the material's `alphaCutoff` is the shell's height; the shell at height 0 is opaque but for holes. Normals
-/// are those of the mesh. `tell` is told the part done, and says whether to go on.
+/// are those of the mesh, and a normal map has the relief's. `tell` is told the part done, and says whether to go on.
 ///
 /// The same input gives the same bytes. Besides the picture a shell is held at once.
 ///
@@ -289,8 +330,8 @@ pub fn write_shells(
 ) -> Result<(), WriteError> {
     check_counts(shells.counts()).map_err(|problem| problem.at(path))?;
     write_file(path, |out| {
-        let picture = shells.picture()?;
-        let layout = shells.layout(picture.len() as u64);
+        let pictures = shells.pictures()?;
+        let layout = shells.layout(pictures.each_ref().map(|picture| picture.len() as u64));
         let mut json = shells.json(&layout)?.into_bytes();
         json.resize(json.len().next_multiple_of(4), b' ');
         let bytes = HEADERS[0] + json.len() as u64 + HEADERS[1] + layout.bytes;
@@ -309,6 +350,6 @@ pub fn write_shells(
         head.extend((layout.bytes as u32).to_le_bytes());
         head.extend(b"BIN\0");
         out.write_all(&head)?;
-        Ok(shells.buffer(out, &picture, tell)?)
+        Ok(shells.buffer(out, &pictures, tell)?)
     })
 }

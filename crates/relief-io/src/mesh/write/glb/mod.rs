@@ -14,7 +14,7 @@ use super::{MeshCounts, Regions};
 
 use self::strips::Strip;
 pub use layout::{GlbLayout, GlbLevel};
-pub use vertex::Quantization;
+pub use vertex::{Quantization, tangent};
 
 /// Bytes of an index.
 const INDEX: u64 = 4;

@@ -126,7 +126,7 @@ pub fn quantized(bytes: &mut Vec<u8>, vertex: &Vertex, how: &Quantization) -> io
 
 /// The unit tangent at right angles to the normal, and the sign by which `normal x tangent` points up in the
 /// picture, against growing `v`: that of the bitangent of glTF's normal maps.
-fn tangent(vertex: &Vertex) -> [f32; 4] {
+pub fn tangent(vertex: &Vertex) -> [f32; 4] {
     let [normal, tangent, bitangent]: [DVec3; 3] =
         [vertex.normal, vertex.tangent, vertex.bitangent].map(|vector| vector.as_dvec3());
     let flat = tangent - normal * normal.dot(tangent);
