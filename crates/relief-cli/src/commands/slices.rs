@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use clap::Args;
 use relief_core::ByteSize;
-use relief_io::{DEFAULT_MAX_BYTES, MeshCounts, Shells, WriteError, write_shells};
+use relief_io::{DEFAULT_MAX_BYTES, MAX_SHELLS, MeshCounts, Shells, WriteError, write_shells};
 use relief_render::scene::{SceneSpec, Surface, read_scene};
 use serde_json::json;
 
@@ -35,7 +35,7 @@ pub struct Arguments {
         long,
         value_name = "N",
         default_value = "16",
-        value_parser = clap::value_parser!(u32).range(1..),
+        value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SHELLS)),
         allow_hyphen_values = true
     )]
     count: u32,

@@ -13,7 +13,7 @@ use std::path::Path;
 use relief_core::mesh::MeshBlock;
 
 pub use glb::{GlbLayout, GlbLevel, Quantization};
-pub use shells::{Shells, write_shells};
+pub use shells::{MAX_SHELLS, Shells, write_shells};
 
 use super::MeshFormat;
 use crate::write_whole::write_file;

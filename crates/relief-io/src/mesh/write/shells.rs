@@ -22,6 +22,9 @@ use crate::{Picture, WriteError, WriteProblem, linear_to_srgb};
 /// Bytes of the file's header, and before the JSON and the buffer.
 const HEADERS: [u64; 2] = [20, 8];
 
+/// The most shells of a file, each of which viewers draw by itself.
+pub const MAX_SHELLS: u32 = 4096;
+
 /// The codes of heights.
 const LEVELS: f64 = 255.0;
 
@@ -41,7 +44,7 @@ pub struct Shells<'a> {
     pub color: Option<&'a Picture>,
     /// What colours are multiplied by, in linear light.
     pub factor: [f32; 3],
-    /// How many shells there are, at least one.
+    /// How many shells there are: 1 to [`MAX_SHELLS`].
     pub count: u32,
 }
 
@@ -141,6 +144,28 @@ impl Shells<'_> {
         let positions = place(12 * vertices, u64::from(self.count));
         let [picture, relief] = pictures.map(|bytes| place(bytes, 1));
         Layout { normals, tangents, uvs, indices, positions, picture, relief, bytes: next }
+    }
+
+    /// Whether there may be so many shells, and a file may hold them.
+    fn check(&self) -> Result<(), WriteProblem> {
+        let (vertices, triangles) = (self.base.vertices().len() as u64, self.base.triangles().len() as u64);
+        check_counts(MeshCounts { vertices, triangles })?;
+        if !(1..=MAX_SHELLS).contains(&self.count) {
+            let what = format!("{} shells: there are 1 to {MAX_SHELLS}", self.count);
+            return Err(WriteProblem::NotStorable(what));
+        }
+        self.checked(self.layout([0; 2]).bytes).map(drop)
+    }
+
+    /// So many bytes, if a GLB may be as long.
+    fn checked(&self, bytes: u64) -> Result<u32, WriteProblem> {
+        u32::try_from(bytes).map_err(|_| {
+            let (count, MeshCounts { triangles, .. }) = (self.count, self.counts());
+            WriteProblem::NotStorable(format!(
+                "{count} shells of {triangles} triangles in all take {bytes} bytes as GLB, which ends at 4 GiB: \
+                 choose fewer, or a coarser mesh"
+            ))
+        })
     }
 
     /// The mesh so far out.
@@ -320,7 +345,7 @@ fn view([first, bytes]: Place, target: Option<u32>) -> String {
 ///
 /// # Errors
 ///
-/// When there is no shell, when the file would be longer than the 4 GiB at which a GLB ends, when a shell lies
+/// When there is no shell, or more than [`MAX_SHELLS`], when the file would be longer than the 4 GiB at which a GLB ends, when a shell lies
 /// farther out than 32-bit numbers hold, when it cannot be written, or when it was not to go on. Nothing is
 /// left behind then.
 pub fn write_shells(
@@ -328,20 +353,14 @@ pub fn write_shells(
     shells: &Shells,
     tell: &dyn Fn(f32) -> ControlFlow<()>,
 ) -> Result<(), WriteError> {
-    check_counts(shells.counts()).map_err(|problem| problem.at(path))?;
+    shells.check().map_err(|problem| problem.at(path))?;
     write_file(path, |out| {
         let pictures = shells.pictures()?;
         let layout = shells.layout(pictures.each_ref().map(|picture| picture.len() as u64));
         let mut json = shells.json(&layout)?.into_bytes();
         json.resize(json.len().next_multiple_of(4), b' ');
         let bytes = HEADERS[0] + json.len() as u64 + HEADERS[1] + layout.bytes;
-        let Ok(all) = u32::try_from(bytes) else {
-            let MeshCounts { vertices, triangles } = shells.counts();
-            return Err(WriteProblem::NotStorable(format!(
-                "shells of {vertices} vertices and {triangles} triangles take {bytes} bytes as GLB, which ends \
-                 at 4 GiB: choose fewer, or a coarser mesh"
-            )));
-        };
+        let all = shells.checked(bytes)?;
         let mut head = b"glTF\x02\0\0\0".to_vec();
         head.extend(all.to_le_bytes());
         head.extend((json.len() as u32).to_le_bytes());
