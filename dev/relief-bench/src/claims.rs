@@ -2,7 +2,7 @@
 
 use clap::Args;
 use relief_tests::accuracy::maps;
-use relief_tests::claims::verdicts;
+use relief_tests::claims::{PictureVerdict, picture_verdicts, verdicts};
 
 use crate::table::table;
 
@@ -41,5 +41,27 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         ]);
     }
     println!("{} rays a map and angle; means over five maps and the angles.\n\n{rows}", arguments.rays);
+    println!("\nKautz and Seidel 2001, on pictures.\n\n{}", of_pictures());
     Ok(())
+}
+
+/// The table of what is found on pictures.
+fn of_pictures() -> comfy_table::Table {
+    let mut rows =
+        table(&["section", "claim", "less", "more", "measure", "less has", "more has", "at most", "verdict"]);
+    for verdict in picture_verdicts() {
+        let PictureVerdict { claim, figures: [less, more] } = verdict;
+        rows.add_row([
+            claim.section.to_owned(),
+            claim.text.to_owned(),
+            claim.of[0].to_owned(),
+            claim.of[1].to_owned(),
+            claim.measure.to_owned(),
+            format!("{less:.4}"),
+            format!("{more:.4}"),
+            format!("{:.4}", claim.factor * more),
+            if verdict.holds() { "holds" } else { "refuted" }.to_owned(),
+        ]);
+    }
+    rows
 }

@@ -8,6 +8,7 @@ use relief_core::{HeightMap, Wrap};
 use relief_render::scene::BackendChoice::{Cpu, Gpu};
 use relief_shaders::wgsl::Sampling;
 use relief_tests::adapter::has_adapter;
+use relief_tests::claims::picture_verdicts;
 use relief_tests::maps::fractal;
 use relief_tests::one_source::cases::Case;
 use relief_tests::one_source::compare::Comparison;
@@ -192,4 +193,14 @@ fn backends_have_the_same_bits_on_single_slices() {
         }
     }
     all.check().expect("the same bits");
+}
+
+#[test]
+fn claims_about_pictures_are_borne_out_or_recorded_as_refuted() {
+    for verdict in picture_verdicts() {
+        let (claim, [less, more]) = (verdict.claim, verdict.figures);
+        println!("{}: {}: {less:.4} and {more:.4}", claim.section, claim.text);
+        assert!(less.is_finite() && more > 0.0, "{}", claim.text);
+        assert_eq!(verdict.holds(), claim.holds, "{}: {less} and {more}", claim.text);
+    }
 }

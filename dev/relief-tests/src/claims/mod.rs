@@ -2,6 +2,7 @@
 
 mod descent;
 mod pyramidal;
+mod slices;
 mod survey;
 
 use relief_compare::{Case, hits};
@@ -12,6 +13,8 @@ use relief_shaders::{Selection, SlotMaps};
 
 use crate::accuracy::{ANGLES, Named, SCALE_M, case};
 use crate::baked::{maps_for, slots};
+
+pub use self::slices::{PictureClaim, PictureVerdict, picture_verdicts};
 
 /// A method with settings, such as `occlusion search.steps=64`.
 #[derive(Clone, Copy, Debug)]
